@@ -3,10 +3,10 @@ import type { WorkerOptions } from './tests/support/fixtures.ts';
 import { demandTestServer } from './tests/support/server.ts';
 
 const isLong = Boolean(process.env.TEST_LONG);
-const FOLDERS = '{site,visual,e2e}';
-const LONG = `**/${FOLDERS}/**/*.long.{spec,test}.ts`;
+const FOLDERS = '**/tests/{site,visual,e2e}';
+const LONG = `${FOLDERS}/**/*.long.spec.ts`;
 
-const EMBED = isLong ? '**/e2e/embed.*.long.spec.ts' : '**/e2e/embed.*.spec.ts';
+const EMBED = `**/tests/e2e/{element,iframe,package,remote}/${isLong ? '*.long.spec.ts' : '*.spec.ts'}`;
 const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
 
 const ignored = isLong ? [] : [LONG];
@@ -26,7 +26,7 @@ const { port, browser, flags } = await demandTestServer();
  */
 export default defineConfig<object, WorkerOptions>({
   testDir: 'tests',
-  testMatch: isLong ? LONG : `**/${FOLDERS}/**/*.{spec,test}.ts`,
+  testMatch: isLong ? LONG : `${FOLDERS}/**/*.spec.ts`,
   testIgnore: ignored,
   forbidOnly: true,
   retries: 0,
@@ -37,13 +37,13 @@ export default defineConfig<object, WorkerOptions>({
   expect: { timeout: 120_000 },
   outputDir: 'test-results',
   projects: [
-    { name: 'built', testMatch: '**/support/built.setup.ts', testIgnore: [] },
-    { name: 'modules', testIgnore: [...ignored, '**/e2e/**', SITE] },
+    { name: 'built', testMatch: '**/tests/support/built.setup.ts', testIgnore: [] },
+    { name: 'modules', testIgnore: [...ignored, '**/tests/e2e/**', SITE] },
     { name: 'site', testMatch: SITE, testIgnore: ignored, ...builtFirst, use: fewPixels },
     {
       name: 'pages',
       ...builtFirst,
-      testMatch: isLong ? '**/e2e/**/*.long.spec.ts' : '**/e2e/**/*.spec.ts',
+      testMatch: isLong ? '**/tests/e2e/**/*.long.spec.ts' : '**/tests/e2e/**/*.spec.ts',
       testIgnore: [...ignored, EMBED],
       // Each test is a first visit to the page; the service worker has separate tests, with those of the site.
       use: { ...fewPixels, showsBuiltSite: true, serviceWorkers: 'block' },

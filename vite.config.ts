@@ -1,9 +1,7 @@
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { withoutShaders } from './scripts/package/withoutShaders.mjs';
-import { addresses } from './scripts/site/addresses.ts';
-import { preloads } from './scripts/site/preloads.ts';
-import { serviceWorker } from './scripts/site/serviceWorker.ts';
+import { addresses, preloads, serviceWorker } from './scripts/site/plugins.ts';
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({
@@ -32,6 +30,10 @@ export default defineConfig({
     target: 'es2023',
     sourcemap: true,
     chunkSizeWarningLimit: 800,
-    rolldownOptions: { input: ['index.html', 'paper.html'] },
+    rolldownOptions: {
+      input: ['index.html', 'paper.html'],
+      // These files only export. Otherwise the first load would contain every module that they name.
+      treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset)\.ts$/, sideEffects: false }] },
+    },
   },
 });

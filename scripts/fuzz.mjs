@@ -28,7 +28,7 @@ await conclude(async () => {
   );
   const minutes = Number(values.minutes);
   if (!(minutes > 0 && minutes <= 1440)) {
-    throw new UserError(`--minutes ${values.minutes} is out of range: give a number above 0, up to 1440.`);
+    throw new UserError(`--minutes ${values.minutes} is out of range: use a number above 0 and at most 1440.`);
   }
   await compile(values.rigids);
   const [seeds, corpus, findings] = ['seeds', 'corpus', 'findings'].map(folder);

@@ -4,8 +4,7 @@
  */
 
 import { readArguments } from './lib/arguments.mjs';
-import { run } from './lib/command.mjs';
-import { inRoot } from './lib/paths.mjs';
+import { runScript } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
@@ -22,9 +21,9 @@ const FILES = [
     'src/preset/lists.json',
     (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
   ],
-  ['src/element/attributes/names.json', (say) => vitest('element.names', 'lists the keys', say)],
-  ['public/smoke-file.schema.json', (say) => vitest('file', 'stands in public/', say)],
-  ['tables in docs/', (say) => vitest('documents', 'has the generated table', say)],
+  ['src/element/attributes/names.json', (say) => vitest('element/names', 'lists the keys', say)],
+  ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],
+  ['tables in docs/', (say) => vitest('repository/documents', 'has the generated table', say)],
 ];
 
 await conclude(async () => {
@@ -34,15 +33,15 @@ await conclude(async () => {
     const { status, output } = await withProgress(file, work);
     if (status !== 0) throw new UserError(`${file} could not be written: see the output above.`, output);
   }
+  console.log('All generated files are up to date.');
 });
 
 /**
- * @param {string} name of a file in tests/unit
+ * @param {string} name path in tests/unit, without its ending
  * @param {string} test part of the title
  * @param {Say} say
  */
 function vitest(name, test, say) {
-  const script = inRoot('node_modules/vitest/vitest.mjs');
-  const parameters = [script, 'run', `tests/unit/${name}.test.ts`, '-t', test];
-  return run(process.execPath, parameters, { environment, onLine: say });
+  const parameters = ['run', `tests/unit/${name}.test.ts`, '-t', test];
+  return runScript('node_modules/vitest/vitest.mjs', parameters, { environment, onLine: say });
 }

@@ -21,7 +21,7 @@ await conclude(async () => {
   if (positionals.length !== 2 || !size) throw new UserError(`Name a link and a file. Usage: ${USAGE}`);
   await setUp(TESTS);
   const order = { link, width: Number(size[1]), height: Number(size[2]), isTransparent: values.transparent };
-  const draw = `import('/tests/visual/cases/poster.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;
+  const draw = `import('/tests/visual/element/poster.cases.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;
   const { png, notices } = /** @type {{ png: string, notices: string[] }} */ (await evaluateInPage(draw, console.log));
   for (const notice of notices) console.log(notice);
   writeFileSync(file, Buffer.from(png, 'base64'));

@@ -12,7 +12,7 @@ import { PICTURES, setUp } from './setup/setup.mjs';
 await conclude(async () => {
   await setUp(PICTURES);
   const names = process.argv.slice(2);
-  const draw = `Promise.all([import('/tests/visual/cases/thumbnails.ts'), import('/src/preset/presets.ts')]).then(
+  const draw = `Promise.all([import('/tests/visual/app/thumbnails.cases.ts'), import('/src/preset/presets.ts')]).then(
     async ([{ thumbnail }, { presets }]) => {
       const given = ${JSON.stringify(names)};
       const made = {};

@@ -1,9 +1,17 @@
 /** Exports of the package. No module of the library imports this file. */
 export { CartoonSmokeElement } from './element/cartoonSmokeElement.ts';
 export type { SmokeEvent, SmokeEvents, StateChange } from './element/events.ts';
-export { createDevice, type Device, type DeviceCanvas } from './device/device.ts';
+export type { StageMethods } from './element/methods.ts';
+export {
+  createDevice,
+  type ContextEvent,
+  type Device,
+  type DeviceCanvas,
+  type DeviceOptions,
+} from './device/device.ts';
 export {
   ContextError,
+  FileError,
   LoadError,
   ParameterError,
   ShapeError,
@@ -13,9 +21,11 @@ export {
 } from './preset/errors.ts';
 export type { Value, Values } from './preset/parameter.ts';
 export { presets, presetValues, type Preset } from './preset/presets.ts';
+export type { DebugView, Quality } from './preset/quality.ts';
 export type { PlainMesh } from './puffs/fit/closedMesh.ts';
 export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fit/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
+export type { PuffKnobs } from './puffs/procedural.ts';
 export type { Lobe, PuffShape } from './puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
 export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './three/options.ts';
@@ -25,7 +35,9 @@ export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';
 export type { RemoteMethods, RemoteStage, RemoteStageOptions, Thread } from './remote/contract.ts';
 export { connectFrame, type ConnectOptions } from './remote/connectFrame.ts';
 export { openStage } from './remote/openStage.ts';
-export { bakedPuffs } from './smoke/bakedPuffs.ts';
+export type { Vector } from './scenes/scene.ts';
+export type { LoadProgress } from './sim/load.ts';
+export type { RigidSurface } from './sim/rigid.ts';
 export type {
   EnterOptions,
   PointerInput,
@@ -35,5 +47,6 @@ export type {
   StageStats,
 } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
+export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
 export type { Take } from './stage/take.ts';

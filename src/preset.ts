@@ -3,10 +3,22 @@
  * Exports only.
  */
 export { decode, encode, type Decoded, type State } from './preset/codec.ts';
-export { ParameterError, SmokeError } from './preset/errors.ts';
-export { readFile, writeFile } from './preset/file.ts';
+export { FileError, ParameterError, SmokeError } from './preset/errors.ts';
+export { readFile, writeFile, type SmokeFile } from './preset/file.ts';
 export type { Notice } from './preset/notice.ts';
-export type { Parameter, Value, Values } from './preset/parameter.ts';
+export type {
+  ChoiceParameter,
+  ColorParameter,
+  CurveParameter,
+  NumberParameter,
+  Parameter,
+  ParameterDescription,
+  RampParameter,
+  Reader,
+  ToggleParameter,
+  Value,
+  Values,
+} from './preset/parameter.ts';
 export { defaultPreset, findPreset, presets, presetValues, type Preset } from './preset/presets.ts';
 export { findParameter, groups, itemGroups, table } from './preset/table.ts';
 export { defaults, validate } from './preset/values.ts';

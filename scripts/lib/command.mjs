@@ -2,7 +2,7 @@
 
 import { spawn } from 'node:child_process';
 import { stripVTControlCharacters } from 'node:util';
-import { root } from './paths.mjs';
+import { inRoot, root } from './paths.mjs';
 
 /** @type {Set<import('node:child_process').ChildProcess>} */
 const living = new Set();
@@ -68,6 +68,17 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
     });
     child.on('close', (status) => end(status ?? 128));
   });
+}
+
+/**
+ * Runs a script of the repository or of a package with this Node.
+ *
+ * @param {string} path relative to the repository root
+ * @param {readonly string[]} parameters
+ * @param {Parameters<typeof run>[2]} [options]
+ */
+export function runScript(path, parameters, options) {
+  return run(process.execPath, [inRoot(path), ...parameters], options);
 }
 
 /**

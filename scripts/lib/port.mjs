@@ -19,7 +19,7 @@ export async function demandFreePort(port, command) {
     const code = await listenOnce(port, address);
     if (code === 'EADDRINUSE') {
       throw new UserError(
-        `Port ${port} is in use: stop what uses it, or choose another with ${command} --port ${other(port)}.`,
+        `Port ${port} is in use: stop the program that uses it, or choose another with ${command} --port ${other(port)}.`,
       );
     }
     if (code === 'EACCES') {

@@ -3,12 +3,9 @@
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { rolldown } from 'rolldown';
-import { inRoot } from '../lib/paths.mjs';
+import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
-import { shortShaders } from './shortShaders.mjs';
-import { shortStyles } from './shortStyles.mjs';
-import { sourceModule } from './sourceModule.mjs';
-import { withoutFallbacks } from './withoutFallbacks.mjs';
+import { shadersTogether, shortShaders } from './shortShaders.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutWords } from './withoutWords.mjs';
 
@@ -16,11 +13,6 @@ const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.w
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 const SCRIPT = 'cartoon-smoke.min';
-/** Removes fault injection, and class fields that are only type declarations. */
-const TRANSFORM = {
-  define: { 'import.meta.env.DEV': 'false' },
-  typescript: { removeClassFieldsWithoutInitializer: true },
-};
 /**
  * A single file.
  * @type {import('rolldown').OutputOptions}
@@ -46,17 +38,14 @@ const TOGETHER = [
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
 const ERRORS = inRoot('src/preset/errors.ts');
 
-/** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
-const { table } = await sourceModule('src/preset/table.ts');
-
 /**
  * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the script for
  * CDNs. Copies the simulator beside both.
  *
  * @param {string} folder
+ * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleAll(folder) {
-  const plugins = await shortening();
+export async function bundleAll(folder, plugins = shortening()) {
   const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
   const external = /^three(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
@@ -65,30 +54,45 @@ export async function bundleAll(folder) {
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
-  await bundleScript(folder);
+  await bundleScript(folder, plugins);
 }
 
 /**
  * Writes only the script for CDNs, with the simulator beside it.
+ *
  * @param {string} folder
+ * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleScript(folder) {
-  const plugins = [...(await shortening()), workerAt(`./${SCRIPT}.js`)];
-  await bundle({ input: entries({ [SCRIPT]: 'src/element/script.ts' }), plugins }, folder, ALONE);
+export async function bundleScript(folder, plugins = shortening()) {
+  const input = entries({ [SCRIPT]: 'src/element/script.ts' });
+  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
   copyWasm(folder);
 }
 
 /** Plugins that reduce the size further than a minifier can. */
-async function shortening() {
-  return [
-    ...(await shortShaders()),
-    shortMembers(),
-    shortStyles(),
-    withoutWords(table),
-    withoutShaders(),
-    withoutFallbacks(),
-  ];
+export function shortening() {
+  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders()];
 }
+
+/**
+ * Options of all bundles for other people's pages.
+ * @type {import('rolldown').InputOptions}
+ */
+export const SMALL = {
+  cwd: root,
+  platform: 'browser',
+  tsconfig: false,
+  // Removes fault injection, and class fields that are only type declarations.
+  transform: {
+    define: { 'import.meta.env.DEV': 'false' },
+    typescript: { removeClassFieldsWithoutInitializer: true },
+  },
+  // Modules of the table have no effects: without this, unused texts of lists stay in index.js.
+  treeshake: { moduleSideEffects: (id) => !/src\/preset\//.test(id) },
+  experimental: { nativeMagicString: true },
+  // Shaders have no source maps. A busy machine is no reason for a warning.
+  checks: { sourcemapBroken: false, bundlerTimings: false },
+};
 
 /**
  * @param {import('rolldown').InputOptions} input
@@ -96,15 +100,7 @@ async function shortening() {
  * @param {import('rolldown').OutputOptions} [output]
  */
 async function bundle(input, folder, output = {}) {
-  const experimental = { nativeMagicString: true };
-  const build = await rolldown({
-    platform: 'browser',
-    tsconfig: false,
-    transform: TRANSFORM,
-    experimental,
-    onLog,
-    ...input,
-  });
+  const build = await rolldown({ ...SMALL, ...input });
   await build.write({
     dir: folder,
     format: 'esm',
@@ -123,12 +119,6 @@ async function bundle(input, folder, output = {}) {
  */
 const chunkName = ({ moduleIds }) =>
   moduleIds.every((id) => id.includes('/byScene/')) ? '[name]Presets.js' : '[name].js';
-
-/** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
-const onLog = (level, log, handle) => {
-  // Shaders have no source maps.
-  if (log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
-};
 
 /** @param {Record<string, string>} input */
 function entries(input) {

@@ -3,6 +3,7 @@
  * the parameter table; the first item of a list represents all eight.
  */
 
+import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /**
@@ -10,10 +11,6 @@ import { sourceModule } from './sourceModule.mjs';
  * @typedef {{ name: string, type: { text: string }, description: string, default?: string }} Described
  */
 
-/** @type {{ table: Parameter[] }} */
-const { table } = await sourceModule('src/preset/table.ts');
-/** @type {{ names: { key: string, attribute: string, property: string }[] }} */
-const { names } = await sourceModule('src/element/attributes/names.ts');
 /** @type {typeof import('../../src/element/documentation.ts')} */
 const { attributes, cssParts, cssProperties, events, methods, slots } =
   await sourceModule('src/element/documentation.ts');
@@ -23,7 +20,7 @@ const CLASS = 'CartoonSmokeElement';
 const TAG = 'cartoon-smoke';
 
 export function customElements() {
-  const parameters = table.filter(({ key }) => !/^\w+\.[1-7]\./.test(key)).map(describe);
+  const parameters = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(describe);
   const all = [...attributes.map((each) => ({ ...each, fieldName: camelCase(each.name) })), ...parameters];
   const declaration = {
     kind: 'class',

@@ -6,14 +6,11 @@
 import { mkdirSync, appendFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { typeOf } from './customElements.mjs';
+import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /** @typedef {import('../../src/preset/parameter.ts').Parameter} Parameter */
 
-/** @type {{ table: Parameter[] }} */
-const { table } = await sourceModule('src/preset/table.ts');
-/** @type {{ names: { key: string, attribute: string, property: string }[] }} */
-const { names } = await sourceModule('src/element/attributes/names.ts');
 /** @type {typeof import('../../src/element/documentation.ts')} */
 const { attributes } = await sourceModule('src/element/documentation.ts');
 
@@ -34,6 +31,7 @@ export function writeElementTypes(folder) {
   const element = join(folder, 'element');
   writeFileSync(join(element, 'parameterProperties.d.ts'), properties());
   appendFileSync(join(element, 'cartoonSmokeElement.d.ts'), MERGED);
+  appendFileSync(join(folder, 'index.d.ts'), EXPORTED);
   writeFileSync(join(element, 'attributes.d.ts'), markup());
   mkdirSync(join(folder, 'jsx'), { recursive: true });
   for (const [name, one] of Object.entries(FRAMEWORKS)) {
@@ -44,6 +42,8 @@ export function writeElementTypes(folder) {
 const MERGED = `import type { ParameterProperties } from './parameterProperties.js';
 export interface CartoonSmokeElement extends ParameterProperties {}
 `;
+
+const EXPORTED = `export type { ParameterProperties } from './element/parameterProperties.js';\n`;
 
 function properties() {
   const lines = rows().map(
@@ -114,5 +114,5 @@ function settable(row) {
  * @param {Parameter} row
  */
 function comment({ key, label, text }) {
-  return /^\w+\.[1-7]\./.test(key) ? '' : `  /** ${label}: ${text} */\n`;
+  return OF_LATER_ITEMS.test(key) ? '' : `  /** ${label}: ${text} */\n`;
 }

@@ -1,10 +1,14 @@
 /**
  * A bundler plugin that shortens TypeScript's private members; minifiers do not rename properties. A private name is
  * used by one class only. If that class accesses it on anything but `this`, it is not renamed. `#names` would be as
- * short but fail on objects that a page wraps in a Proxy.
+ * short but fail on objects that a page wraps in a Proxy. The minifier's `mangleProps` selects by name, and private
+ * names are common words that three.js uses as well.
  */
 
 import { parseSync, Visitor } from 'rolldown/utils';
+
+/** Letters by their frequency in minified code: frequent ones compress better. */
+const LETTERS = [...'etnriaosclufdpmhgvybxwkjqz'];
 
 /**
  * @typedef {import('rolldown/utils').ESTree.Class} Class
@@ -23,7 +27,7 @@ export function shortMembers() {
         if (!magicString) throw new Error('Short members need experimental.nativeMagicString.');
         for (const places of privatePlaces(id, code)) {
           [...places].forEach(([name, said], index) => {
-            const short = `$${index.toString(36)}`;
+            const short = LETTERS[index] ?? `$${index}`;
             for (const { start, end, isShorthand } of said)
               magicString.update(start, end, isShorthand ? `${short}:${name}` : short);
           });
@@ -82,8 +86,8 @@ export function privatePlaces(file, code) {
 }
 
 /**
- * Members of a class with a superclass are not renamed, because the short names could collide with those of the
- * superclass.
+ * Members of a class with a superclass or with a name of one letter are not renamed, because the short names could
+ * collide.
  *
  * @param {Class} node
  * @returns {Places}
@@ -91,10 +95,14 @@ export function privatePlaces(file, code) {
 function privatesOf({ superClass, body }) {
   /** @type {Places} */
   const places = new Map();
-  for (const member of superClass ? [] : body.body) {
-    if (!('accessibility' in member) || member.accessibility !== 'private') continue;
-    if (member.key.type !== 'Identifier' || member.computed || member.key.name === 'constructor') continue;
-    places.set(member.key.name, [...(places.get(member.key.name) ?? []), member.key]);
+  const members = body.body.flatMap((member) =>
+    'key' in member && member.key.type === 'Identifier' && !member.computed
+      ? [{ key: member.key, isPrivate: 'accessibility' in member && member.accessibility === 'private' }]
+      : [],
+  );
+  if (superClass || members.some(({ key }) => key.name.length === 1)) return places;
+  for (const { key, isPrivate } of members) {
+    if (isPrivate && key.name !== 'constructor') places.set(key.name, [...(places.get(key.name) ?? []), key]);
   }
   return places;
 }

@@ -13,30 +13,33 @@ import { inRoot } from '../lib/paths.mjs';
 
 /** An identifier that is not a component or a part of a number. */
 const NAME = /(?<![\w.])[A-Za-z_]\w*/g;
-const LETTERS = [...'abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
+/** By their frequency in GLSL: frequent letters compress better. */
+const LETTERS = [...'etnriaoslcdupfmhgvybwxkjqzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
 
-/** The bundler plugins that load the shaders. */
-export async function shortShaders() {
+/** The bundler plugin that loads the shaders. */
+export function shortShaders() {
   const names = shortNames(shadersIn('shaders'));
-  return [await glsl({ minify: true, onComplete: (shader) => shortened(shader, names) }), together];
+  return glsl({ minify: true, onComplete: (shader) => shortened(shader, names) });
 }
 
 /**
- * Groups the shaders of a chunk, because gzip finds repetitions only within the last 32 kB.
- * @type {import('rolldown').Plugin}
+ * A bundler plugin that groups the shaders of a file, because gzip finds repetitions only within the last 32 kB.
+ * @returns {import('rolldown').Plugin}
  */
-const together = {
-  name: 'shaders-together',
-  renderChunk(code, _chunk, _options, { magicString }) {
-    if (!magicString) throw new Error('Short shaders need experimental.nativeMagicString.');
-    for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
-      magicString.move(index, index + shader.length, 0);
-    return { code: magicString };
-  },
-};
+export function shadersTogether() {
+  return {
+    name: 'shaders-together',
+    renderChunk(code, _chunk, _options, { magicString }) {
+      if (!magicString) throw new Error('Shaders together need experimental.nativeMagicString.');
+      for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
+        magicString.move(index, index + shader.length, 0);
+      return { code: magicString };
+    },
+  };
+}
 
 /** Left over by the plugin's own minifier: redundant zeros, and white space beside some operators. */
-const IDLE = /(?<![\w.])0(?=\.\d*[1-9])|(?<=\d\.)0+(?!\w)| (?=[?:%^])|(?<=[?:%^]) /g;
+const IDLE = /(?<![\w.])0(?=\.\d*[1-9])|(?<=\d\.)0+(?!\w)| (?=[?:%^])|(?<=[?:%^]) |(?<!-) (?=-)|(?<=-) (?!-)/g;
 
 /**
  * @param {string} shader without comments

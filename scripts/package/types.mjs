@@ -2,7 +2,7 @@
 
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { run } from '../lib/command.mjs';
+import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
@@ -16,10 +16,9 @@ const GIVEN = ['sim/wasm/core/bindings.d.ts', 'sim/wasm/physics/bindings.d.ts'];
  * @param {(line: string) => void} say
  */
 export async function writeTypes(folder, say) {
-  const compiler = inRoot('node_modules/typescript/bin/tsc');
   const config = inRoot('scripts/package/tsconfig.json');
   const parameters = ['-p', config, '--outDir', folder];
-  const { status, output } = await run(process.execPath, [compiler, ...parameters], { onLine: say });
+  const { status, output } = await runScript('node_modules/typescript/bin/tsc', parameters, { onLine: say });
   if (status !== 0) throw new UserError(`The type declarations of ${ENTRIES.join(', ')} could not be built.`, output);
   for (const file of GIVEN) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });

@@ -20,7 +20,7 @@ export function withoutShaders() {
       filter: { id: /three\/build\/three\.module\.js$/ },
       handler(code) {
         const count = code.match(SHADER)?.length ?? 0;
-        if (count < MIN_SHADERS) throw new Error(`Only ${count} shaders of three.js were found to leave out.`);
+        if (count < MIN_SHADERS) throw new Error(`Only ${count} shaders of three.js were found to remove.`);
         return { code: code.replace(SHADER, '$1"";'), map: null };
       },
     },

@@ -4,7 +4,7 @@
  */
 
 import { inRoot } from '../lib/paths.mjs';
-import { sourceModule } from './sourceModule.mjs';
+import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 
 /** The fields of a row that smoke needs. */
 const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', 'default'];
@@ -13,29 +13,19 @@ const USED = ['kind', 'reader', 'isOptional', 'unit', 'min', 'max', 'linkMax', '
  * @type {Record<string, unknown>}
  */
 const USUAL = { kind: 'number', reader: 'simulator' };
-const OF_LATER_ITEMS = /^\w+\.[1-7]\./;
 
-/** @type {typeof import('../../src/element/attributes/names.ts')} */
-const { names } = await sourceModule('src/element/attributes/names.ts');
-
-/**
- * @param {readonly import('../../src/preset/parameter.ts').Parameter[]} table the full table
- * @returns {import('rolldown').Plugin}
- */
-export function withoutWords(table) {
+/** @returns {import('rolldown').Plugin} */
+export function withoutWords() {
   return {
     name: 'without-words',
-    load: (id) => (id === inRoot('src/preset/table.ts') ? { code: tableModule(table), moduleType: 'js' } : undefined),
+    load: (id) => (id === inRoot('src/preset/table.ts') ? { code: tableModule(), moduleType: 'js' } : undefined),
   };
 }
 
-/**
- * The source of the reduced table module.
- * @param {readonly { key: string }[]} table
- */
-function tableModule(table) {
+/** The source of the reduced table module. */
+function tableModule() {
   const stray = table.find(({ key }, index) => key !== names[index].key);
-  if (stray) throw new Error(`${stray.key} is at another place in src/element/attributes/names.json.`);
+  if (stray) throw new Error(`${stray.key} has another position in src/element/attributes/names.json.`);
   const rows = table.filter(({ key }) => !OF_LATER_ITEMS.test(key)).map(bare);
   return `
     import { names } from '../element/attributes/names.ts';

@@ -7,7 +7,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { run } from '../lib/command.mjs';
+import { run, runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 
@@ -119,10 +119,10 @@ function browserError(/** @type {string} */ reason) {
  * @param {(line: string) => void} say
  */
 export function playwright(parameters, say) {
-  const script = inRoot('node_modules/playwright/cli.js');
   // Playwright waits 30 s for each of several mirrors, three times. Without a network, it should fail sooner.
   const environment = { PLAYWRIGHT_DOWNLOAD_CONNECTION_TIMEOUT: '15000' };
-  return run(process.execPath, [script, ...parameters], { environment, onLine: say, limit: DOWNLOAD_LIMIT });
+  const options = { environment, onLine: say, limit: DOWNLOAD_LIMIT };
+  return runScript('node_modules/playwright/cli.js', parameters, options);
 }
 
 /** Whether system packages can be installed. */

@@ -1,7 +1,7 @@
 /** The built site in dist/, and whether it was built from the current sources. */
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { run } from '../lib/command.mjs';
+import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { publishedAt } from '../site/published.mjs';
@@ -69,15 +69,15 @@ export async function build(folder, say) {
  * @param {import('../site/elementScript.mjs').ElementScript} [script] that the embed code of the page references
  */
 async function bundle(config, folder, say, script) {
-  const vite = inRoot('node_modules/vite/bin/vite.js');
-  const parameters = [vite, 'build', '--config', inRoot(config), '--outDir', folder];
+  const parameters = ['build', '--config', inRoot(config), '--outDir', folder];
   const base = publishedAt() ?? '';
   const environment = {
     CARTOON_SMOKE_BASE: base,
     VITE_ELEMENT_SCRIPT: script ? base + script.path : '',
     VITE_ELEMENT_INTEGRITY: script?.integrity ?? '',
   };
-  const { status, output } = await run(process.execPath, parameters, { environment, onLine: say });
+  const options = { environment, onLine: say };
+  const { status, output } = await runScript('node_modules/vite/bin/vite.js', parameters, options);
   if (status === 0) return;
   throw new UserError('The site could not be built: see the bundler output above.', withoutStack(output));
 }

@@ -1,25 +1,21 @@
 /** The simulator as WASM, built from sim-wasm into src/sim/wasm. Rebuilt only when its sources change. */
 
-import { createHash } from 'node:crypto';
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
+import { digestOf } from './sources.mjs';
 import { cargo } from './toolchain.mjs';
 
 export const title = 'WASM build';
 
 // Inputs and outputs of the build. Keep in sync with sim-wasm/xtask/src/stamp.rs and build.rs.
-const SINGLE_FILES = [
+const SOURCES = [
   '.cargo/config.toml',
   'Cargo.lock',
   'Cargo.toml',
-  'bindings/Cargo.toml',
   'rust-toolchain.toml',
-  'sim/Cargo.toml',
-  'world/Cargo.toml',
-  'xtask/Cargo.toml',
+  ...['bindings', 'sim', 'world', 'xtask'].flatMap((crate) => [`${crate}/Cargo.toml`, `${crate}/src`]),
 ];
-const FOLDERS = ['bindings/src', 'sim/src', 'world/src', 'xtask/src'];
 const VARIANTS = ['core', 'physics'];
 const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
 
@@ -28,7 +24,7 @@ export function isFresh() {
   const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/sim/wasm/${variant}/${file}`));
   const stamp = inRoot('src/sim/wasm/stamp.txt');
   if (![stamp, ...built.map(inRoot)].every((path) => existsSync(path))) return false;
-  return readFileSync(stamp, 'utf8').trim() === digestOfSources();
+  return readFileSync(stamp, 'utf8').trim() === digestOf(SOURCES, inRoot('sim-wasm'));
 }
 
 /** @param {(line: string) => void} say */
@@ -36,31 +32,6 @@ export async function bring(say) {
   // Not the alias `cargo xtask wasm`: it compiles xtask silently, which takes longest on the first run.
   const outcome = await cargo(['run', '--locked', '--package', 'xtask', '--profile', 'xtask', '--', 'wasm'], say);
   if (outcome.status !== 0) throw explain(outcome);
-}
-
-/**
- * The SHA-256 that xtask stores after a build: path, NUL, content, NUL of each source, sorted by the bytes of the path.
- * A missing source gives a digest that matches no build.
- */
-export function digestOfSources() {
-  const paths = [...SINGLE_FILES, ...FOLDERS.flatMap(filesUnder)];
-  paths.sort((a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b)));
-  const hash = createHash('sha256');
-  for (const path of paths) {
-    const file = inRoot(`sim-wasm/${path}`);
-    if (!existsSync(file)) return 'incomplete';
-    hash.update(`${path}\0`).update(readFileSync(file)).update('\0');
-  }
-  return hash.digest('hex');
-}
-
-/** @returns {string[]} */
-function filesUnder(/** @type {string} */ folder) {
-  if (!existsSync(inRoot(`sim-wasm/${folder}`))) return [];
-  return readdirSync(inRoot(`sim-wasm/${folder}`), { withFileTypes: true }).flatMap((entry) => {
-    const path = `${folder}/${entry.name}`;
-    return entry.isDirectory() ? filesUnder(path) : [path];
-  });
 }
 
 /** @returns {UserError} */

@@ -10,11 +10,7 @@ import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
-import { shortMembers } from '../package/shortMembers.mjs';
-import { shortShaders } from '../package/shortShaders.mjs';
-import { sourceModule } from '../package/sourceModule.mjs';
-import { withoutShaders } from '../package/withoutShaders.mjs';
-import { withoutWords } from '../package/withoutWords.mjs';
+import { shortening, SMALL } from '../package/bundle.mjs';
 
 const ENTRY = '<script type="module" src="./src/iframe/frame.ts"></script>';
 
@@ -32,31 +28,20 @@ export async function buildFrame(folder) {
 
 /** @param {string} physics URL of the physics script */
 async function scriptOf(physics) {
-  /** @type {{ table: import('../../src/preset/parameter.ts').Parameter[] }} */
-  const { table } = await sourceModule('src/preset/table.ts');
-  const define = {
-    'import.meta.env.DEV': 'false',
-    CORE_WASM: JSON.stringify(packed('core')),
-    PHYSICS_SCRIPT: JSON.stringify(`./${physics}`),
-  };
+  const values = { CORE_WASM: packed('core'), PHYSICS_SCRIPT: `./${physics}` };
+  const define = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, JSON.stringify(value)]));
   const build = await rolldown({
+    ...SMALL,
     input: inRoot('src/iframe/frame.ts'),
-    platform: 'browser',
-    plugins: [...(await shortShaders()), shortMembers(), withoutWords(table), withoutShaders()],
-    experimental: { nativeMagicString: true },
-    transform: { define },
-    onLog,
+    plugins: shortening(),
+    transform: { ...SMALL.transform, define: { ...SMALL.transform?.define, ...define } },
+    // This script contains everything it needs, so it does not use URLs relative to import.meta.
+    checks: { ...SMALL.checks, emptyImportMeta: false },
   });
   const { output } = await build.generate({ format: 'iife', codeSplitting: false, minify: true });
   await build.close();
   return output[0].code;
 }
-
-/** @type {NonNullable<import('rolldown').InputOptions['onLog']>} */
-const onLog = (level, log, handle) => {
-  // This script contains everything it needs, so it does not use URLs relative to import.meta.
-  if (log.code !== 'EMPTY_IMPORT_META' && log.code !== 'SOURCEMAP_BROKEN') handle(level, log);
-};
 
 /**
  * The WASM of a variant, compressed with raw deflate, in base64url.

@@ -1,7 +1,6 @@
 /** Checks without a test runner. Each counts as one test that passes or fails. */
 
-import { run } from '../lib/command.mjs';
-import { inRoot } from '../lib/paths.mjs';
+import { runScript } from '../lib/command.mjs';
 import { cargo } from '../setup/toolchain.mjs';
 
 /**
@@ -17,8 +16,8 @@ import { cargo } from '../setup/toolchain.mjs';
  */
 
 /** Runs a tool from node_modules. */
-export function tool(/** @type {string} */ path, /** @type {string[]} */ parameters, /** @type {Say} */ say) {
-  return run(process.execPath, [inRoot(`node_modules/${path}`), ...parameters], { onLine: say });
+function tool(/** @type {string} */ path, /** @type {string[]} */ parameters, /** @type {Say} */ say) {
+  return runScript(`node_modules/${path}`, parameters, { onLine: say });
 }
 
 /** @type {(name: string, title: string, work: (say: Say) => Promise<Outcome>, lane?: 'cargo') => Runner} */
@@ -74,7 +73,7 @@ export const LONG_CHECKS = [
  * @param {Say} say
  */
 function fuzz(choice, say) {
-  return run(process.execPath, [inRoot('scripts/fuzz.mjs'), '--minutes', '1', ...choice], { onLine: say });
+  return runScript('scripts/fuzz.mjs', ['--minutes', '1', ...choice], { onLine: say });
 }
 
 /**

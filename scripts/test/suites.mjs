@@ -1,8 +1,9 @@
 /** The test suites. Each runs its own test runner and counts the results in the runner's machine-readable report. */
 
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { run } from '../lib/command.mjs';
+import { mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
+import { filesUnder } from '../setup/sources.mjs';
 import { cargo, NATIVE } from '../setup/toolchain.mjs';
 import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
 
@@ -75,8 +76,8 @@ const engines = {
 async function vitest(name, choice, environment, say) {
   const report = freshReport(name);
   const parameters = ['run', ...choice, '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
-  const script = inRoot('node_modules/vitest/vitest.mjs');
-  const { status, output } = await run(process.execPath, [script, ...parameters], { environment, onLine: say });
+  const options = { environment, onLine: say };
+  const { status, output } = await runScript('node_modules/vitest/vitest.mjs', parameters, options);
   const json = readReport(report);
   return { ...settle(json && tallyVitest(json), status), output, notes: json ? notesIn(json) : [] };
 }
@@ -88,15 +89,18 @@ function browser({ long, update }) {
     title: 'Browser tests (Playwright)',
     run: async (say) => {
       const report = freshReport('browser.json');
-      const script = inRoot('node_modules/@playwright/test/cli.js');
-      const { status, output } = await run(process.execPath, [script, 'test', '--reporter=list,json'], {
-        environment: {
-          TEST_LONG: long ? '1' : '',
-          UPDATE_GOLDENS: update ? '1' : '',
-          PLAYWRIGHT_JSON_OUTPUT_FILE: report,
+      const { status, output } = await runScript(
+        'node_modules/@playwright/test/cli.js',
+        ['test', '--reporter=list,json'],
+        {
+          environment: {
+            TEST_LONG: long ? '1' : '',
+            UPDATE_GOLDENS: update ? '1' : '',
+            PLAYWRIGHT_JSON_OUTPUT_FILE: report,
+          },
+          onLine: say,
         },
-        onLine: say,
-      });
+      );
       const json = readReport(report);
       return { ...settle(json && tallyPlaywright(json), status), output };
     },
@@ -119,13 +123,4 @@ function hasLongTests(/** @type {string} */ name) {
   }
   const isLong = name === 'unit' ? /^tests\/unit\/.+\.long\.test\.ts$/ : /^tests\/(?!unit\/).+\.long\.(spec|test)\.ts$/;
   return filesUnder('tests').some((path) => isLong.test(path));
-}
-
-/** @returns {string[]} */
-function filesUnder(/** @type {string} */ folder) {
-  if (!existsSync(inRoot(folder))) return [];
-  return readdirSync(inRoot(folder), { withFileTypes: true }).flatMap((entry) => {
-    const path = `${folder}/${entry.name}`;
-    return entry.isDirectory() ? filesUnder(path) : [path];
-  });
 }

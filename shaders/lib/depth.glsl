@@ -4,12 +4,17 @@ float depthOrder(mat4 clipFromView) {
   return clipFromView[3][2] > 0.0 ? -1.0 : 1.0;
 }
 
-// Window depth in [0, 1] of a view-space z for any three.js projection (perspective, off-axis, orthographic, each with
-// reversed depth or not). Only the third and fourth rows of the matrix matter.
-float windowDepth(mat4 clipFromView, float viewZ) {
+// Depth of a view-space z in normalised device coordinates, for any three.js projection (perspective, off-axis,
+// orthographic, each with reversed depth or not). Only the third and fourth rows of the matrix matter.
+float ndcDepth(mat4 clipFromView, float viewZ) {
   float clipZ = clipFromView[2][2] * viewZ + clipFromView[3][2];
   float clipW = clipFromView[2][3] * viewZ + clipFromView[3][3];
-  float ndc = clipZ / clipW;
+  return clipZ / clipW;
+}
+
+// Window depth in [0, 1] of a view-space z.
+float windowDepth(mat4 clipFromView, float viewZ) {
+  float ndc = ndcDepth(clipFromView, viewZ);
   return depthOrder(clipFromView) < 0.0 ? ndc : 0.5 * ndc + 0.5;
 }
 

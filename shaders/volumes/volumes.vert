@@ -2,9 +2,8 @@ precision highp float;
 precision highp int;
 precision highp sampler2DArray;
 
-// The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. It is
-// drawn as two nailboards with the same screen footprint. The front one gets the depth at which each view ray enters
-// the volume, the back one the depth at which it leaves. Everything that is constant for a particle is computed here.
+// The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. A quad
+// covers its projection, at the depth of its nearest point. Everything that is constant for a particle is computed here.
 // Inputs: corner of the quad, position and radius in world space, packed attributes. Outputs: the volume frame and the
 // discs.
 uniform mat4 viewFromWorld;
@@ -16,6 +15,8 @@ uniform vec3 receiversMax;
 uniform float minCap;
 uniform float depth;
 uniform bool facesEye;
+// Farthest distance from the centre, in radii, of a puff that is drawn as a flat disc; 0 if puffs have relief.
+uniform float discReach;
 uniform sampler2DArray startCaps;
 // One row for each variation: LOBES lobes (xyz, radius), in puff radii.
 uniform sampler2D casterTable;
@@ -34,12 +35,15 @@ in uvec2 attributes;
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
+// The third axis of view space in the frame.
+flat out vec3 back;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
 
 #include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
 #include ../lib/box.glsl
+#include ../lib/depth.glsl
 #include ../lib/light.glsl
 #include ../lib/footprint.glsl
 
@@ -81,7 +85,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
-  return max(cap, minCap) + shear + CAP_SLACK;
+  return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
 }
 
 // Distance beyond the centre at which the volume has left all receivers, metres; 0 if the puff contains the light.
@@ -136,9 +140,13 @@ void main() {
   rightAndLength = vec4(frameFromView[0] / place.w, extent);
   upAndScale = vec4(frameFromView[1] / place.w, scale);
   eyeAndGrowth = vec4(frameFromView * -start / place.w, growth);
+  back = frameFromView[2] / place.w;
+  vec3 end = start + extent * place.w * axis;
   vec4 startBall = vec4(start, place.w * widest * scale);
-  vec4 endBall = vec4(start + extent * place.w * axis, startBall.w + place.w * widest * growth * extent);
+  vec4 endBall = vec4(end, startBall.w + place.w * widest * growth * extent);
   vec2 ndc = footprint(corner, startBall, endBall, clipFromView, near);
-  // Fragments write the depth. A constant here keeps the near and the far plane from clipping the quad.
-  gl_Position = vec4(ndc, 0.0, 1.0);
+  float nearestZ = min(max(start.z + startBall.w, end.z + endBall.w), -near);
+  // Clamped, because a rounding error at the near plane must not clip the quad.
+  float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
+  gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);
 }

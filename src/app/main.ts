@@ -1,17 +1,12 @@
 /** The demo page, built on the public API. Parses the address, creates the stage and adds the controls. */
-import { decode, type Decoded } from '../preset/codec.ts';
-import { LoadError } from '../preset/errors.ts';
-import { readEnvironment, type Environment } from '../preset/environment.ts';
-import type { Values } from '../preset/parameter.ts';
-import { createStage, type Stage } from '../stage/stage.ts';
+import { createStage, LoadError, type Stage } from '../index.ts';
+import { ORBIT_PER_KEY, readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
+import { decode, type Decoded, type Values } from '../preset.ts';
 import { followAddress } from './share/address.ts';
 import { BallKeys } from './input/ball.ts';
 import { textButton } from './ui/dom.ts';
 import { Editor } from './editor/editor.ts';
 import { enterScene } from './editor/entering.ts';
-import { ORBIT_PER_KEY } from '../page/gestures.ts';
-import { sizeOf, watchSize } from '../page/size.ts';
-import { restWhileHidden } from '../page/visibility.ts';
 import { toggleFullScreen } from './playback/fullScreen.ts';
 import { GestureEnd } from './input/gestureEnd.ts';
 import { listenToKeys } from './input/keyboard.ts';

@@ -1,4 +1,4 @@
-import type { Stage } from '../stage/stage.ts';
+import type { Stage } from '../index.ts';
 import { createDebugPanel, Views } from './panel/debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
 import { createDock } from './gallery/dock.ts';

@@ -2,8 +2,8 @@
  * The page's small entry module. It determines the scene from the address, so that scene and simulator load in parallel
  * with the rest of the page.
  */
-import { decode } from '../preset/codec.ts';
-import { openScene } from '../stage/openScene.ts';
+import { openScene } from '../internal.ts';
+import { decode } from '../preset.ts';
 
 async function fetchAhead(): Promise<void> {
   const { state } = await decode(location.hash);

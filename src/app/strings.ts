@@ -85,7 +85,7 @@ export const strings = {
     light: (azimuth: number, elevation: number) => `Light: azimuth ${azimuth}\u00b0, elevation ${elevation}\u00b0`,
     wind: (speed: number) => `Wind: ${speed.toFixed(1)} m/s`,
     addWhirl: 'Add a vortex',
-    ridesOn: (label: string) => `${label} rides on`,
+    attachTo: (label: string) => `Attach ${label} to`,
   },
   transport: {
     title: 'Playback',
@@ -122,7 +122,7 @@ export const strings = {
     save: 'Save as file',
     saved: (name: string) => `Saved as ${name}. Drop the file on this page to open it.`,
     tooLong: (length: number, max: number) =>
-      `The link would have ${length} characters; chats cut links over ${max}. Save a file instead, and drop it on this page to open it.`,
+      `The link would have ${length} characters, but chat programs cut links over ${max}. Save a file instead. Drop it on this page to open it.`,
     code: 'QR code of the link',
     scan: 'Scan to open on a phone',
     embed: 'Embed in your page',
@@ -201,7 +201,7 @@ export const strings = {
     truncated: 'The recording of this moment is incomplete. The smoke may look different.',
     inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is later than the limit. The smoke is shown at ${seconds} s.`,
-    notFresh: 'it starts from a saved state. Ask for a file instead.',
+    notFresh: 'it starts from a saved state. A file can contain such a moment.',
     tooMany: (particles: number, max: number) =>
       `it needs room for ${particles} particles. The limit for links is ${max}.`,
   },

@@ -26,7 +26,9 @@ export interface DeviceOptions {
  */
 export class Device {
   readonly renderer: WebGLRenderer;
+  /** @internal */
   readonly puffs: PuffLibrary;
+  /** @internal */
   readonly programs = new ProgramsAhead();
   /** Whether the GPU keeps the depth that fragments write, found by a self test at creation. If not, puffs are flat. */
   readonly writesDepth: boolean;

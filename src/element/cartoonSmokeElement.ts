@@ -4,7 +4,7 @@ import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
-import { HANDED_ON, type HandedOn } from './methods.ts';
+import { HANDED_ON, type StageMethods } from './methods.ts';
 import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from '../page/visibility.ts';
 import { fetchAhead, part } from './parts.ts';
@@ -12,7 +12,6 @@ import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/prop
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
 import { Shell } from './shell/shell.ts';
-import { version } from './version.ts';
 
 /** Importing this module must not fail on a server, where HTMLElement is undefined. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
@@ -21,7 +20,7 @@ const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement)
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
-export interface CartoonSmokeElement extends HandedOn {
+export interface CartoonSmokeElement extends StageMethods {
   paused: boolean;
   transparent: boolean;
   interactive: boolean;
@@ -48,6 +47,7 @@ export interface CartoonSmokeElement extends HandedOn {
   ): void;
 }
 
+/** @internal */
 export interface ElementOptions {
   /** Simulates a failure, to test how a page handles it. Builds ignore it. */
   fault?: Fault;
@@ -63,7 +63,7 @@ export class CartoonSmokeElement extends Base {
    * Version of the package. With several versions on one page, `customElements.get('cartoon-smoke').version` is the one
    * in use.
    */
-  static readonly version: string = version;
+  static readonly version: string = '0.1.0';
 
   static get observedAttributes(): string[] {
     return [...FLAGS, ...TEXTS, ...keyOfAttribute.keys()];
@@ -82,7 +82,7 @@ export class CartoonSmokeElement extends Base {
   #session: Session | undefined;
   #awaited = new Deferred<Session>();
 
-  /** @param options for elements created by script; @see ElementOptions */
+  /** @internal @param options for elements created by script; @see ElementOptions */
   constructor({ fault }: ElementOptions = {}) {
     super();
     this.#fault = fault;

@@ -30,4 +30,5 @@ export const HANDED_ON = [
   'plane',
 ] as const satisfies readonly (keyof RemoteMethods)[];
 
-export type HandedOn = Pick<RemoteMethods, (typeof HANDED_ON)[number]>;
+/** Methods of a stage that the element has unchanged. */
+export type StageMethods = Pick<RemoteMethods, (typeof HANDED_ON)[number]>;

@@ -39,5 +39,5 @@ export async function goToMoment(
 function checkCapacity({ isFresh, mostParticles }: Take): void {
   const max = linkCapacity();
   if (!isFresh) throw new Error('it starts from a saved state.');
-  if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles; the limit is ${max}.`);
+  if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles. The limit is ${max}.`);
 }

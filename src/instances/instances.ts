@@ -13,13 +13,7 @@ export interface QuadLayout {
 /** One front-facing quad. */
 export const ONE_QUAD: QuadLayout = { corners: [-1, -1, 1, -1, 1, 1, -1, 1], index: [0, 1, 2, 0, 2, 3] };
 
-/** Two coincident quads with opposite winding. gl_FrontFacing distinguishes them. */
-export const FRONT_AND_BACK: QuadLayout = {
-  corners: ONE_QUAD.corners,
-  index: [...ONE_QUAD.index, 0, 2, 1, 0, 3, 2],
-};
-
-/** As FRONT_AND_BACK, with separate vertices, so that gl_VertexID distinguishes the quads in the vertex shader. */
+/** Two coincident quads with opposite winding and separate vertices, so that gl_VertexID distinguishes them. */
 export const TWO_QUADS: QuadLayout = {
   corners: [...ONE_QUAD.corners, ...ONE_QUAD.corners],
   index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6],

@@ -10,13 +10,16 @@ export interface TriangleMesh {
   indices: Uint32Array;
 }
 
-/**
- * A mesh from which a shadow volume can be extruded. No face shares vertices; each vertex has the normal of its face.
- */
+/** A closed mesh from which a shadow volume can be extruded. Vertices at the same position are one vertex. */
 export interface Extrusion {
+  /** xyz of each vertex. */
   positions: Float32Array;
-  faceNormals: Float32Array;
-  indices: Uint32Array;
+  /** Three vertices of each face, counterclockwise. */
+  corners: Uint32Array;
+  /** xyz of the unit normal of each face; zero for a face without area. */
+  normals: Float32Array;
+  /** For each edge: its start and end as its first face winds, then the first and the second face. */
+  edges: Uint32Array;
   longestEdge: number;
 }
 
@@ -82,76 +85,106 @@ export function hullNormals(mesh: TriangleMesh): Float32Array {
 }
 
 /**
- * Builds the faces and edge quads of a shadow volume that the vertex shader extrudes (the degenerate-quad form of
- * Crow's volumes, 1977). Where two neighbouring triangles both face the light or both face away, the quad between their
- * copies of the shared edge stays degenerate. At the silhouette it opens into a side of the volume. The mesh does not
- * change when the light moves.
+ * Finds the faces and the edges of a closed mesh.
  * @throws RangeError if an edge does not join exactly two triangles: an open mesh encloses no volume
  */
 export function extrude(mesh: TriangleMesh): Extrusion {
-  const welded = weld(mesh.positions);
-  const faces = mesh.indices.length / 3;
-  const positions = new Float32Array(9 * faces);
-  const faceNormals = new Float32Array(9 * faces);
-  /** Vertex indices of the two ends of each half-edge. */
-  const edges = new Map<number, readonly [number, number]>();
-  for (let face = 0; face < faces; ++face) {
-    for (let corner = 0; corner < 3; ++corner) {
-      // Neighbours must share bit-identical positions, or pixels in the cracks between them stay dark.
-      const start = welded[mesh.indices[3 * face + corner]];
-      for (let axis = 0; axis < 3; ++axis) positions[9 * face + 3 * corner + axis] = mesh.positions[3 * start + axis];
-      const end = welded[mesh.indices[3 * face + ((corner + 1) % 3)]];
-      const key = start * welded.length + end;
-      if (edges.has(key)) {
-        throw new RangeError(`The edge ${start}>${end} has two faces that wind the same way.`);
-      }
-      edges.set(key, [3 * face + corner, 3 * face + ((corner + 1) % 3)]);
-    }
-    writeNormals(positions, faceNormals, 9 * face);
+  const { positions, corners } = withoutDuplicates(mesh);
+  const vertices = positions.length / 3;
+  /** The face of each half-edge, by start times `vertices` plus end. */
+  const faces = new Map<number, number>();
+  for (let corner = 0; corner < corners.length; ++corner) {
+    const [start, end] = [corners[corner], corners[nextCorner(corner)]];
+    const key = start * vertices + end;
+    if (faces.has(key)) throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
+    faces.set(key, Math.floor(corner / 3));
   }
-  const indices = Uint32Array.from([...Array(3 * faces).keys(), ...strips(edges, welded.length)]);
-  return { positions, faceNormals, indices, longestEdge: longestEdge(positions) };
-}
-
-/** Two triangles for each pair of opposite half-edges. The key of a half-edge is start times `vertices` plus end. */
-function strips(edges: ReadonlyMap<number, readonly [number, number]>, vertices: number): number[] {
-  const indices: number[] = [];
-  for (const [key, [from, to]] of edges) {
+  const edges: number[] = [];
+  for (const [key, face] of faces) {
     const [start, end] = [Math.floor(key / vertices), key % vertices];
-    const opposite = edges.get(end * vertices + start);
-    if (!opposite) {
-      throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
-    }
-    // The neighbour traverses the edge in the opposite direction: its start is our end.
-    const [atEnd, atStart] = opposite;
-    if (start < end) indices.push(to, from, atStart, to, atStart, atEnd);
+    const opposite = faces.get(end * vertices + start);
+    if (opposite === undefined) throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
+    if (start < end) edges.push(start, end, face, opposite);
   }
-  return indices;
+  const normals = faceNormals(positions, corners);
+  return { positions, corners, normals, edges: Uint32Array.from(edges), longestEdge: longestEdge(positions, corners) };
 }
 
-/** @param corners nine numbers for each triangle */
-function longestEdge(corners: Float32Array): number {
+/** The vertices of a mesh, each position once. */
+function withoutDuplicates({ positions, indices }: TriangleMesh): Pick<Extrusion, 'positions' | 'corners'> {
+  const welded = weld(positions);
+  const numbers = new Uint32Array(welded.length);
+  const kept: number[] = [];
+  for (let vertex = 0; vertex < welded.length; ++vertex) {
+    numbers[vertex] = welded[vertex] === vertex ? kept.length / 3 : numbers[welded[vertex]];
+    if (welded[vertex] === vertex) kept.push(...positions.subarray(3 * vertex, 3 * vertex + 3));
+  }
+  return { positions: Float32Array.from(kept), corners: indices.map((vertex) => numbers[vertex]) };
+}
+
+/** The next corner of the same triangle. */
+function nextCorner(corner: number): number {
+  return corner % 3 < 2 ? corner + 1 : corner - 2;
+}
+
+function longestEdge(positions: Float32Array, corners: Uint32Array): number {
   let longest = 0;
-  for (let corner = 0; corner < corners.length; corner += 3) {
-    const next = corner % 9 < 6 ? corner + 3 : corner - 6;
-    const x = corners[next] - corners[corner];
-    const y = corners[next + 1] - corners[corner + 1];
-    const z = corners[next + 2] - corners[corner + 2];
-    longest = Math.max(longest, Math.hypot(x, y, z));
+  for (let corner = 0; corner < corners.length; ++corner) {
+    const [start, end] = [3 * corners[corner], 3 * corners[nextCorner(corner)]];
+    const along = (axis: number) => positions[end + axis] - positions[start + axis];
+    longest = Math.max(longest, Math.hypot(along(0), along(1), along(2)));
   }
   return longest;
 }
 
-/** Writes the unit normal of the triangle at `first` to each of its corners. */
-function writeNormals(corners: Float32Array, normals: Float32Array, first: number): void {
-  const side = (to: number, axis: number): number => corners[first + to + axis] - corners[first + axis];
-  const [ux, uy, uz] = [side(3, 0), side(3, 1), side(3, 2)];
-  const [vx, vy, vz] = [side(6, 0), side(6, 1), side(6, 2)];
-  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-  const length = Math.hypot(x, y, z) || 1;
-  for (let corner = first; corner < first + 9; corner += 3) {
-    normals[corner] = x / length;
-    normals[corner + 1] = y / length;
-    normals[corner + 2] = z / length;
+function faceNormals(positions: Float32Array, corners: Uint32Array): Float32Array {
+  const normals = new Float32Array(corners.length);
+  for (let first = 0; first < corners.length; first += 3) {
+    const side = (to: number, axis: number) =>
+      positions[3 * corners[first + to] + axis] - positions[3 * corners[first] + axis];
+    const [ux, uy, uz] = [side(1, 0), side(1, 1), side(1, 2)];
+    const [vx, vy, vz] = [side(2, 0), side(2, 1), side(2, 2)];
+    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.hypot(x, y, z) || 1;
+    normals.set([x / length, y / length, z / length], first);
   }
+  return normals;
+}
+
+/**
+ * Writes the triangles of the shadow volume: faces that face the light, the other faces at the far end, and quads at
+ * the silhouette between them (Crow, 'Shadow Algorithms for Computer Graphics', 1977).
+ * @param facesLight 1 for each face that faces the light, else 0
+ * @param near number of the first vertex at the start of the volume
+ * @param far number of the first vertex at its end
+ * @param indices where to write, from index `at`; at most 3 for each face and 6 for each edge
+ * @returns the index after the last one written
+ */
+export function writeVolume(
+  { corners, edges }: Extrusion,
+  facesLight: Uint8Array,
+  near: number,
+  far: number,
+  indices: Uint32Array,
+  at: number,
+): number {
+  for (let corner = 0; corner < corners.length; corner += 3) {
+    const first = facesLight[corner / 3] ? near : far;
+    indices[at++] = first + corners[corner];
+    indices[at++] = first + corners[corner + 1];
+    indices[at++] = first + corners[corner + 2];
+  }
+  for (let edge = 0; edge < edges.length; edge += 4) {
+    const isLit = facesLight[edges[edge + 2]];
+    if (isLit === facesLight[edges[edge + 3]]) continue;
+    const [one, other] = isLit ? [near, far] : [far, near];
+    const [start, end] = [edges[edge], edges[edge + 1]];
+    indices[at++] = one + end;
+    indices[at++] = one + start;
+    indices[at++] = other + start;
+    indices[at++] = one + end;
+    indices[at++] = other + start;
+    indices[at++] = other + end;
+  }
+  return at;
 }

@@ -17,6 +17,7 @@ export interface SurfaceDepth {
 
 /** Copies the depth of the surfaces for puffs that touch them. See shaders/lib/contact.glsl. */
 export class SurfaceDepthPass {
+  /** The host's depth in the viewport of the smoke. */
   private readonly copy = depthCopy();
   /** The host's whole depth buffer, if smoke is drawn into a part of it. */
   private readonly whole = depthCopy();
@@ -33,7 +34,7 @@ export class SurfaceDepthPass {
   /** Copies the depth if lines are drawn, and leaves the targets bound. */
   take(renderer: WebGLRenderer, targets: Targets, isInked: boolean): SurfaceDepth | undefined {
     if (!isInked || !this.hasSurfaces) return undefined;
-    targets.copyDepth(renderer, this.copy);
+    this.taken.depth = targets.copyDepth(renderer);
     return this.taken;
   }
 
@@ -50,6 +51,7 @@ export class SurfaceDepthPass {
     const isPart = origin.x > 0 || origin.y > 0;
     copyDepth(renderer, isPart ? this.whole : this.copy, origin, origin, size);
     if (isPart) copyDepth(renderer, this.copy, origin, new Vector2(), size);
+    this.taken.depth = this.copy.depthTexture!;
     return this.taken;
   }
 

@@ -9,6 +9,7 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import { depthCopy } from '../device/depthCopy.ts';
 
 /**
  * The render target of the passes: two display-encoded colours with one depth and stencil buffer. Colour 0 is unlit (in
@@ -27,6 +28,8 @@ export class Targets {
     // A texture, so that other passes can read it or attach it.
     depthTexture: depthStencil(),
   });
+
+  private readonly copy = depthCopy();
 
   /** The underlying render target, with colours, depth and stencil. */
   get renderTarget(): WebGLRenderTarget {
@@ -71,13 +74,12 @@ export class Targets {
 
   /**
    * Copies the depth as it is now, because a depth buffer that is bound for drawing cannot be sampled. Leaves the target
-   * bound.
-   * @param copy see {@link depthCopy}; gets the size of the target
+   * bound. Valid until the next call.
    */
-  copyDepth(renderer: WebGLRenderer, copy: WebGLRenderTarget): DepthTexture {
-    const depth = copy.depthTexture!;
-    copy.setSize(this.width, this.height);
-    renderer.initRenderTarget(copy);
+  copyDepth(renderer: WebGLRenderer): DepthTexture {
+    const depth = this.copy.depthTexture!;
+    this.copy.setSize(this.width, this.height);
+    renderer.initRenderTarget(this.copy);
     renderer.copyTextureToTexture(this.depth, depth);
     renderer.setRenderTarget(this.target);
     return depth;
@@ -85,6 +87,7 @@ export class Targets {
 
   dispose(): void {
     this.target.dispose();
+    this.copy.dispose();
   }
 }
 

@@ -1,4 +1,15 @@
-import { type BufferGeometry, type IUniform, type RawShaderMaterial, type Texture, type WebGLRenderer } from 'three';
+import {
+  DoubleSide,
+  GLSL3,
+  GreaterStencilFunc,
+  IncrementStencilOp,
+  RawShaderMaterial,
+  type BufferGeometry,
+  type DepthTexture,
+  type IUniform,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnMesh } from '../device/drawnMesh.ts';
@@ -6,24 +17,20 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { withLobes } from '../device/unroll.ts';
 
 /** Distance behind a puff's centre, in radii, beyond which the puff has no points, relief included. */
 const BEHIND_THE_PUFF = 1.2;
+/** The same for puffs that are drawn as discs, where the view axis is perpendicular to the light; with a margin. */
+const DISC_REACH = 1.15;
 
-/**
- * Counts the shadow volumes of particles in the stencil buffer by depth pass. The operations clamp. Each volume draws
- * its front face and then its back face in one draw call, so the running count is exact, and a saturated count can only
- * stay dark.
- */
-export class VolumesPass {
-  private readonly rows: DrawnMesh;
+/** Draws the shadow volumes of particles. Subclasses decide how the stencil buffer counts them. */
+export abstract class ParticleVolumes {
+  protected readonly uniforms: Record<string, IUniform>;
+  private readonly puffs: PuffTextures;
   /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
-  private readonly puffs: PuffTextures;
-  private readonly common: Record<string, IUniform>;
-  private readonly uniforms = {
+  private readonly form = {
     minCap: { value: 0 },
     facesEye: { value: false },
     startCaps: { value: null as Texture | null },
@@ -32,15 +39,10 @@ export class VolumesPass {
     depth: { value: 0 },
   };
 
-  constructor(eye: FrameView, puffs: PuffTextures) {
+  /** @param isFlat whether puffs are drawn as discs, for GPUs that do not keep the depth that fragments write */
+  constructor(eye: FrameView, puffs: PuffTextures, isFlat = false) {
     this.puffs = puffs;
-    this.common = { ...eye.uniforms, ...this.uniforms };
-    this.rows = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
-    countFaces(
-      this.rows.mesh,
-      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
-      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
-    );
+    this.uniforms = { ...eye.uniforms, ...this.form, discReach: { value: isFlat ? DISC_REACH : 0 } };
   }
 
   /**
@@ -48,60 +50,97 @@ export class VolumesPass {
    * @param litThreshold N . L from which a lit pixel differs from a shadowed one; below 0 if it differs for every N . L
    */
   follow(form: PuffForm, litThreshold: number): void {
-    this.rows.material = this.materialFor(form, litThreshold);
+    this.quads.material = this.materialFor(form, litThreshold);
   }
 
   /** Least distance behind a puff's centre at which volumes start, in radii. */
   get minCap(): number {
-    return this.uniforms.minCap.value;
-  }
-
-  /** @param rows casters, with front and back faces */
-  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
-    this.rows.draw(renderer, rows);
+    return this.form.minCap.value;
   }
 
   /** The material of the draw call. */
   get material(): RawShaderMaterial {
-    return this.rows.material;
+    return this.quads.material;
   }
 
   /** Draws once with a variant of the material. */
   drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry): void {
-    this.rows.drawAs(renderer, material, rows);
+    this.quads.drawAs(renderer, material, rows);
   }
 
   dispose(): void {
     for (const material of this.materials.values()) material.dispose();
   }
 
+  protected abstract readonly quads: DrawnMesh;
+
+  protected abstract materialWith(lobes: number): RawShaderMaterial;
+
   /** Binds the textures of a puff form and returns the material for its lobe count. */
-  private materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
+  protected materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
     const { startCaps, latestCap, casterTable, casterLobes, reach, depth } = this.puffs.of(form);
-    this.uniforms.minCap.value = minCapOf(litThreshold, latestCap);
-    this.uniforms.facesEye.value = form === 'billboards';
-    this.uniforms.startCaps.value = startCaps;
-    this.uniforms.casterTable.value = casterTable;
-    this.uniforms.reach.value = reach;
-    this.uniforms.depth.value = depth;
+    const uniforms = this.form;
+    uniforms.minCap.value = minCapOf(litThreshold, latestCap);
+    uniforms.facesEye.value = form === 'billboards';
+    uniforms.startCaps.value = startCaps;
+    uniforms.casterTable.value = casterTable;
+    uniforms.reach.value = reach;
+    uniforms.depth.value = depth;
     const material = this.materials.get(casterLobes) ?? this.materialWith(casterLobes);
     this.materials.set(casterLobes, material);
     return material;
   }
+}
 
-  private materialWith(lobes: number): RawShaderMaterial {
-    return countingMaterial({ ...lobeVolumeShaders(lobes), uniforms: this.common });
+/**
+ * Counts, in the stencil buffer, the particles that shade the place that each pixel shows: one quad for each shadow
+ * volume, whose fragments test whether the volume contains that place. The stencil test skips pixels that have reached
+ * the limit. Each pixel must have one depth; `CountedVolumesPass` draws into multisampled buffers.
+ */
+export class VolumesPass extends ParticleVolumes {
+  protected readonly quads: DrawnMesh;
+  private readonly receiverDepth = { value: null as DepthTexture | null };
+
+  constructor(eye: FrameView, puffs: PuffTextures, isFlat = false) {
+    super(eye, puffs, isFlat);
+    this.uniforms.receiverDepth = this.receiverDepth;
+    this.quads = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
+  }
+
+  /**
+   * @param rows one quad for each caster
+   * @param depth a copy of the depth buffer of the bound target
+   * @param limit count at which a pixel is dark enough, 1..255
+   */
+  draw(renderer: WebGLRenderer, rows: BufferGeometry, depth: DepthTexture, limit: number): void {
+    this.receiverDepth.value = depth;
+    this.material.stencilRef = limit;
+    this.quads.draw(renderer, rows);
+  }
+
+  protected materialWith(lobes: number): RawShaderMaterial {
+    return new RawShaderMaterial({
+      ...volumeShaders(lobes),
+      uniforms: this.uniforms,
+      glslVersion: GLSL3,
+      side: DoubleSide,
+      colorWrite: false,
+      depthWrite: false,
+      stencilWrite: true,
+      stencilFunc: GreaterStencilFunc,
+      stencilZPass: IncrementStencilOp,
+    });
   }
 }
 
 /** The shaders of volumes of puffs with a number of lobes, with their loops unrolled. */
-export function lobeVolumeShaders(lobes: number): Shaders {
+export function volumeShaders(lobes: number): Shaders {
   return { vertexShader: withLobes(vertexShader, lobes), fragmentShader: withLobes(fragmentShader, lobes) };
 }
 
 /**
  * Returns the least distance behind its centre at which a puff's volume starts, in radii.
- * @param litThreshold as in `follow`
+ * @param litThreshold as in `ParticleVolumes.follow`
  * @param latestCap largest start cap of the puffs, see src/puffs/bake/startCaps.ts
  */
 export function minCapOf(litThreshold: number, latestCap: number): number {

@@ -15,7 +15,8 @@ export type Values = Readonly<Record<string, Value>>;
 /** The consumer of a parameter. The simulator takes numbers with the same key; TypeScript code reads the others. */
 export type Reader = 'simulator' | 'style' | 'light' | 'camera' | 'stage';
 
-interface Described {
+/** What all kinds of parameters have. */
+export interface ParameterDescription {
   /** Flat dotted key, identical in links and Rust. Attributes use dashes. */
   readonly key: string;
   /** Key of the panel group, see `groups`. */
@@ -32,7 +33,7 @@ interface Described {
 }
 
 /** A quantity in a closed range. */
-export interface NumberParameter extends Described {
+export interface NumberParameter extends ParameterDescription {
   readonly kind: 'number' | 'integer';
   /** Unit as displayed after the number; empty for a dimensionless number. */
   readonly unit: string;
@@ -48,32 +49,32 @@ export interface NumberParameter extends Described {
 }
 
 /** Off or on, as 0 or 1. */
-export interface ToggleParameter extends Described {
+export interface ToggleParameter extends ParameterDescription {
   readonly kind: 'toggle';
   readonly default: 0 | 1;
 }
 
 /** One of several values, each with a display name. */
-export interface ChoiceParameter extends Described {
+export interface ChoiceParameter extends ParameterDescription {
   readonly kind: 'choice';
   readonly options: readonly { readonly value: Value; readonly label: string }[];
   readonly default: Value;
 }
 
 /** An sRGB colour, `#rrggbb` in lower case. */
-export interface ColorParameter extends Described {
+export interface ColorParameter extends ParameterDescription {
   readonly kind: 'color';
   readonly default: string;
 }
 
 /** A piecewise linear curve over 0..1, as stops `0:1,.5:.8,1:0` sorted by position; values from 0 to 1. */
-export interface CurveParameter extends Described {
+export interface CurveParameter extends ParameterDescription {
   readonly kind: 'curve';
   readonly default: string;
 }
 
 /** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` sorted by position; empty for none. */
-export interface RampParameter extends Described {
+export interface RampParameter extends ParameterDescription {
   readonly kind: 'ramp';
   readonly default: string;
 }

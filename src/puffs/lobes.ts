@@ -98,14 +98,14 @@ const LARGEST_REACH = 1.001;
  */
 export function demandShapes(shapes: readonly PuffShape[]): void {
   if (shapes.length < 1 || shapes.length > MAX_VARIATIONS) {
-    throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: it takes 1 to ${MAX_VARIATIONS}.`);
+    throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: use 1 to ${MAX_VARIATIONS}.`);
   }
   for (const { name, lobes } of shapes) {
     if (lobes.length < 1 || lobes.length > MAX_LOBES) {
-      throw new ShapeError(`The puff ${name} has ${lobes.length} lobes: it takes 1 to ${MAX_LOBES}.`);
+      throw new ShapeError(`The puff ${name} has ${lobes.length} lobes: use 1 to ${MAX_LOBES}.`);
     }
     if (!lobes.every(({ radius }) => radius > 0) || !(reachOf(lobes) <= LARGEST_REACH)) {
-      throw new ShapeError(`The puff ${name} must lie in the unit ball and have lobe radii above 0.`);
+      throw new ShapeError(`The puff ${name} must fit into the unit ball, and its lobe radii must be above 0.`);
     }
   }
 }

@@ -35,10 +35,10 @@ export function proceduralPuff(name: string, seed: number, knobs = CARTOON_KNOBS
 
 function demandRanges(knobs: PuffKnobs, lobes: number): void {
   for (const [knob, value] of Object.entries(knobs)) {
-    if (!(value >= 0 && value <= 1)) throw new RangeError(`${knob} is ${value}; it takes a number from 0 to 1.`);
+    if (!(value >= 0 && value <= 1)) throw new RangeError(`${knob} is ${value}: use a number from 0 to 1.`);
   }
   if (!Number.isInteger(lobes) || lobes < MIN_LOBES || lobes > MAX_LOBES) {
-    throw new RangeError(`lobes is ${lobes}; it takes a whole number from ${MIN_LOBES} to ${MAX_LOBES}.`);
+    throw new RangeError(`lobes is ${lobes}: use a whole number from ${MIN_LOBES} to ${MAX_LOBES}.`);
   }
 }
 

@@ -4,6 +4,7 @@ import type { SurfaceDescription } from '../passes/surfaces.ts';
 import type { Quaternion } from '../sim/exact/rotation.ts';
 import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
 
+/** A position or a displacement in metres, or a direction. */
 export type Vector = readonly [x: number, y: number, z: number];
 
 /** Position, in metres, and rotation. */

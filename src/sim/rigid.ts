@@ -30,8 +30,22 @@ export interface RigidPart {
 /** One shape, or a compound of 1 to 64 shapes. */
 export type RigidShape = SingleShape | { type: 'compound'; parts: readonly RigidPart[] };
 
+/** Surface of a rigid, and what it does to the smoke that touches it. */
+export interface RigidSurface {
+  /** 0 (default): no bounce. 1: particles and rigids keep their speed. */
+  restitution?: number;
+  /** 0: frictionless. 1: contacts stop all tangential motion. Default 0.5. */
+  friction?: number;
+  /** Effect on smoke that touches the rigid: it bounces (default), dies, or passes through with a tint. */
+  action?: 'bounce' | 'kill' | 'tint';
+  /** Tint for the action `tint`, 1 (default) to 15. */
+  tint?: number;
+  /** The moving surface drags air along within this distance; metres, 0 (default) to 10. */
+  boundaryLayer?: number;
+}
+
 /** A rigid body that smoke collides with. */
-export interface RigidDescription {
+export interface RigidDescription extends RigidSurface {
   /** `fixed` never moves, `kinematic` follows prescribed motion, `dynamic` responds to gravity and contacts. */
   kind: 'fixed' | 'kinematic' | 'dynamic';
   shape: RigidShape;
@@ -39,18 +53,8 @@ export interface RigidDescription {
   position: Triple;
   /** Unit quaternion x, y, z, w; identity if omitted. */
   rotation?: QuaternionLike;
-  /** 0 (default): no bounce. 1: particles and rigids keep their speed. */
-  restitution?: number;
-  /** 0: frictionless. 1: contacts stop all tangential motion. Default 0.5. */
-  friction?: number;
   /** kg/m3, default 1000. Applies to dynamic rigids. */
   density?: number;
-  /** Effect on smoke that touches the rigid: it bounces (default), dies, or passes through with a tint. */
-  action?: 'bounce' | 'kill' | 'tint';
-  /** Tint for the action `tint`, 1 (default) to 15. */
-  tint?: number;
-  /** The moving surface drags air along within this distance; metres, 0 (default) to 10. */
-  boundaryLayer?: number;
   /** How strongly smoke pushes a dynamic rigid: 0 (default) is off, 1 is as strong as air, at most 10. */
   feelsSmoke?: number;
   /** Spin of a kinematic rigid, added to its other motion. */

@@ -6,7 +6,7 @@
  *   light, bits 16-31 are the end of the shadow, in 256ths of a radius behind the centre, 0xffff for no end.
  *   word 1: byte 0 variation; byte 1 seed; byte 2 temperature in steps of 4/255; byte 3 tint, 0 for none.
  *
- * The Rust code has the same constants. `tests/unit/simLayout.test.ts` compares them with what the WASM reports.
+ * The Rust code has the same constants. `tests/unit/sim/layout.test.ts` compares them with what the WASM reports.
  */
 export const PLACE_FLOATS = 4;
 export const ATTRIBUTE_WORDS = 2;

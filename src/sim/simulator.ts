@@ -369,7 +369,7 @@ export class Simulator {
   }
 
   #attempt<Result>(action: () => Result): Result {
-    if (this.#stopped !== undefined) throw new SimulatorError(`${this.#stopped} Make a new one.`);
+    if (this.#stopped !== undefined) throw new SimulatorError(`${this.#stopped} Create a new one.`);
     try {
       return action();
     } catch (error) {
@@ -380,10 +380,10 @@ export class Simulator {
   #explain(error: unknown): Error {
     if (isSimulatorRejection(error)) return errorOfSimulator(error);
     if (!(error instanceof WebAssembly.RuntimeError)) {
-      return new SimulatorError(`The simulator refused a call: ${String(error)}`, { cause: error });
+      return new SimulatorError(`The simulator rejected a call: ${String(error)}`, { cause: error });
     }
     this.#stopped = 'The simulator has stopped after a fault.';
     const fault = this.#module.bindings.lastFault() || error.message;
-    return new SimulatorError(`The simulator has stopped after a fault: ${fault}. Make a new one.`, { cause: error });
+    return new SimulatorError(`The simulator has stopped after a fault: ${fault}. Create a new one.`, { cause: error });
   }
 }

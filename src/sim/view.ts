@@ -4,7 +4,7 @@
  */
 export const VIEW_FLOATS = 92;
 
-/** Offsets into the packed view. `tests/unit/simLayout.test.ts` compares them with the Rust layout. */
+/** Offsets into the packed view. `tests/unit/sim/layout.test.ts` compares them with the Rust layout. */
 export const VIEW_OFFSETS = {
   purpose: 0,
   blend: 1,

@@ -1,6 +1,7 @@
 import type { FrameView } from '../device/frameView.ts';
 import { DebugViewsPass } from '../passes/debugViews.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
+import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 
@@ -15,21 +16,16 @@ export class DebugViews {
   /** Draws a view after the surfaces: the passes of the frame up to the viewed result, and then the view. */
   draw(
     passes: SmokePasses,
-    { view, output }: FrameInput,
+    { style, view, output }: FrameInput,
     { bodies, casters, grid }: ArrangedFrame,
     surfaceDepth: SurfaceDepth | undefined,
   ): void {
-    const { renderer, targets, body } = passes;
-    const volumes = passes.prismVolumes ?? passes.volumes;
+    const { renderer, targets, body, volumes } = passes;
     const rows = bodies.geometry;
     if (view === 'normals') this.pass.drawNormals(renderer, body, rows, surfaceDepth);
     else body.draw(renderer, rows, surfaceDepth);
     if (view === 'counts') {
-      if (casters) {
-        passes.meshVolumes.draw(renderer);
-        passes.mask.countOnce(renderer);
-        volumes.draw(renderer, casters.geometry);
-      }
+      if (casters) countVolumes(passes, style, casters.geometry, MAX_COUNT);
       this.pass.copyCounts(renderer);
     }
     if (view === 'overdraw') {

@@ -2,19 +2,20 @@
 import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
+import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
 import type { ShadowMapSources } from '../passes/shadowMap.ts';
 import type { ComparisonRenderers } from './comparisonRenderers.ts';
 import type { FrameExtras } from './smokePasses.ts';
-import type { Renderer } from './style.ts';
+import type { Renderer, Volumes } from './style.ts';
 
 const imports = {
   billboards: () => import('./billboards.ts'),
   comparisons: () => import('./comparisonRenderers.ts'),
   debugViews: () => import('./debugViews.ts'),
-  prismVolumes: () => import('../passes/prismVolumes.ts'),
+  countedVolumes: () => import('../passes/countedVolumes.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -27,13 +28,12 @@ export const here: Readonly<Partial<Codes>> = {};
 export interface PictureKind {
   readonly renderer: Renderer;
   readonly form: PuffForm;
+  readonly volumes: Volumes;
   readonly view?: DebugView;
-  /** Whether the device does not keep the depth that fragments write. */
-  readonly isFlat?: boolean;
 }
 
 /** The modules that a picture needs, with their names in error messages. */
-function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<Name, string>> {
+function needsOf({ renderer, form, volumes, view }: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -41,7 +41,7 @@ function needsOf({ renderer, form, view, isFlat }: PictureKind): Partial<Record<
       comparisons: `The renderer ${renderer}`,
     }),
     ...(view && { debugViews: `The view ${view}` }),
-    ...(isFlat && { prismVolumes: 'Shadows' }),
+    ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
   };
 }
 
@@ -64,7 +64,7 @@ export async function fetchExtras(kind: PictureKind): Promise<void> {
  */
 export function codeOf<Each extends Name>(name: Each): Codes[Each] {
   const code = here[name];
-  if (!code) throw new LoadError(`The code of ${name} was not fetched.`);
+  if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
   return code;
 }
 
@@ -77,7 +77,7 @@ async function bring(name: Name, called: string): Promise<void> {
     Object.assign(here, { [name]: await inTime<object>(imports[name]()) });
   } catch (error) {
     const reason = (error as Error).message;
-    throw new LoadError(`${called} could not be loaded, nailboards are drawn instead: ${reason}`, { cause: error });
+    throw new LoadError(`${called} could not be loaded, so nailboards are drawn instead: ${reason}`, { cause: error });
   }
 }
 
@@ -85,6 +85,7 @@ async function bring(name: Name, called: string): Promise<void> {
 export class ExtraPasses implements FrameExtras {
   private readonly sources: ShadowMapSources;
   private madeComparisons: ComparisonRenderers | undefined;
+  private madeVolumes: CountedVolumesPass | undefined;
   private madeViews: DebugViews | undefined;
 
   constructor(sources: ShadowMapSources) {
@@ -94,6 +95,12 @@ export class ExtraPasses implements FrameExtras {
   get comparisons(): ComparisonRenderers | undefined {
     if (here.comparisons) this.madeComparisons ??= new here.comparisons.ComparisonRenderers(this.sources);
     return this.madeComparisons;
+  }
+
+  get countedVolumes(): CountedVolumesPass | undefined {
+    const { eye, puffs } = this.sources;
+    if (here.countedVolumes) this.madeVolumes ??= new here.countedVolumes.CountedVolumesPass(eye, puffs);
+    return this.madeVolumes;
   }
 
   get debugViews(): DebugViews | undefined {
@@ -109,6 +116,7 @@ export class ExtraPasses implements FrameExtras {
   /** Disposes of all passes. They allocate their resources again when they next draw. */
   dispose(): void {
     this.madeComparisons?.dispose();
+    this.madeVolumes?.dispose();
     this.madeViews?.dispose();
   }
 }

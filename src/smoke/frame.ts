@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 import type { Rows } from '../sim/rows.ts';
+import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
@@ -41,13 +42,12 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, { output }, { bodies, casters }, surfaceDepth) => {
+const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
   const { renderer, targets, mask } = passes;
   passes.body.draw(renderer, bodies.geometry, surfaceDepth);
   if (casters) {
-    passes.meshVolumes.draw(renderer);
-    mask.countOnce(renderer);
-    (passes.prismVolumes ?? passes.volumes).draw(renderer, casters.geometry);
+    const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
+    countVolumes(passes, style, casters.geometry, limit);
     mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output);

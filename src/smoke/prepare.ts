@@ -4,7 +4,7 @@ import { memoizedHullNormals, type SurfaceDescription } from '../passes/surfaces
 import { inPieces, type Work } from '../puffs/work.ts';
 import type { Device } from '../device/device.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
-import { lobeVolumeShaders } from '../passes/volumes.ts';
+import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
 import { LivePuffs } from './livePuffs.ts';
 
@@ -41,7 +41,7 @@ export function compileAhead(device: Device, values: Values): void {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth));
-  if (device.writesDepth) device.programs.compile(device.renderer, lobeVolumeShaders(lobes));
+  device.programs.compile(device.renderer, volumeShaders(lobes));
 }
 
 /** Time slice in milliseconds, short enough to keep the page responsive. */

@@ -2,7 +2,7 @@ import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { PuffTextures, type BakedPuffs } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { FRONT_AND_BACK, CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
@@ -17,7 +17,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { codeOf, ExtraPasses, hasExtras } from './extraPasses.ts';
+import { ExtraPasses, hasExtras } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -67,7 +67,7 @@ export class SmokeRenderer {
     const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new CasterInstances(capacity, FRONT_AND_BACK);
+    const casters = new CasterInstances(capacity, ONE_QUAD);
     const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     const creases = new CreasesPass(eye, surfaces);
@@ -85,8 +85,8 @@ export class SmokeRenderer {
       surfaceDepth,
       body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
       meshVolumes,
-      volumes: new VolumesPass(eye, this.puffs),
-      prismVolumes: isFlat ? new (codeOf('prismVolumes').PrismVolumesPass)(eye, this.puffs) : undefined,
+      volumes: new VolumesPass(eye, this.puffs, isFlat),
+      isFlat,
       mask: new MaskPass(),
       resolve: new ResolvePass(eye),
       extras: new ExtraPasses({
@@ -145,7 +145,6 @@ export class SmokeRenderer {
     passes.creases.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
-    passes.prismVolumes?.dispose();
     passes.extras.dispose();
     this.ramps.dispose();
   }
@@ -153,20 +152,20 @@ export class SmokeRenderer {
   private withWhatIsHere(input: FrameInput): FrameInput {
     const { style, view } = input;
     if (hasExtras({ ...style, view })) return input;
-    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes' };
+    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes', volumes: 'receiver' };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { eye, body, volumes, prismVolumes, mask, extras } = this.passes;
+    const { eye, body, volumes, mask, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     body.setForm(extras.billboardsOf(style.form));
     volumes.follow(style.form, litThresholdOf(style));
-    prismVolumes?.follow();
+    extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     this.style = style;
     this.pixelRatio = pixelRatio;

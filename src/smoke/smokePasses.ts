@@ -9,7 +9,7 @@ import type { BodiesPass } from '../passes/bodies.ts';
 import type { CreasesPass } from '../passes/creases.ts';
 import type { MaskPass } from '../passes/mask.ts';
 import type { MeshVolumesPass } from '../passes/meshVolumes.ts';
-import type { PrismVolumesPass } from '../passes/prismVolumes.ts';
+import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
 import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import type { SurfacesPass } from '../passes/surfaces.ts';
@@ -34,8 +34,8 @@ export interface SmokePasses {
   readonly body: BodiesPass;
   readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
-  /** Replaces `volumes` on devices that do not keep the depth that fragments write. */
-  readonly prismVolumes: PrismVolumesPass | undefined;
+  /** Whether puffs are drawn as discs, for GPUs that do not keep the depth that fragments write. */
+  readonly isFlat: boolean;
   readonly mask: MaskPass;
   readonly resolve: ResolvePass;
   /** The modules that the input of a frame needs must be loaded. */
@@ -64,6 +64,8 @@ type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
 /** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {
   readonly comparisons: DrawsInstead | undefined;
+  /** Counts entries and exits; `style.volumes` decides. */
+  readonly countedVolumes: CountedVolumesPass | undefined;
   readonly debugViews: DrawsInstead | undefined;
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined;

@@ -3,13 +3,17 @@ import type { StyleUniforms } from '../device/frameView.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
 import { writeColor, type Color, type Tone } from '../device/ramps.ts';
 import type { Parameter, Value, Values } from '../preset/parameter.ts';
-import { styleRows } from '../preset/rows/style.ts';
+import type { styleRows } from '../preset/rows/style.ts';
+import { table } from '../preset/table.ts';
 import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or with one of three renderers for comparison. */
 export type Renderer = 'nailboards' | ComparisonRenderer;
 export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
+
+/** How the stencil counts shadow volumes: by testing each pixel's receiver, or entries and exits as in the paper. */
+export type Volumes = 'receiver' | 'counted';
 
 /** The renderers that draw shadows and need casters. */
 export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
@@ -80,7 +84,8 @@ export function automaticColors(values: Values): Values {
   return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
 }
 
-const rows: readonly Parameter[] = styleRows.filter(({ reader }) => reader === 'style');
+// Not `styleRows`: the package replaces the table by one without texts, which pages do not show.
+const rows = table.filter(({ key, reader }) => key.startsWith('style.') && reader === 'style');
 
 /** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {

@@ -34,7 +34,7 @@ export function viewSources(passes: SmokePasses, { style, receivers }: FrameInpu
     extents: passes.extentsOf(style.form),
     boxes,
     minCap: passes.volumes.minCap,
-    isFlat: passes.prismVolumes !== undefined,
+    isFlat: passes.isFlat,
   };
 }
 
@@ -79,7 +79,7 @@ function coverageOf(
   covers: number,
 ): CoverageView | undefined {
   // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
-  // are transparent. With flat puffs and prism volumes, the solids do not match the drawn shapes.
+  // are transparent. The solids do not match flat puffs.
   if (style.renderer !== 'nailboards' || isFlat) return undefined;
   const { capRange, depth, solids } = extents;
   const [nearest, farthest] = eye.range;

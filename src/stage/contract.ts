@@ -37,7 +37,7 @@ export interface StageOptions extends DeviceOptions {
   onProgress?: (progress: LoadProgress) => void;
   /** Called after each simulator step, including each step of a batch. */
   onStep?: () => void;
-  /** A fault to inject at startup, for testing error handling. Ignored in production builds. */
+  /** @internal A fault to inject at startup, for testing error handling. Ignored in production builds. */
   fault?: Fault;
 }
 

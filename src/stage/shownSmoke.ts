@@ -50,10 +50,10 @@ export class ShownSmoke {
     return this.style.shadows;
   }
 
-  /** Renderer and puff form. */
+  /** The settings that decide which modules the picture needs. */
   get kind(): PictureKind {
-    const { renderer, form } = this.style;
-    return { renderer, form };
+    const { renderer, form, volumes } = this.style;
+    return { renderer, form, volumes };
   }
 
   /** Applies new values. */

@@ -27,7 +27,10 @@ export class Sight {
   private readonly picture: Picture;
   private readonly transformOf: (carrier: number) => Matrix4;
 
-  /** @param transformOf the world transform of a carrier as drawn; identity for an unknown carrier */
+  /**
+   * @internal
+   * @param transformOf the world transform of a carrier as drawn; identity for an unknown carrier
+   */
   constructor(picture: Picture, transformOf: (carrier: number) => Matrix4) {
     this.picture = picture;
     this.transformOf = transformOf;

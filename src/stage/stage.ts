@@ -11,7 +11,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import type { Renderer } from '../smoke/style.ts';
+import type { Renderer, Volumes } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -26,7 +26,15 @@ import { noteOf, takeOf, type Take } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
- * runs in a worker.
+ * runs in a worker. `docs/three.md` describes the members in the same groups:
+ *
+ * - life cycle: `ready`, `canvas`, `on`, `complete`, `copy`, `dispose`
+ * - time: `play`, `pause`, `playing`, `speed`, `step`, `advance`, `seek`, `restart`
+ * - values: `set`, `get`, `unset`, `enter`, `rig`, `rigidNames`, `partNames`, `setPuffs`
+ * - state: `save`, `restore`, `hash`, `take`, `playTake`, `readTake`
+ * - picture: `picture`, `resize`, `visible`, `background`, `quality`, `view`, `camera`, `sight`
+ * - input: `pointer`, `nudge`, `blow`, `steer`, `drop`, `dropCount`
+ * - statistics: `stats`
  */
 export class Stage {
   /** Resolves when the first picture is drawn. */
@@ -465,7 +473,12 @@ export class Stage {
 }
 
 function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return { renderer: values['style.renderer'] as Renderer, form: values['puff.form'] as PuffForm, view };
+  return {
+    renderer: values['style.renderer'] as Renderer,
+    form: values['puff.form'] as PuffForm,
+    volumes: values['style.volumes'] as Volumes,
+    view,
+  };
 }
 
 /**
@@ -482,7 +495,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
       bakeAhead(values),
-      fetchExtras({ ...kindOf(values, options.view), isFlat: !presenter.device.writesDepth }),
+      fetchExtras(kindOf(values, options.view)),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     if (!presenter.device.hasHope) throw missingContext();

@@ -2,8 +2,8 @@ import type { Object3D, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { PuffTextures } from '../device/puffTextures.ts';
-import { FRONT_AND_BACK, Instances } from '../instances/instances.ts';
-import { VolumesPass } from '../passes/volumes.ts';
+import { Instances, ONE_QUAD } from '../instances/instances.ts';
+import { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { ATTRIBUTE_WORDS, NO_END, type Rows } from '../sim/rows.ts';
@@ -29,8 +29,8 @@ export class BallVolumes {
   private readonly groups: BallsOf[] = [];
   private count = 0;
   private readonly puffs: PuffTextures;
-  private readonly rows = new Instances(MAX_BALLS, FRONT_AND_BACK);
-  private readonly volumes: VolumesPass;
+  private readonly rows = new Instances(MAX_BALLS, ONE_QUAD);
+  private readonly volumes: CountedVolumesPass;
   private readonly place = new Float32Array(4 * MAX_BALLS);
   // The shadows may fall on any surface of the host's scene.
   private readonly attributes = new Uint32Array(ATTRIBUTE_WORDS * MAX_BALLS).map((_, word) =>
@@ -39,7 +39,7 @@ export class BallVolumes {
 
   constructor(device: Device, eye: FrameView) {
     this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
-    this.volumes = new VolumesPass(eye, this.puffs);
+    this.volumes = new CountedVolumesPass(eye, this.puffs);
     this.volumes.follow('lobes', LIT_THRESHOLD);
   }
 

@@ -95,7 +95,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     try {
       const [factory] = await Promise.all([
         loadSimulators({ physics: options.physics ?? true }),
-        fetchExtras({ ...hostStyle(values), isFlat: !device.writesDepth }),
+        fetchExtras(hostStyle(values)),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,

@@ -48,7 +48,7 @@ export class HostCasters {
     const meshes: Mesh[] = [];
     object.traverse((part) => ('isMesh' in part ? meshes.push(part as Mesh) : undefined));
     if (meshes.length === 0)
-      throw new ParameterError('cast', object.name || object.type, 'an object with a mesh in it');
+      throw new ParameterError('cast', object.name || object.type, 'an object that contains a mesh');
     for (const mesh of meshes) this.addMesh(mesh);
   }
 

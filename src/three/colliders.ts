@@ -1,15 +1,12 @@
 import { Matrix4, Quaternion, Vector3, type InstancedMesh, type Mesh, type Object3D } from 'three';
 import { ParameterError } from '../preset/errors.ts';
-import type { RigidDescription, SingleShape } from '../sim/rigid.ts';
+import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { boneBalls, follow, type BallAt, type ProxyBall } from './proxies.ts';
 import { poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Options for collisions with an object. */
-export interface CollideOptions extends Pick<
-  RigidDescription,
-  'restitution' | 'friction' | 'action' | 'tint' | 'boundaryLayer'
-> {
+export interface CollideOptions extends RigidSurface {
   /** Balls that replace the object's meshes. */
   proxies?: readonly ProxyBall[];
 }
@@ -43,7 +40,7 @@ export class Colliders {
     if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
     else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
     if (this.followers.length === before)
-      throw new ParameterError('collide', object.name || object.type, 'an object with a mesh in it');
+      throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
   }
 
   /** Reads the current poses. The next steps interpolate towards them. */

@@ -29,7 +29,7 @@ export interface HostView {
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
   const { smoke, pictures, insert } = passes;
   const { renderer } = view;
-  const { body, eye, mask, resolve, surfaceDepth, targets, volumes } = smoke.passes;
+  const { body, eye, mask, resolve, surfaceDepth, targets, extras } = smoke.passes;
   const { style } = input;
   const hasDeep = style.shadows && style.shadowSteps === 2;
   const isLinear = isLinearPicture(renderer);
@@ -52,7 +52,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     if (casters) {
       passes.casters.draw(renderer, view.scene);
       mask.countOnce(renderer);
-      volumes.draw(renderer, casters.geometry);
+      extras.countedVolumes?.draw(renderer, casters.geometry);
     }
     insert.drawLit(renderer);
     if (casters) {

@@ -92,7 +92,10 @@ function requireOpen(values: Values): void {
   }
 }
 
-/** A preset may select a comparison renderer; in a host scene only nailboards are supported. */
+/**
+ * A preset may select a comparison renderer; in a host scene only nailboards are supported. Volumes are counted, because
+ * the host's buffer may be multisampled.
+ */
 export function hostStyle(values: Values): Style {
-  return { ...styleOf(values), renderer: 'nailboards' };
+  return { ...styleOf(values), renderer: 'nailboards', volumes: 'counted' };
 }

@@ -5,7 +5,7 @@
 
 import { costsTable } from './sim/costsTable.mjs';
 import { buildContestants, Native } from './sim/native.mjs';
-import { buildMeasuringModule } from './sim/measuringModule.mjs';
+import { buildMeasuringModule } from './sim/collide/measuringModule.mjs';
 import { measureInPage } from './support/page.mjs';
 
 /** @param {import('./support/page.mjs').Choice} choice */

@@ -1,19 +1,19 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, test } from '../support/fixtures.ts';
-import { linesOf } from '../support/hashFixture.ts';
-import { nativeHashes, nativeTakes } from '../support/nativeTakes.ts';
-import { HASH_LIST, presetHashes, type HashList } from '../support/presetHashes.ts';
-import { RecordedCalls } from '../support/recordedCalls.ts';
-import { loadVariant } from '../unit/simWasm.ts';
+import { linesOf } from '../support/sim/hashFixture.ts';
+import { nativeHashes, nativeTakes } from '../support/sim/nativeTakes.ts';
+import { HASH_LIST, presetHashes, type HashList } from '../support/sim/presetHashes.ts';
+import { RecordedCalls } from '../support/sim/recordedCalls.ts';
+import { loadVariant } from '../support/sim/simWasm.ts';
 
 type Load = typeof import('../../src/sim/load.ts');
-type Fixture = typeof import('../support/hashFixture.ts');
+type Fixture = typeof import('../support/sim/hashFixture.ts');
 
 const text = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
 
 test('the same seed has the same hash natively and in Chromium', async ({ load }) => {
   const simulators = await load<Load>('/src/sim/load.ts');
-  const fixture = await load<Fixture>('/tests/support/hashFixture.ts');
+  const fixture = await load<Fixture>('/tests/support/sim/hashFixture.ts');
   const hashes = await simulators.evaluate(
     async (module, [scenario, input]) => {
       const core = await module.loadSimulators({ physics: false });
@@ -52,7 +52,7 @@ test('takes over the whole parameter table have the same hashes natively and in 
 });
 
 // `UPDATE_HASHES=1 npx playwright test --no-deps --project=pages tests/e2e/hash.spec.ts` writes the list.
-test('every preset has the hashes of tests/engines/hashes.json in Node and, by the bits that cross there, natively', async () => {
+test('every preset has the hashes of tests/engines/hashes.json in Node and, with the same calls, natively', async () => {
   const calls = new RecordedCalls();
   const hashes = await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
   if (process.env.UPDATE_HASHES) writeFileSync(HASH_LIST, `${JSON.stringify(hashes, null, 2)}\n`);

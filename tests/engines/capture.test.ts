@@ -24,7 +24,7 @@ test('a GIF', async ({ load }) => {
 
 // Debian's WebKitGTK has VideoEncoder, but its web process crashes in isConfigSupported().
 describe.skipIf(engine.title === 'WebKit' && !engine.isPlaywrights)('video', () => {
-  test.for(['webm', 'mp4'] as const)('a %s, or why there is none', async (format, { load, task }) => {
+  test.for(['webm', 'mp4'] as const)('a %s, or the reason why there is none', async (format, { load, task }) => {
     const outcome = await (await load<Page>(STAGES)).captured(format);
     if ('error' in outcome) {
       expect(outcome.error).toBe('VideoError');

@@ -31,7 +31,7 @@ if (lacksWorkers) {
     expectPlayed(await page.playElement('auto'), 'main');
   });
 
-  test('it plays in a worker where WebKitGTK is told to have WebGL there, as Safari has', async () => {
+  test('it plays in a worker if WebGL in workers is enabled in WebKitGTK, as in Safari', async () => {
     const browser = await startWebKit(engine.path!, ['AllowWebGLInWorkers']);
     await browser.open(blankPage());
     const played = await inPage<Page>(browser, ELEMENT).playElement('auto');
@@ -45,7 +45,7 @@ if (lacksWorkers) {
   });
 }
 
-test('embed.html plays in a sandbox that allows scripts alone', async ({ load }) => {
+test('embed.html plays in a sandbox that allows only scripts', async ({ load }) => {
   const page = await load<Page>(ELEMENT);
   const address = `${inject('site')}/embed.html#v=1&preset=wisp&simulation.maxParticles=300&puff.variations=1`;
   expectPlayed(await page.playFrame(address), 'frame');

@@ -33,7 +33,7 @@ afterAll(async () => {
   for (const browser of browsers) await browser.close();
 });
 
-test.for(Object.keys(sceneEntries))('%s looks as in Chromium', async (scene, { task }) => {
+test.for(Object.keys(sceneEntries))('%s looks the same as in Chromium', async (scene, { task }) => {
   const drawn = await Promise.all(pages.map((page) => page.pictureOf(scene, SECONDS, WIDTH, HEIGHT)));
   const [wanted, ...others] = drawn.map(pictureIn);
   expect(colorsIn(wanted)).toBeGreaterThan(20);

@@ -5,7 +5,7 @@ import type { Values } from '../../src/preset/parameter.ts';
 import { withDrops } from '../../src/scenes/drops.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
-import { loadVariant } from '../unit/simWasm.ts';
+import { loadVariant } from '../support/sim/simWasm.ts';
 import { test } from './fixtures.ts';
 
 type Stages = typeof import('./page/stages.ts');
@@ -21,7 +21,7 @@ test.for(['lamp', 'airplane'])('a take of the %s replays from its link', async (
   expect(await hashInNode(preset, link, steps)).toBe(hash);
 });
 
-test('a saved state goes on in another stage, and in Node', async ({ load }) => {
+test('a saved state continues in another stage, and in Node', async ({ load }) => {
   const stages = await load<Stages>('/tests/engines/page/stages.ts');
   const { state, values, saved, restored, ends } = await stages.saveAndRestore('lamp', 60);
   expect(restored).toBe(saved);

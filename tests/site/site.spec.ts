@@ -33,7 +33,7 @@ test('runs from any folder, because its addresses are relative', async ({ page }
   expect(missing).toEqual([]);
 });
 
-test('says whose work it holds, under which licence, and where the source of it is', async ({ page }) => {
+test('lists the licences of its parts and links to its source', async ({ page }) => {
   await page.goto(`${server.address}?paused=1${WISP}`);
   await page.getByRole('button', { name: 'Help' }).click();
   const link = page.getByRole('link', { name: 'Third-party licences' });
@@ -50,7 +50,7 @@ test('says whose work it holds, under which licence, and where the source of it 
 /** Largest size of JavaScript and WASM before the first smoke, kilobytes on the wire. */
 const LIMITS = { wisp: 400, lamp: 900 };
 
-test.describe('before its first smoke', () => {
+test.describe('before the first smoke', () => {
   // The service worker loads more files later, which do not count here.
   test.use({ serviceWorkers: 'block' });
 
@@ -69,10 +69,10 @@ test.describe('before its first smoke', () => {
   }
 });
 
-test.describe('without a network', () => {
+test.describe('offline', () => {
   test.use({ allowed: /ERR_CONNECTION_REFUSED/ });
 
-  test('what was looked at once works again', async ({ page }) => {
+  test('pages that were visited once work again', async ({ page }) => {
     await page.goto(`${server.address}${WISP}`);
     await isCached(page, 'bindings_bg');
     await server.close();
@@ -81,9 +81,7 @@ test.describe('without a network', () => {
   });
 });
 
-test('a new version is offered, takes over when asked to, and leaves nothing of the old one behind', async ({
-  page,
-}) => {
+test('a new version is offered, takes over on request, and removes the old one', async ({ page }) => {
   await page.goto(`${server.address}${WISP}`);
   await isCached(page, 'main-');
   const [before, after] = renameMain(folder);
@@ -97,7 +95,7 @@ test('a new version is offered, takes over when asked to, and leaves nothing of 
   await expect(page.getByRole('button', { name: 'Reload' })).toBeHidden();
 });
 
-test('a new version is offered that the browser has found before the page looks for one', async ({ page }) => {
+test('a new version that the browser found before the page is offered', async ({ page }) => {
   await page.goto(`${server.address}${WISP}`);
   await isCached(page, 'main-');
   renameMain(folder);

@@ -58,7 +58,7 @@ test('pasted into an empty page of another origin it shows the smoke', async ({ 
   });
 });
 
-test.describe('changed on its way', () => {
+test.describe('modified in transit', () => {
   test.use({ allowed: /integrity|ERR_FAILED/ });
 
   test('the script does not run', async ({ page }) => {

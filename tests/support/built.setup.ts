@@ -11,7 +11,7 @@ for (const [what, path] of [
   ['site', 'setup/site.mjs'],
   ['package', 'setup/package.mjs'],
 ] as const) {
-  test(`the ${what} is built from the sources that lie here`, async () => {
+  test(`the ${what} is built from the current sources`, async () => {
     const component = await script<Component>(path);
     if (!component.isFresh()) await component.bring(() => undefined);
     test.expect(component.isFresh()).toBe(true);

@@ -2,7 +2,7 @@
 import { spawn } from 'node:child_process';
 import { expect, test, type TestInfo } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { buildNative } from './nativeProgram.ts';
+import { buildNative } from './sim/nativeProgram.ts';
 
 /** Rows from bottom to top. */
 interface ReferencePicture {

@@ -91,6 +91,7 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     smokeRamps: ramps,
     bands,
     rim: style.shading ? style.rim : 0,
+    volumes: style.volumes,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     minCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
   };

@@ -28,7 +28,7 @@ import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
-await fetchExtras({ renderer: 'selle', form: 'billboards', view: 'normals', isFlat: true });
+await fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'counted', view: 'normals' });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
@@ -71,7 +71,7 @@ export interface LabScene {
   smoothEdges?: boolean;
   /** Debug view to draw instead of the picture. */
   view?: DebugView;
-  /** Also reads the stencil, with eight draw calls. */
+  /** Also counts the shadow volumes at each pixel. */
   readCounts?: boolean;
 }
 
@@ -83,6 +83,7 @@ export const PLAIN_STYLE: Style = {
   outlines: true,
   creases: false,
   shadows: true,
+  volumes: 'receiver',
   shadowSteps: 1,
   shadowDepth: 6,
   deepShadow: [160, 150, 200],
@@ -201,9 +202,13 @@ export class Lab {
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const { renderTarget } = this.smoke.passes.targets;
-    const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
-    return { width, height, pixels, counts };
+    return { width, height, pixels, counts: options.readCounts ? this.countsOf(input) : new Uint8Array(0) };
+  }
+
+  /** Number of shadow volumes that contain the place at each pixel; only this view counts all of them. */
+  private countsOf(input: FrameInput): Uint8Array {
+    drawFrame(this.smoke, { ...input, view: 'counts' });
+    return readStencil(this.device, this.smoke.passes.targets.renderTarget);
   }
 
   dispose(): void {

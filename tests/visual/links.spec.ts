@@ -9,9 +9,9 @@ import { PNG } from 'pngjs';
 import { presets } from '../../src/preset/presets.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { bytesOf, compare, expectSame } from '../support/goldens.ts';
-import { HASH_LIST, type HashList } from '../support/presetHashes.ts';
+import { HASH_LIST, type HashList } from '../support/sim/presetHashes.ts';
 
-type Cases = typeof import('./cases/links.ts');
+type Cases = typeof import('./links.cases.ts');
 
 interface RecordedLink {
   /** Query and hash of the page's address. */
@@ -32,9 +32,9 @@ const { UPDATE_LINKS } = process.env;
 const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
 
 // One test, because each failed test restarts the browser.
-test('each link shows what was recorded', async ({ load }, testInfo) => {
+test('each link has the recorded hash and picture', async ({ load }, testInfo) => {
   test.setTimeout(1_200_000);
-  const cases = await load<Cases>('/tests/visual/cases/links.ts');
+  const cases = await load<Cases>('/tests/visual/links.cases.ts');
   for (const name of names) {
     const recorded = links[name];
     const opened = await cases.evaluateHandle((module, link) => module.openLink(link), recorded.link);

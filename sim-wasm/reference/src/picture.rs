@@ -11,7 +11,7 @@ use crate::creases::ribbons_of;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
-use crate::scene::{Scene, Style};
+use crate::scene::{Scene, Style, Volumes};
 use crate::shade::{Part, Shade, Shadow};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
@@ -220,7 +220,11 @@ impl<'a> Painter<'a> {
         }
         let ray = self.camera.ray_in_world(self.middle_of(pixel));
         let depth = seen.depth.max(self.camera.near);
-        let of_puffs = self.volumes.iter().filter(|volume| volume.holds(ray, depth)).count() as u32;
+        let contains = |volume: &&Volume| match self.scene.style.volumes {
+            Volumes::Receiver => volume.contains(ray.at(depth)),
+            Volumes::Counted => volume.holds(ray, depth),
+        };
+        let of_puffs = self.volumes.iter().filter(contains).count() as u32;
         let of_solids = self.solids.shadows_over(ray.at(depth), &self.light);
         // With two shadow steps solids count once.
         let most = self.scene.style.shadow_depth.map_or(u32::MAX, |_| 1);

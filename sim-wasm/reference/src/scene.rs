@@ -69,11 +69,20 @@ pub struct Style {
     /// Width of the rim along silhouettes that face away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
+    pub volumes: Volumes,
     /// Number of volumes of deep shadow, and the factor on its colours; none for a single shadow step.
     pub shadow_depth: Option<u32>,
     pub deep_shadow: Triple,
     /// Minimum distance from a puff's centre to the start of its volume (radii).
     pub min_cap: f64,
+}
+
+/// How the volumes that contain a point are counted.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Volumes {
+    Receiver,
+    Counted,
 }
 
 /// Numbers by byte; their sum is the ramp of smoke without a tint.

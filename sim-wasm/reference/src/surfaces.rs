@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_shades_what_lies_behind_it_and_its_own_far_side() {
+    fn a_ball_shadows_objects_behind_it_and_its_own_far_side() {
         let ramp = || Ramp {
             lit: Vec::new(),
             unlit: Vec::new(),

@@ -51,8 +51,16 @@ impl Volume {
         })
     }
 
-    /// Returns true if it contains the point of a view ray at a depth. On each ray it extends from the first entry to
-    /// the last exit.
+    /// Returns true if it contains a point.
+    pub fn contains(&self, point: DVec3) -> bool {
+        let offset = point - self.center;
+        let along = offset.dot(self.axis);
+        let seen = offset.reject_from_normalized(self.axis) / (1.0 + self.growth * along);
+        along >= self.begin && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
+    }
+
+    /// Returns true if it contains the point of a view ray at a depth, counted as the paper does: on each ray it extends
+    /// from the first entry to the last exit.
     pub fn holds(&self, ray: Ray, depth: f64) -> bool {
         if (ray.at(depth) - self.center).dot(self.axis) < self.begin {
             return false;

@@ -12,9 +12,9 @@ use sim::simulator::StepPart;
 const ROUNDS: usize = 9;
 const STEPS: usize = 40;
 const PARTICLES: u32 = 10_000;
-/// Half side of the box (m) that particles and rigids lie in, the same in tests/bench/sim/obstacles.ts.
+/// Half side of the box of particles and rigids (m), the same as in tests/bench/sim/collide/obstacles.ts.
 const HALF_SIDE: f32 = 1.5;
-/// No particle is larger (m).
+/// Maximum radius of a particle (m).
 const REACH: f32 = 0.08;
 const FORCES: &[(&str, f64)] = &[
     ("emission.rate", 0.0),
@@ -27,14 +27,14 @@ const FORCES: &[(&str, f64)] = &[
     ("turbulence.octaves", 1.0),
 ];
 
-/// A rigid that swings about its place.
+/// A rigid that oscillates about its position.
 struct Swing {
     place: [f32; 3],
     pace: f32,
     phase: f32,
 }
 
-/// Milliseconds a step.
+/// Milliseconds per step.
 #[derive(Default)]
 struct Times {
     parts: [f64; 5],

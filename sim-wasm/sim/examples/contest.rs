@@ -1,10 +1,12 @@
-//! The simulator and the memory pass outside of the browser, for `npm run bench -- sim`: does what the lines on standard
-//! input say and answers each with a line. The clock runs here, so that the way between the two costs nothing.
+//! The simulator and the memory pass outside the browser, for `npm run bench -- sim`. It reads one command per line
+//! from standard input and answers each with a line. It measures time itself, so communication costs nothing.
 //!
-//! - `load CAPACITY BYTES`, then as many bytes of a saved state: goes on from it, parameters included. Answers `loaded`.
-//! - `restart`: goes back to that state. Answers `restarted`.
-//! - `step COUNT`, `memory COUNT`: so many steps, or memory passes over as many particles. Answers with milliseconds.
-//! - `hash`: answers with the state's fingerprint.
+//! - `load CAPACITY BYTES`, then that many bytes of a saved state: restores the state with its parameters. Answers
+//!   `loaded`.
+//! - `restart`: restores that state again. Answers `restarted`.
+//! - `step COUNT`, `memory COUNT`: COUNT steps, or COUNT memory passes over as many particles. Answers with
+//!   milliseconds.
+//! - `hash`: answers with the hash of the state.
 
 #[path = "memory/pass.rs"]
 mod pass;
@@ -17,7 +19,7 @@ use std::time::Instant;
 use pass::Columns;
 use sim::Simulator;
 
-/// Both that are measured, and the state that they start each round from.
+/// The two measured subjects, and the state from which they start each round.
 struct Contest {
     simulator: Simulator,
     columns: Columns,
@@ -31,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     while input.read_line(&mut line)? > 0 {
         let words: Vec<&str> = line.split_whitespace().collect();
         let answer = if let ["load", capacity, length] = words[..] {
-            // The old one goes first: two of them would need twice the memory.
+            // Drop the old one first: two of them would need twice the memory.
             drop(contest.take());
             contest = Some(load(&mut input, capacity.parse()?, length.parse()?)?);
             "loaded".into()

@@ -1,5 +1,5 @@
-//! Does the calls again that `tests/support/recordedCalls.ts` has recorded in a file, with the same bits, and prints the hash
-//! wherever `hash` was called, one a line.
+//! Repeats the calls that `tests/support/sim/recordedCalls.ts` recorded in a file, with the same bits. Prints the hash
+//! for each call of `hash`, one per line.
 
 use sim::Simulator;
 use sim::rigids::{JointDescription, RigidDescription, RigidNumbers, pose_of};
@@ -17,7 +17,7 @@ fn main() {
     }
 }
 
-/// What `sim-wasm/bindings` does for the call of this name.
+/// The same as `sim-wasm/bindings` for the call of this name.
 fn perform(simulator: &mut Simulator, name: &str, arguments: &[Argument]) {
     use Argument::{Doubles, Floats, Number, Text, Words};
     match (name, arguments) {
@@ -72,7 +72,7 @@ enum Argument {
     Words(Vec<u32>),
 }
 
-/// Numbers as parameters of type f32 get them.
+/// Converts numbers as for parameters of type f32.
 fn singles(arguments: &[Argument]) -> Vec<f32> {
     let single = |argument: &Argument| match argument {
         Argument::Number(number) => *number as f32,

@@ -1,5 +1,5 @@
-//! Takes with random parameters over the whole table and random inputs, and the hashes that they come to here: one line
-//! each, `rigids steps alive hash take`, the take in hexadecimal digits. Elsewhere they must come to the same hashes.
+//! Takes with random parameters over the whole table and random inputs, and their native hashes: one line
+//! each, `rigids steps alive hash take`, with the take in hexadecimal digits. Other builds must reach the same hashes.
 
 use sim::Simulator;
 use sim::layout::blow::BlowNumbers;
@@ -9,13 +9,13 @@ use sim::math::random::Random;
 const TAKES: u32 = 40;
 const STEPS: u32 = 120;
 const CAPACITY: u32 = 400;
-/// Most items of each list: more would leave few takes in which single forces show.
+/// Maximum number of items of each list. With more, the effect of a single force rarely shows.
 const MAX_ITEMS: u32 = 3;
 
 fn main() {
     for seed in 0..TAKES {
         let mut simulator = configured(seed);
-        // Once something has happened a take brings its whole scene along, rigids included.
+        // After the first change a take contains its whole scene, including rigids.
         simulator.step();
         simulator.record();
         live(&mut simulator, &mut Random::new(1000 + seed));
@@ -53,7 +53,7 @@ fn configured(seed: u32) -> Simulator {
             simulator.set(&key, value).expect("the value is in range");
         }
     }
-    // Whatever else was thrown: a plain emitter behind the last random one, so that there is something to move.
+    // In every case a plain emitter follows the last random one, so that particles exist.
     let smoke = [
         ("emission.rate", 400.0),
         ("emission.lifetime", 3.0),
@@ -76,7 +76,7 @@ fn length_of(lengths: &mut Vec<(String, u32)>, list: String, random: &mut Random
     length
 }
 
-/// The default, or more or less far from it in the range.
+/// The default, or a value at a random distance from it within the range.
 fn value_between(min: f64, max: f64, default: f64, is_whole: bool, random: &mut Random) -> f64 {
     let farness = [0.0, 0.003, 0.03, 1.0][random.below(4) as usize];
     let anywhere = min + (max - min) * f64::from(random.unit());

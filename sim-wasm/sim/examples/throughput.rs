@@ -1,4 +1,4 @@
-//! Prints what a step and an arrange cost natively: `cargo run --release --package sim --example throughput`.
+//! Prints the native cost of a step and an arrange: `cargo run --release --package sim --example throughput`.
 //! Timings of a shared machine: read ratios, not milliseconds.
 
 use std::time::Instant;
@@ -11,7 +11,7 @@ use sim::particles::Newborn;
 const PARTICLES: u32 = 100_000;
 const ROUNDS: usize = 60;
 
-/// What all cases share: none of the defaults pulls.
+/// Settings of all cases: without the default accelerations.
 const STILL: &[(&str, f64)] = &[
     ("buoyancy.acceleration", 0.0),
     ("turbulence.octaves", 0.0),
@@ -74,7 +74,7 @@ fn view() -> [f32; VIEW_FLOATS] {
     view
 }
 
-/// The best round in milliseconds, each over a few calls: others share the machine, and they only ever slow us down.
+/// The best round in milliseconds, each over a few calls. Other processes can only slow a round down.
 fn best(mut call: impl FnMut()) -> f64 {
     const CALLS: u32 = 3;
     (0..ROUNDS)

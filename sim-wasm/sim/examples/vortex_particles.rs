@@ -1,5 +1,5 @@
-//! What vortex particles cost: a step of 20,000 particles under six forces with 1,000 vortex particles over the step
-//! without them, by turns, for cores that reach more and more of the smoke. `cargo run --release --example
+//! Cost of vortex particles: a step of 20,000 particles under six forces with 1,000 vortex particles over the step
+//! without them, interleaved, for cores that reach more and more of the smoke. `cargo run --release --example
 //! vortex_particles`.
 
 use std::time::Instant;
@@ -11,7 +11,7 @@ use sim::particles::Newborn;
 
 const PARTICLES: u32 = 20_000;
 const VORTEX_PARTICLES: usize = 1000;
-/// Half side of the cube that both fill (m).
+/// Half side of the cube that particles and vortex particles fill (m).
 const HALF_SIDE: f32 = 5.0;
 const ROUNDS: usize = 11;
 const STEPS: usize = 20;
@@ -36,7 +36,7 @@ fn main() {
     }
 }
 
-/// With cores of which each place is within the reach of so many, on average.
+/// With cores of a size such that each point is within reach of this many on average.
 fn measure(reached_by: f32) {
     let each = reached_by * (2.0 * HALF_SIDE).powi(3) / VORTEX_PARTICLES as f32;
     let core_radius = (each * 3.0 / (4.0 * std::f32::consts::PI)).cbrt() / 3.0;

@@ -16,7 +16,7 @@ mod simulator;
 
 use std::path::Path;
 
-/// Files that are a program of their own. `memory` counts what the whole process allocates.
+/// Files that are separate programs. `memory` counts the allocations of the whole process.
 const PROGRAMS: [&str; 2] = ["all", "memory"];
 
 #[test]

@@ -46,7 +46,7 @@ fn no_arrow_leads_to_a_higher_layer() {
 #[test]
 fn no_files_form_a_cycle() {
     let mut arrows = arrows();
-    // A file outside of all cycles sooner or later uses nothing that is left.
+    // A file outside all cycles eventually has no remaining dependency.
     while let Some(done) = arrows
         .iter()
         .find(|(_, targets)| targets.is_empty())
@@ -93,7 +93,7 @@ fn arrows() -> Arrows {
             None => full.extend_from_slice(own),
         }
         full.extend(rest.map(str::to_owned));
-        // The longest beginning of the path that is a file.
+        // The longest prefix of the path that is a file.
         (1..=full.len())
             .rev()
             .map(|len| full[..len].to_vec())
@@ -159,7 +159,7 @@ fn paths(source: &str) -> BTreeSet<String> {
     found.into_iter().filter(|path| is_inside(path)).collect()
 }
 
-/// Writes out the paths of a tree such as `a::{b, c::{d, e}}`.
+/// Lists the paths of a tree such as `a::{b, c::{d, e}}`.
 fn expand(prefix: &str, tree: &str, found: &mut BTreeSet<String>) {
     let tree = tree.trim();
     let Some((head, inner)) = tree.split_once('{') else {

@@ -31,7 +31,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Bytes that making a simulator takes.
+/// Bytes allocated by a new simulator.
 fn bytes_of(capacity: u32) -> usize {
     let before = BYTES.load(Ordering::Relaxed);
     let simulator = Simulator::new(capacity, 1).unwrap();
@@ -56,7 +56,7 @@ fn memory_is_taken_at_creation_only() {
     let a_particle = (bytes_of(200_000) - bytes_of(100_000)) as f64 / 100_000.0;
     assert!(a_particle <= 96.0, "{a_particle} bytes a particle");
     let fixed = bytes_of(4);
-    // Some 19 kB of it are what coverage attributes up how puffs turn in, whatever their number.
+    // About 19 kB of it are the table of puff rotations for culling, independent of the number of puffs.
     assert!(fixed < 81_920, "{fixed} bytes whatever the capacity");
 
     let shedders = [("shedders.0.rate", 2000.0), ("shedders.0.strength", 1.0)];

@@ -1,4 +1,4 @@
-import { nextTask } from '../../stage/seek.ts';
+import { nextTask } from '../../internal.ts';
 import { frameCount, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
 

@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { create, textButton } from '../ui/dom.ts';
 import { download } from '../ui/download.ts';
 import { Progress } from '../ui/progress.ts';

@@ -4,7 +4,7 @@ import { indexFrame } from './gifPalette.ts';
 import { pixelSize, type CaptureSettings, frameCount } from './settings.ts';
 import { PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
-import type { FrameInput } from '../../smoke/frameInput.ts';
+import type { FrameInput } from '../../internal.ts';
 import { joined, stillOf, type Still } from './still.ts';
 
 const FOREVER = 0;

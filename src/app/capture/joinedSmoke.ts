@@ -1,8 +1,14 @@
 import { MathUtils } from 'three';
-import type { Arranged, Bounds } from '../../sim/arranged.ts';
-import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, type Rows } from '../../sim/rows.ts';
-import type { View } from '../../sim/view.ts';
-import type { Arranger } from '../../smoke/frameInput.ts';
+import {
+  ATTRIBUTE_WORDS,
+  NO_END,
+  PLACE_FLOATS,
+  type Arranged,
+  type Arranger,
+  type Bounds,
+  type Rows,
+  type View,
+} from '../../internal.ts';
 
 /** Puffs dissolve one after the other, ordered by seed. Each takes this fraction of the total time. */
 const ONE_PUFF = 0.4;

@@ -1,4 +1,4 @@
-import type { Values } from '../../preset/parameter.ts';
+import type { Values } from '../../preset.ts';
 import { PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 

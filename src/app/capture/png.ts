@@ -1,4 +1,4 @@
-import { encodePng } from '../../stage/presenter.ts';
+import { encodePng } from '../../internal.ts';
 import type { Studio } from './studio.ts';
 
 /** Encodes the current frame without loss. */

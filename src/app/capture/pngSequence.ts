@@ -1,5 +1,5 @@
 import { Zip, ZipPassThrough } from 'fflate';
-import { encodePng } from '../../stage/presenter.ts';
+import { encodePng } from '../../internal.ts';
 import { shootClip, type Task } from './clip.ts';
 import { LayerCamera } from './layers.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';

@@ -1,7 +1,5 @@
 import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
-import { ALL_THAT_LIVES } from '../../sim/view.ts';
-import type { FrameInput } from '../../smoke/frameInput.ts';
-import type { Light } from '../../smoke/light.ts';
+import { ALL_THAT_LIVES, type FrameInput, type Light } from '../../internal.ts';
 import { JoinedSmoke, keep, type RetainedSmoke } from './joinedSmoke.ts';
 
 /** The inputs of a frame, stored while the stage continues. */

@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { strings } from '../strings.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 

@@ -1,8 +1,13 @@
-import type { State } from '../../preset/codec.ts';
-import type { Value, Values } from '../../preset/parameter.ts';
-import { defaultPreset, findPreset, presetValues } from '../../preset/presets.ts';
-import { findParameter } from '../../preset/table.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import {
+  defaultPreset,
+  findParameter,
+  findPreset,
+  presetValues,
+  type State,
+  type Value,
+  type Values,
+} from '../../preset.ts';
 import { History } from './history.ts';
 
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */

@@ -1,5 +1,5 @@
-import type { Values } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import type { Values } from '../../preset.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 

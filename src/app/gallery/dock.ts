@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { create, iconButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createGallery } from './gallery.ts';

@@ -1,6 +1,4 @@
-import type { State } from '../../preset/codec.ts';
-import { presets, presetValues, type Preset } from '../../preset/presets.ts';
-import { findParameter } from '../../preset/table.ts';
+import { findParameter, presets, presetValues, type Preset, type State } from '../../preset.ts';
 import { create } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { strings } from '../strings.ts';

@@ -1,7 +1,6 @@
 /** Loads mesh files as plain triangles. The loaders are fetched with the first file. */
 import { LoadingManager, Mesh, type BufferGeometry, type Matrix4, type Object3D } from 'three';
-import { ShapeError } from '../../preset/errors.ts';
-import type { PlainMesh } from '../../puffs/fit/closedMesh.ts';
+import { ShapeError, type PlainMesh } from '../../index.ts';
 
 /** File types for the file picker. */
 export const MESH_TYPES = '.glb,.gltf,.obj';

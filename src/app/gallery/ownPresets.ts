@@ -1,6 +1,6 @@
-import { MAX_NAME, nameOf, readFile, writeFile } from '../../preset/file.ts';
-import { findPreset } from '../../preset/presets.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { MAX_NAME, nameOf } from '../../internal.ts';
+import { findPreset, readFile, writeFile } from '../../preset.ts';
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { saveText, type SmokeFiles } from '../share/files.ts';

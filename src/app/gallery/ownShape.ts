@@ -1,5 +1,4 @@
-import { fitPuff } from '../../puffs/fit/fitPuff.ts';
-import type { Stage } from '../../stage/stage.ts';
+import { fitPuff, type Stage } from '../../index.ts';
 import { create, textButton } from '../ui/dom.ts';
 import { MESH_TYPES, readMesh } from './meshFile.ts';
 import type { Notices } from '../ui/notices.ts';

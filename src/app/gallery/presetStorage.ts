@@ -1,6 +1,6 @@
 /** Presets of the user, stored in the browser. Unreadable data is moved aside, not deleted. */
-import { SmokeError } from '../../preset/errors.ts';
-import { nameOf } from '../../preset/file.ts';
+import { nameOf } from '../../internal.ts';
+import { SmokeError } from '../../preset.ts';
 import { strings } from '../strings.ts';
 
 /** A stored preset. */

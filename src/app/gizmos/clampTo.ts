@@ -1,4 +1,4 @@
-import { findParameter } from '../../preset/table.ts';
+import { findParameter } from '../../preset.ts';
 
 /** Rounds a value and clamps it to the parameter's range. Values from pixel positions need only a few decimals. */
 export function clampTo(key: string, value: number, decimals: number): number {

@@ -1,4 +1,4 @@
-import type { Values } from '../../preset/parameter.ts';
+import type { Values } from '../../preset.ts';
 import { DIRECTIONS, type Direction } from '../input/directions.ts';
 import { create } from '../ui/dom.ts';
 import type { Changes, Editor } from '../editor/editor.ts';

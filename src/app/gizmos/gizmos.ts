@@ -1,6 +1,6 @@
-import { LIST_LIMIT, startValues } from '../../preset/lists.ts';
-import type { Values } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { LIST_LIMIT, startValues } from '../../internal.ts';
+import type { Values } from '../../preset.ts';
 import { create, createSvg, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { GizmoHandle, type Gizmo } from './gizmo.ts';

@@ -1,7 +1,6 @@
-import { itemLabel } from '../../preset/lists.ts';
-import type { Values } from '../../preset/parameter.ts';
-import { findParameter } from '../../preset/table.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { itemLabel } from '../../internal.ts';
+import { findParameter, type Values } from '../../preset.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';

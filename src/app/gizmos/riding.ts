@@ -1,5 +1,5 @@
-import type { Values } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import type { Values } from '../../preset.ts';
 import { areSame, carrierChoices, type CarrierChoice } from '../panel/carriers.ts';
 import { create } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -41,7 +41,7 @@ export class Riding {
       this.select.replaceChildren(...choices.map(({ value, label }) => create('option', { value: `${value}` }, label)));
       this.offered = choices;
     }
-    this.name.textContent = strings.gizmos.ridesOn(this.chosen.describe());
+    this.name.textContent = strings.gizmos.attachTo(this.chosen.describe());
     this.select.value = `${this.chosen.carrierIn(this.valuesNow())}`;
   }
 }

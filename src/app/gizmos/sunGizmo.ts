@@ -1,5 +1,4 @@
-import type { Values } from '../../preset/parameter.ts';
-import { findParameter } from '../../preset/table.ts';
+import { findParameter, type Values } from '../../preset.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';

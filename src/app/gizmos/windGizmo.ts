@@ -1,5 +1,5 @@
-import type { Values } from '../../preset/parameter.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import type { Values } from '../../preset.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';

@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 
 const METRES_PER_SECOND = 0.9;
 // A tap moves the ball at once. Slow frames move it by a limited distance.

@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { iconButton } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
 import { strings } from '../strings.ts';

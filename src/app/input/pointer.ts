@@ -1,5 +1,5 @@
-import { ORBIT_PER_PIXEL, spread } from '../../page/gestures.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { ORBIT_PER_PIXEL, spread } from '../../internal.ts';
 import type { GestureEnd } from './gestureEnd.ts';
 
 const ZOOM_PER_PIXEL = 0.0015;

@@ -1,4 +1,4 @@
-import { FIRST_PART } from '../../sim/rows.ts';
+import { FIRST_PART } from '../../internal.ts';
 import { strings } from '../strings.ts';
 
 /** Names of a scene's carriers, by index. */

@@ -1,5 +1,5 @@
-import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset/parameter.ts';
-import { isAccepted } from '../../preset/values.ts';
+import { isAccepted } from '../../internal.ts';
+import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset.ts';
 import { createCurve } from './curveControl.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import { createRamp } from './rampControl.ts';

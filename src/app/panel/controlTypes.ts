@@ -1,4 +1,4 @@
-import type { Value } from '../../preset/parameter.ts';
+import type { Value } from '../../preset.ts';
 
 /** The inputs of a parameter. They show a value and report changes. */
 export interface Control {

@@ -1,4 +1,4 @@
-import { MIN_STOPS, MAX_STOPS, readCurve, writeCurve, type Stop } from '../../preset/curve.ts';
+import { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from '../../internal.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, uniqueId } from '../ui/dom.ts';
 import { strings } from '../strings.ts';

@@ -1,5 +1,5 @@
-import { DEBUG_VIEWS, type DebugView } from '../../preset/quality.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { DebugView, Stage } from '../../index.ts';
+import { DEBUG_VIEWS } from '../../internal.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import type { Statistics } from './statistics.ts';
 import { strings } from '../strings.ts';

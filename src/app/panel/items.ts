@@ -1,7 +1,14 @@
-import type { State } from '../../preset/codec.ts';
-import { listLabel, listNames, startValues } from '../../preset/lists.ts';
-import type { ChoiceParameter, Parameter, Value, Values } from '../../preset/parameter.ts';
-import { findParameter, itemGroups, table } from '../../preset/table.ts';
+import { listLabel, listNames, startValues } from '../../internal.ts';
+import {
+  findParameter,
+  itemGroups,
+  table,
+  type ChoiceParameter,
+  type Parameter,
+  type State,
+  type Value,
+  type Values,
+} from '../../preset.ts';
 import { areSame, carrierChoices, type CarrierNames } from './carriers.ts';
 import { create, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';

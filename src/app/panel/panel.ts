@@ -1,7 +1,5 @@
-import type { State } from '../../preset/codec.ts';
-import type { Parameter } from '../../preset/parameter.ts';
-import { groups, table } from '../../preset/table.ts';
-import { automaticColors } from '../../smoke/style.ts';
+import { automaticColors } from '../../internal.ts';
+import { groups, table, type Parameter, type State } from '../../preset.ts';
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { icon } from '../ui/icons.ts';

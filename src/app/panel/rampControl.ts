@@ -1,4 +1,4 @@
-import { MIN_COLORS, MAX_COLORS, readRamp, writeRamp, type RampStop } from '../../preset/ramp.ts';
+import { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from '../../internal.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, textButton, uniqueId } from '../ui/dom.ts';
 import { strings } from '../strings.ts';

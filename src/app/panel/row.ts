@@ -1,5 +1,5 @@
-import type { Parameter, Value } from '../../preset/parameter.ts';
-import { showsBillboards } from '../../smoke/livePuffs.ts';
+import { showsBillboards } from '../../internal.ts';
+import type { Parameter, Value } from '../../preset.ts';
 import { createControl } from './control.ts';
 import { create, iconButton, uniqueId } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';

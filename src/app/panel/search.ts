@@ -1,4 +1,4 @@
-import type { Parameter } from '../../preset/parameter.ts';
+import type { Parameter } from '../../preset.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import type { Row } from './row.ts';
 import { strings } from '../strings.ts';

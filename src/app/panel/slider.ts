@@ -1,4 +1,4 @@
-import type { NumberParameter } from '../../preset/parameter.ts';
+import type { NumberParameter } from '../../preset.ts';
 
 /** Slider positions on each side of the origin: enough for every pixel of a wide panel. */
 export const PLACES = 500;

@@ -1,5 +1,4 @@
-import type { StageStats } from '../../stage/contract.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage, StageStats } from '../../index.ts';
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 

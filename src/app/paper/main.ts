@@ -2,14 +2,16 @@
  * The page about the paper. It renders the paper's figures with the library on an offscreen canvas, once with the
  * paper's method and once with ours.
  */
-import { encode } from '../../preset/codec.ts';
-import type { Values } from '../../preset/parameter.ts';
-import { findPreset, presetValues } from '../../preset/presets.ts';
-import { channelSheet, lobeSheet, type ChannelPicture } from '../../puffs/billboards/channelSheet.ts';
-import { bakePuffs } from '../../puffs/billboards/layers.ts';
-import { LOBE_SHAPES } from '../../puffs/lobeShapes.ts';
-import { billboardShapes } from '../../puffs/shapes.ts';
-import { createStage, type Stage } from '../../stage/stage.ts';
+import { createStage, type Stage } from '../../index.ts';
+import {
+  bakePuffs,
+  billboardShapes,
+  channelSheet,
+  LOBE_SHAPES,
+  lobeSheet,
+  type ChannelPicture,
+} from '../../internal.ts';
+import { encode, findPreset, presetValues, type Values } from '../../preset.ts';
 import { create } from '../ui/dom.ts';
 import { createErrorScreen } from '../ui/errorScreen.ts';
 

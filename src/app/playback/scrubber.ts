@@ -1,5 +1,5 @@
-import { STEP_SECONDS } from '../../sim/clock.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { STEP_SECONDS } from '../../internal.ts';
 
 /** A seek to one time. Each request creates a new object. */
 export interface Seek {

@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { create } from '../ui/dom.ts';
 import type { Scrubber } from './scrubber.ts';
 import { strings } from '../strings.ts';

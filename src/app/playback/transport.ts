@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { create, iconButton } from '../ui/dom.ts';
 import { createFullScreenButton } from './fullScreen.ts';
 import { icon } from '../ui/icons.ts';

@@ -1,4 +1,4 @@
-import { decode, encode, type Decoded } from '../../preset/codec.ts';
+import { decode, encode, type Decoded } from '../../preset.ts';
 import type { Editor } from '../editor/editor.ts';
 import { QUIET_MS } from '../input/gestureEnd.ts';
 

@@ -1,9 +1,7 @@
 /** Saves and opens presets and takes as files. */
-import type { State } from '../../preset/codec.ts';
-import { FileError } from '../../preset/errors.ts';
-import { nameOf, readFile, writeFile, type SmokeFile } from '../../preset/file.ts';
-import { findPreset } from '../../preset/presets.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
+import { nameOf } from '../../internal.ts';
+import { FileError, findPreset, readFile, writeFile, type SmokeFile, type State } from '../../preset.ts';
 import { create, textButton } from '../ui/dom.ts';
 import { download } from '../ui/download.ts';
 import type { Editor } from '../editor/editor.ts';

@@ -1,11 +1,7 @@
 /** Links to an exact moment of the smoke, and the replay of such links. */
-import { LONGEST_LEAD } from '../../preset/environment.ts';
-import { encode, type State } from '../../preset/codec.ts';
-import type { Values } from '../../preset/parameter.ts';
-import { linkCapacity, lookOf } from '../../page/moment.ts';
-import { STEP_SECONDS } from '../../sim/clock.ts';
-import type { Stage } from '../../stage/stage.ts';
-import type { Take } from '../../stage/take.ts';
+import type { Stage, Take } from '../../index.ts';
+import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS } from '../../internal.ts';
+import { encode, type State, type Values } from '../../preset.ts';
 import { enterScene } from '../editor/entering.ts';
 import type { Notices } from '../ui/notices.ts';
 import { windForward } from '../ui/progress.ts';

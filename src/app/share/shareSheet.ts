@@ -1,4 +1,5 @@
-import { LONGEST_LINK } from '../../preset/codec.ts';
+import type { Stage } from '../../index.ts';
+import { LONGEST_LINK } from '../../internal.ts';
 import { linkTo } from './address.ts';
 import { create, iconButton, textButton, createSvg } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -6,7 +7,6 @@ import type { SmokeFiles } from './files.ts';
 import { icon } from '../ui/icons.ts';
 import { linkToMoment } from './moment.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
-import type { Stage } from '../../stage/stage.ts';
 import { strings } from '../strings.ts';
 import { elementCode, frameCode, type ElementScript } from './embed.ts';
 import type { Bitmap2D } from 'lean-qr';

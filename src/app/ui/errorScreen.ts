@@ -1,4 +1,4 @@
-import { ContextError, LoadError, UnsupportedError } from '../../preset/errors.ts';
+import { ContextError, LoadError, UnsupportedError } from '../../index.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
 

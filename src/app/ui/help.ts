@@ -1,4 +1,4 @@
-import type { Stage } from '../../stage/stage.ts';
+import type { Stage } from '../../index.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';

@@ -1,5 +1,4 @@
-import type { LoadProgress } from '../../sim/load.ts';
-import type { Stage } from '../../stage/stage.ts';
+import type { LoadProgress, Stage } from '../../index.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
 import type { Scrubber, Seek } from '../playback/scrubber.ts';

@@ -4,7 +4,7 @@ export const airPresets: readonly Preset[] = [
   {
     name: 'air',
     label: 'Open air',
-    text: 'Nothing but smoke: to lie over pages, and around what stands on them.',
+    text: 'Only smoke, to flow over pages and around their elements.',
     values: {
       scene: 'air',
       'emission.rate': 16,

@@ -16,7 +16,7 @@ export const airplanePresets: readonly Preset[] = [
   {
     name: 'airplane',
     label: 'Airplane',
-    text: 'A little biplane that parts the clouds of the morning; steer it.',
+    text: 'A little biplane that parts the morning clouds. Steer it.',
     values: {
       ...smoke,
       'style.smokeColor': '#fff7ec',
@@ -32,7 +32,7 @@ export const airplanePresets: readonly Preset[] = [
   {
     name: 'airplane-ukiyo-e',
     label: 'Ukiyo-e',
-    text: 'Indigo and rice paper, as cut in wood.',
+    text: 'Indigo on rice paper, like a woodcut.',
     values: {
       ...smoke,
       'style.ramp': '0:5f88a4,.42:f3e8cf',

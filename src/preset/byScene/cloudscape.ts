@@ -17,7 +17,7 @@ export const cloudscapePresets: readonly Preset[] = [
   {
     name: 'cloudscape',
     label: 'Cloudscape',
-    text: 'Clouds drift over a meadow, and the sun goes its way.',
+    text: 'Clouds drift over a meadow, and the sun moves on.',
     values: {
       ...smoke,
       'style.ramp': '0:bcb8e2,.28:fffaf0',

@@ -16,7 +16,7 @@ export const geniePresets: readonly Preset[] = [
   {
     name: 'genie',
     label: 'Genie',
-    text: 'He is at your service, and made of smoke; lead him anywhere.',
+    text: 'A genie of smoke at your service. Drag him anywhere.',
     values: {
       ...smoke,
       'style.smokeColor': '#8ccbf0',

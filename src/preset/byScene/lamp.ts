@@ -125,7 +125,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-newspaper',
     label: 'Newspaper',
-    text: 'Two greys on yellowed paper, as in a comic strip of long ago.',
+    text: 'Two greys on yellowed paper, as in an old comic strip.',
     values: {
       ...curl,
       'style.ramp': '0:aaa293,.3:f8f0dc',
@@ -140,7 +140,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-candy',
     label: 'Candy',
-    text: 'Three tones that go from violet through pink to vanilla.',
+    text: 'Three tones from violet through pink to vanilla.',
     values: {
       ...curl,
       'style.ramp': '0:9a6fd0,.34:ff8fc0,.7:fff0c8',
@@ -157,7 +157,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-papercut',
     label: 'Paper cut',
-    text: 'No ink at all: sheets of paper that fade upwards and throw shadows.',
+    text: 'No ink at all: sheets of paper that fade upwards and cast shadows.',
     values: {
       ...curl,
       'style.outlines': 0,

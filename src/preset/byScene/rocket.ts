@@ -4,7 +4,7 @@ export const rocketPresets: readonly Preset[] = [
   {
     name: 'rocket',
     label: 'Rocket launch',
-    text: 'A rocket that goes up in a ring of cloud, and comes back.',
+    text: 'A rocket that takes off in a ring of cloud, and returns.',
     values: {
       scene: 'rocket',
       'emission.rate': 110,

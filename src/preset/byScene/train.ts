@@ -16,7 +16,7 @@ export const trainPresets: readonly Preset[] = [
   {
     name: 'train',
     label: 'Steam train',
-    text: 'A toy train goes round, a puff for each stroke.',
+    text: 'A toy train in a circle, with a puff for each piston stroke.',
     values: {
       ...smoke,
       'forces.turbulence': 1,

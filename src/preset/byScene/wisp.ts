@@ -16,7 +16,7 @@ export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp',
     label: 'Cup of tea',
-    text: 'A little steam from a cup that is glad to see you.',
+    text: 'A little steam from a friendly cup of tea.',
     values: {
       ...smoke,
       'vortices.0.circulation': -1.6,

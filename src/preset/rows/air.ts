@@ -3,8 +3,8 @@ import { ofScene, quantity } from './row.ts';
 
 /** Forces on smoke: multipliers, wind, turbulence, gravity, buoyancy and drag. */
 export const airRows: readonly Parameter[] = [
-  multiplier('gravity', 'Gravity', 'Pull down on all smoke.'),
-  multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke; it fades as the smoke cools.'),
+  multiplier('gravity', 'Gravity', 'Downward pull on all smoke.'),
+  multiplier('buoyancy', 'Buoyancy', 'Lift of warm smoke. It decreases as the smoke cools.'),
   multiplier('turbulence', 'Turbulence', 'Small irregular swirls in the air.'),
   multiplier('vortex', 'Vortices', 'Strength of all vortices together.'),
   multiplier('drag', 'Drag', 'How strongly the air carries smoke.'),
@@ -38,7 +38,7 @@ export const airRows: readonly Parameter[] = [
     step: 1,
     default: 2,
     label: 'Octaves',
-    text: 'How many finer layers of swirls are added; 0 is still air.',
+    text: 'Number of layers of swirls, each finer than the one before; 0 is still air.',
   }),
   quantity('turbulence.evolution', 'turbulence', 'simulator', {
     min: 0,
@@ -48,29 +48,29 @@ export const airRows: readonly Parameter[] = [
     unit: '1/s',
     slider: 'fine',
     label: 'Evolution',
-    text: 'How fast the pattern of swirls changes.',
+    text: 'Rate at which the pattern of swirls changes.',
   }),
   ofScene('gravity.acceleration', 'air', {
     max: 100,
     default: 0,
     unit: 'm/s\u00b2',
-    label: 'Weight',
-    text: 'How fast cold smoke falls.',
+    label: 'Gravity strength',
+    text: 'Downward acceleration of all smoke.',
   }),
   ofScene('buoyancy.acceleration', 'air', {
     max: 100,
     default: 1.5,
     unit: 'm/s\u00b2',
-    label: 'Lift',
-    text: 'How fast smoke at temperature 1 rises.',
+    label: 'Buoyancy strength',
+    text: 'Upward acceleration of smoke at temperature 1.',
   }),
   ofScene('buoyancy.coolingTime', 'air', {
     min: 0.01,
     max: 1000,
     default: 4,
     unit: 's',
-    label: 'Cooling',
-    text: 'How long warm smoke takes to lose two thirds of its warmth.',
+    label: 'Cooling time',
+    text: 'Time in which warm smoke loses two thirds of its warmth.',
   }),
   ofScene('drag.rate', 'air', {
     max: 1000,
@@ -84,7 +84,7 @@ export const airRows: readonly Parameter[] = [
     default: 0,
     unit: '1/m',
     label: 'Quadratic drag',
-    text: 'Drag that grows with speed: fast smoke is stopped first.',
+    text: 'Drag that grows with speed, so it slows fast smoke most.',
   }),
   ofScene('wind.gusts', 'air', {
     max: 20,
@@ -107,7 +107,7 @@ export const airRows: readonly Parameter[] = [
     default: 0,
     unit: '1/m',
     label: 'Wind shear',
-    text: 'How much faster the wind is for each metre of height, as a share.',
+    text: 'Increase of the wind speed per metre of height, as a fraction.',
   }),
   ofScene('wind.height', 'air', {
     min: -1000,
@@ -115,7 +115,7 @@ export const airRows: readonly Parameter[] = [
     default: 0,
     unit: 'm',
     label: 'Shear height',
-    text: 'Height at which shear changes nothing.',
+    text: 'Height at which shear has no effect.',
   }),
 ];
 

@@ -9,8 +9,8 @@ export const cameraRows: readonly Parameter[] = [
     step: 1,
     default: 8.6,
     unit: '\u00b0',
-    label: 'Seen from',
-    text: 'Direction of the camera: 0 is the front, 90 the right.',
+    label: 'Camera direction',
+    text: 'Azimuth of the camera: 0 is the front, 90 the right.',
   }),
   eye('elevation', {
     min: -5,
@@ -18,7 +18,7 @@ export const cameraRows: readonly Parameter[] = [
     step: 1,
     default: 9.2,
     unit: '\u00b0',
-    label: 'Eye height',
+    label: 'Camera elevation',
     text: 'Elevation of the camera: 0 is level.',
   }),
   eye('distance', {
@@ -28,7 +28,7 @@ export const cameraRows: readonly Parameter[] = [
     default: 6.3,
     unit: 'm',
     slider: 'fine',
-    label: 'Eye distance',
+    label: 'Camera distance',
     text: 'Distance of the camera from its target.',
   }),
   eyeTarget('x', 0.15),
@@ -43,12 +43,12 @@ function eye(name: string, rest: Quantity): NumberParameter {
 
 function eyeTarget(axis: 'x' | 'y' | 'z', initial: number): NumberParameter {
   const range = { min: -50, max: 50, step: 0.05, unit: 'm', slider: 'fine' } as const;
-  const text = { x: "right of the scene's middle", y: 'above the ground', z: "in front of the scene's middle" }[axis];
-  const label = `Looks at ${axis}`;
+  const text = { x: "right of the scene's centre", y: 'above the ground', z: "in front of the scene's centre" }[axis];
+  const label = `Camera target ${axis}`;
   return eye(`target.${axis}`, {
     ...range,
     label,
-    text: `How far ${text} the target of the camera lies.`,
+    text: `Distance of the camera's target ${text}.`,
     default: initial,
   });
 }

@@ -24,7 +24,7 @@ export const lightRows: readonly Parameter[] = [
     default: 40,
     unit: '\u00b0',
     label: 'Direction',
-    text: 'Where the light comes from around the scene: 0 is the front, 90 the right.',
+    text: 'Azimuth of the light: 0 is the front, 90 the right.',
   }),
   quantity('light.elevation', 'light', 'light', {
     min: 5,
@@ -33,7 +33,7 @@ export const lightRows: readonly Parameter[] = [
     default: 50,
     unit: '\u00b0',
     label: 'Height',
-    text: 'How high the light stands: 90 is straight above.',
+    text: 'Elevation of the light: 90 is straight above.',
   }),
   quantity('light.distance', 'light', 'light', {
     min: 0.5,

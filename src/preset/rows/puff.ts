@@ -11,7 +11,7 @@ export const puffRows: readonly Parameter[] = [
     default: 4,
     slider: 'fine',
     label: 'Puff shapes',
-    text: 'How many different shapes are mixed; a puff keeps the one it was born with.',
+    text: 'Number of different shapes. A puff keeps its shape for life.',
     isBaked: true,
   }),
   choice(
@@ -20,7 +20,7 @@ export const puffRows: readonly Parameter[] = [
     'style',
     {
       label: 'Puffs',
-      text: 'Lobes are true shapes from every side; billboards are pictures of puffs that turn to the viewer, as in the paper.',
+      text: 'Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper.',
       default: 'lobes',
     },
     [
@@ -28,9 +28,9 @@ export const puffRows: readonly Parameter[] = [
       ['billboards', 'Billboards'],
     ],
   ),
-  knob('lumpiness', 0.8, 'Lumpiness', 'How far lobes stand out of a puff: 0 is nearly a ball, 1 a bunch.'),
-  knob('flatness', 0.2, 'Flatness', 'How much puffs are pressed flat.'),
-  knob('roughness', 0.6, 'Roughness', 'How unequal and how unevenly spread the lobes of a puff are.'),
+  knob('lumpiness', 0.8, 'Lumpiness', 'How far lobes stand out of a puff: 0 is nearly a ball, 1 a bunch of balls.'),
+  knob('flatness', 0.2, 'Flatness', 'How flat puffs are.'),
+  knob('roughness', 0.6, 'Roughness', 'How much the size and the spacing of lobes vary.'),
   quantity('puff.lobes', 'puff', 'style', {
     kind: 'integer',
     min: 5,
@@ -38,7 +38,7 @@ export const puffRows: readonly Parameter[] = [
     step: 1,
     default: 10,
     label: 'Lobes',
-    text: 'How many lobes a puff has; more of them cost time.',
+    text: 'Number of lobes of a puff. More lobes take longer to draw.',
     isBaked: true,
   }),
   quantity('puff.seed', 'puff', 'style', {
@@ -47,8 +47,8 @@ export const puffRows: readonly Parameter[] = [
     max: 9999,
     step: 1,
     default: 0,
-    label: 'Shapes from',
-    text: 'Selects the puff shapes; 0 has shapes designed by hand.',
+    label: 'Shape seed',
+    text: 'Selects the puff shapes; 0 selects shapes designed by hand.',
     isBaked: true,
   }),
 ];

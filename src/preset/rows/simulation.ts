@@ -22,7 +22,7 @@ export const sceneRows: readonly Parameter[] = [
     step: 1,
     default: 1,
     label: 'Seed',
-    text: 'Starts the random numbers: the same seed makes the same smoke. Changing it starts anew.',
+    text: 'Seed of the random numbers. The same seed makes the same smoke. A change restarts the smoke.',
   }),
 ];
 
@@ -35,7 +35,7 @@ export const simulationRows: readonly Parameter[] = [
       'simulator',
       {
         label: 'Motion',
-        text: 'How puffs follow the air; the paper lets vortices fling them out.',
+        text: "How puffs follow the air. With the paper's method, vortices throw them outwards.",
         default: 'airAndSlip',
       },
       [
@@ -53,7 +53,7 @@ export const simulationRows: readonly Parameter[] = [
     step: 100,
     default: 4000,
     slider: 'fine',
-    label: 'Most particles',
-    text: 'Room for living puffs; when it is full, new ones wait.',
+    label: 'Maximum particles',
+    text: 'Maximum number of puffs alive at once. Further puffs wait.',
   }),
 ];

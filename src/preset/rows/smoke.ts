@@ -11,7 +11,7 @@ export const smokeRows: readonly Parameter[] = [
     unit: 'particles/s',
     slider: 'fine',
     label: 'Rate',
-    text: 'How many puffs are born each second.',
+    text: 'Number of new puffs per second.',
   }),
   quantity('emission.lifetime', 'emission', 'simulator', {
     min: 0.1,
@@ -30,8 +30,8 @@ export const smokeRows: readonly Parameter[] = [
     default: 2.6,
     unit: 's',
     slider: 'fine',
-    label: 'Growth',
-    text: 'How long a young puff takes to swell to full size; 0 is born full, as in the paper.',
+    label: 'Growth time',
+    text: 'Time in which a new puff grows to full size; 0 starts at full size, as in the paper.',
   }),
   {
     kind: 'curve',
@@ -48,7 +48,7 @@ export const smokeRows: readonly Parameter[] = [
     slider: 'even',
     step: 0.01,
     label: 'Entrainment',
-    text: 'How much puffs swell on their way through the air.',
+    text: 'How much puffs grow with the distance they travel through the air.',
   }),
   quantity('puff.size', 'emission', 'simulator', {
     min: 0.1,

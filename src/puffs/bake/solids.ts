@@ -30,7 +30,7 @@ export function solidsOf(
   drawn: Omit<PuffSolids, 'table' | 'balls'>,
 ): PuffSolids {
   const max = Math.max(...variations.map((lobes) => lobes.length));
-  if (max > MAX_LOBES) throw new RangeError(`A puff has ${max} lobes; it takes at most ${MAX_LOBES}.`);
+  if (max > MAX_LOBES) throw new RangeError(`A puff has ${max} lobes. The limit is ${MAX_LOBES}.`);
   const balls = BLOCK * Math.ceil(max / BLOCK);
   const table = new Float32Array(4 * balls * variations.length);
   variations.forEach((lobes, variation) =>

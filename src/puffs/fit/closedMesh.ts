@@ -37,7 +37,7 @@ function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>)
   const triangles = corners.length / 3;
   if (triangles === 0) throw new ShapeError('The mesh is empty: it has no triangles.');
   if (!Number.isInteger(triangles) || positions.length % 3 !== 0) {
-    throw new ShapeError('The mesh is incomplete: a triangle takes three indices, a vertex three numbers.');
+    throw new ShapeError('The mesh is incomplete: each triangle needs three indices and each vertex three numbers.');
   }
   if (triangles > MAX_TRIANGLES) {
     throw new ShapeError(`The mesh has ${triangles} triangles; the limit is ${MAX_TRIANGLES}. Simplify it first.`);

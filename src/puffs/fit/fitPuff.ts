@@ -40,7 +40,7 @@ export async function fitPuff(
   { name = 'own', lobes = MAX_LOBES, signal }: FitOptions = {},
 ): Promise<FittedPuff> {
   if (!Number.isInteger(lobes) || lobes < 1 || lobes > MAX_LOBES) {
-    throw new ShapeError(`A puff cannot have ${lobes} lobes: it takes a whole number from 1 to ${MAX_LOBES}.`);
+    throw new ShapeError(`A puff cannot have ${lobes} lobes: use a whole number from 1 to ${MAX_LOBES}.`);
   }
   const work = fitting(mesh, name, lobes);
   for (;;) {

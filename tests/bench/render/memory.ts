@@ -4,7 +4,7 @@ import type { Simulator, SimulatorModule } from '../../../src/sim/simulator.ts';
 import * as rigidNumbers from '../../../src/sim/rigidNumbers.ts';
 import type { View } from '../../../src/sim/view.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
-import { poseAt, seededSwings } from '../sim/obstacles.ts';
+import { poseAt, seededSwings } from '../sim/collide/obstacles.ts';
 
 const CAPACITY_STEP = 100_000;
 const CAPACITIES = 6;

@@ -1,9 +1,9 @@
 /** The measurements of `npm run bench -- sim`, in one page. */
 import type { Figure } from '../support/figures.ts';
-import { measureCollisions } from './collisions.ts';
+import { measureCollisions } from './collide/collisions.ts';
 import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
-import { measureAgainstCompat } from './versusCompat.ts';
+import { measureAgainstCompat } from './collide/versusCompat.ts';
 import { measureAgainstOthers } from './versusOthers.ts';
 import { measureVortexParticles } from './vortexParticles.ts';
 

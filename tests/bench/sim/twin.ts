@@ -5,7 +5,7 @@
  *
  * Equations, hashes and order of the step are those of sim-wasm/sim/src: emission at rest, forces, motion by air and
  * slip, ageing, cooling and expiry. It only has the features of the comparison: exactly one vortex, one octave, no
- * colliders. tests/unit/bench.twin.test.ts compares it with the WASM.
+ * colliders. tests/unit/bench/twin.test.ts compares it with the WASM.
  */
 import { FLOAT_COLUMNS, type Memory, type Particles } from '../support/snapshot.ts';
 import type { ForceValues } from './cloud.ts';

@@ -1,6 +1,6 @@
 /** Runs in a page: the hashes of presets, with the simulators that the page loads. */
 import { loadSimulators } from '../../../src/sim/load.ts';
-import { hashesOf } from '../../support/presetHashes.ts';
+import { hashesOf } from '../../support/sim/presetHashes.ts';
 
 /** @param moments simulated seconds, ascending @returns the hashes by seconds */
 export function hashesInPage(name: string, moments: readonly number[]): Promise<Record<string, string>> {

@@ -6,7 +6,7 @@ const CHANGED: usize = 11;
 /// As many bytes as a step touches, in columns as long as those of the simulator.
 pub struct Columns {
     changed: Vec<Vec<f32>>,
-    /// The lifetime is looked at and never changed.
+    /// The lifetime is read and never changed.
     read: Vec<u32>,
 }
 
@@ -19,7 +19,7 @@ impl Columns {
         }
     }
 
-    /// Reads every column once and writes those that change once. Returns what only reading leaves, so that no
+    /// Reads every column once and writes the changed ones once. Returns a value of the read columns, so that no
     /// compiler drops it.
     pub fn pass(&mut self) -> u32 {
         for column in &mut self.changed {

@@ -1,10 +1,11 @@
 //! Rows for a renderer: 24 bytes per drawn particle.
 //!
 //! `place`, four f32: x, y, z in world space (m), radius (m), blended between the steps.
-//! `attributes`, two u32: word 0 = roll (bits 0-15, fraction of a turn times 65,536, with a slow spin by age) and
-//! age / lifetime (bits 16-31, times 65,535; in rows for the light instead where the shadow may end, in 256ths of a
-//! radius behind the centre, 65,535 for nowhere); word 1 = variation (bits 0-7), seed byte (8-15), temperature (16-23,
-//! 255 stands for 4), tint (24-31, 0: none).
+//! `attributes`, two u32:
+//! - word 0, bits 0-15: roll, as a fraction of a turn times 65,536, with a slow spin by age.
+//! - word 0, bits 16-31: age / lifetime times 65,535. In rows for the light: the earliest end of the shadow in 256ths
+//!   of a radius behind the centre, 65,535 for none.
+//! - word 1: variation (bits 0-7), seed byte (8-15), temperature (16-23, 255 means 4), tint (24-31, 0 means none).
 
 use crate::particles::Particles;
 use crate::particles::held::Held;

@@ -130,7 +130,7 @@ fn direction(numbers: &[f32; VIEW_LENGTH]) -> Result<[f32; 3], ParameterError> {
     Ok([x, y, z].map(|component| (component / length) as f32))
 }
 
-/// Culls what is not visible, or throws no visible shadow. Conservative.
+/// Culls rows that are not visible or cast no visible shadow. Conservative.
 ///
 /// Uses the four side planes only. In perspective they also exclude everything behind the eye. Near and far plane must
 /// not cull, since nailboards and volumes clamp their depth instead of being clipped.

@@ -1,11 +1,11 @@
 //! Spirals: the air rotates about an axis like a rigid wheel, flows inwards and rises.
 //!
 //! r' = -i f min(1, r / c), theta' = w f, z' = v f with f = (1 - r^2 / R^2)^2, and still air where r >= R. Parameters:
-//! `spirals.#.turn` w (rad/s, counter-clockwise seen against the axis), `.inward` i (m/s, negative outwards), `.along` v
-//! (m/s, along the axis), `.coreRadius` c (m, within which what is drawn in slows down), `.reach` R (m), `.position.*` (m,
-//! a point on the axis), `.axis.*` (a direction of any length). After Sims, "Particle Animation and Rendering Using Data
-//! Parallel Computation", SIGGRAPH 1990. The core of the inward flow is at least as wide as two steps of it are long,
-//! so that nothing swings across the axis.
+//! `spirals.#.turn` w (rad/s, counter-clockwise seen against the axis), `.inward` i (m/s, negative outwards), `.along`
+//! v (m/s, along the axis), `.coreRadius` c (m, within which the inward flow slows down), `.reach` R (m), `.position.*`
+//! (m, a point on the axis), `.axis.*` (a direction of any length). After Sims, "Particle Animation and Rendering Using
+//! Data Parallel Computation", SIGGRAPH 1990. The core of the inward flow is at least as wide as two steps of it are
+//! long, so that no particle oscillates across the axis.
 //!
 //! The integrator must not move a particle outwards. The expected displacement of a step is that of the last step,
 //! rotated by the angle a of this one. The air velocity at its middle, with w lengthened to 2 tan(a / 2) / h, then

@@ -1,12 +1,16 @@
 //! Turbulence: small irregular vortices.
 //!
-//! It is the sum of octaves, random flows that are free of divergence (see `octave`). Each octave has half the size of
-//! the one before, which has `turbulence.scale` (m), and 0.6 times its speed; `turbulence.octaves` 0..4 of them
-//! together have the root mean square speed `turbulence.speed` (m/s) times `forces.turbulence`. The pattern changes by
-//! a phase that grows by `turbulence.evolution` (rad/s), 1.5 times as fast in each next octave: after a quarter turn
-//! nothing is left of the old pattern, while the speed stays the same. The wind of `forces.wind.*` carries the pattern
-//! along. `turbulence.*` acts everywhere, `turbulences.#.*` add to it, each in its region, at whose soft edge the flow
-//! is not free of divergence.
+//! It is a sum of octaves: random flows that are free of divergence (see `octave`). The first octave has the size
+//! `turbulence.scale` (m). Each further one has half the size and 0.6 times the speed of the one before. Together
+//! `turbulence.octaves` (0..4) octaves have the root mean square speed `turbulence.speed` (m/s) times
+//! `forces.turbulence`.
+//!
+//! The pattern changes by a phase with the rate `turbulence.evolution` (rad/s), 1.5 times as fast in each further
+//! octave. After a quarter turn the pattern is completely new; the speed does not change. The wind of `forces.wind.*`
+//! moves the pattern.
+//!
+//! `turbulence.*` acts everywhere. `turbulences.#.*` add to it, each in its region; at the soft edge of a region the
+//! flow is not free of divergence.
 
 use wide::f32x4;
 

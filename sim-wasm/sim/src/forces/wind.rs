@@ -1,14 +1,14 @@
 //! Wind: the air moves as a whole.
 //!
-//! u = w (1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and gusts g
-//! along the direction d of the mean wind. The shear never turns the wind around: where its factor would be negative, it
-//! is 0. Gusts have the root mean square speed `gusts` and a spectrum that is flat up to the frequency 1 / `gustTime` and
-//! falls with the power -5/3 beyond, as that of Kaimal et al., "Spectral characteristics of surface-layer turbulence",
-//! Quarterly Journal of the Royal Meteorological Society 98, 1972: they are a sum of sixteen waves whose phases the seed
-//! chooses, the same at all places. Still air has no direction; its gusts go along x.
+//! u = w max(0, 1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and
+//! gusts g along the direction d of the mean wind. The shear never reverses the wind.
 //!
-//! `forces.wind.*` with `wind.*` blows everywhere and carries the pattern of turbulence along; `winds.#.*` blow in their
-//! regions.
+//! Gusts have the root mean square speed `gusts`. Their spectrum is flat up to the frequency 1 / `gustTime` and falls
+//! with the power -5/3 above, as in Kaimal et al., "Spectral characteristics of surface-layer turbulence", Quarterly
+//! Journal of the Royal Meteorological Society 98, 1972. They are a sum of sixteen waves, the same at all positions.
+//! The seed selects the phases. Still air has no direction; its gusts blow along x.
+//!
+//! `forces.wind.*` with `wind.*` acts everywhere and moves the pattern of turbulence. `winds.#.*` act in their regions.
 
 use wide::f32x4;
 

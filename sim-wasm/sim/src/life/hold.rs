@@ -47,7 +47,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn moments_come_evenly_and_not_all_at_once() {
+    fn held_moments_are_evenly_spaced_and_staggered() {
         for hold in 2..=4 {
             let steps = 600;
             let mut most = 0;

@@ -2,8 +2,8 @@
 //!
 //! Without stops the density is 1 - t, the law of the paper. With stops it interpolates linearly between them, ordered
 //! by age, then by index, and is constant before the first and after the last. Stops closer than [`MIN_GAP`] are moved
-//! apart to the right, so that the curve never jumps; what then lies beyond the end of life is ignored. Over the last 5
-//! % of life the density is at most 20 (1 - t): every particle dies at density 0.
+//! apart to the right, so that the curve never jumps; stops moved beyond the end of life are ignored. Over the last 5 %
+//! of life the density is at most 20 (1 - t), so every particle dies at density 0.
 
 use wide::f32x4;
 

@@ -72,7 +72,7 @@ impl Simulator {
     }
 
     /// Restores bytes from `save`, independent of the current seed. The living particles must fit the current capacity.
-    /// Damaged bytes are an error and change nothing. A recorded take starts anew.
+    /// Damaged bytes are an error and change nothing. The recording of a take restarts.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         restore(self, bytes, RestoredCapacity::Own)?;
         self.begin_take_anew();

@@ -7,16 +7,16 @@ use sim::arrange::VIEW_FLOATS;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
-/// The paper's law: particles are born full, and have a row from the start.
+/// The law of the paper: particles start at full size and have a row from the start.
 const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BALLS: usize = 8;
 const VARIATIONS: usize = 3;
 const NEAR: f64 = 0.1;
 const FAR: f64 = 60.0;
-/// Where a shadow starts at least and at most, in radii.
+/// Minimum and maximum distance at which a shadow starts, in radii.
 const CAPS: [f64; 2] = [0.05, 0.4];
 
-/// How much nearer surfaces may lift a ring of ink, for each unit of its width.
+/// Maximum distance by which surfaces raise a ring of ink, per unit of its width.
 const LIFT: f64 = 8.0;
 
 type V3 = [f64; 3];
@@ -41,14 +41,14 @@ fn cross(a: V3, b: V3) -> V3 {
     ]
 }
 
-/// An eye somewhere, looking at the middle of the cloud.
+/// A random eye that looks at the centre of the cloud.
 #[derive(Clone, Debug)]
 struct Observer {
     at: V3,
     right: V3,
     up: V3,
     forward: V3,
-    /// Half the height of what is seen at unit depth, or anywhere.
+    /// Half the height of the view at unit depth, or at any depth for an orthographic view.
     half: f64,
     is_perspective: bool,
 }
@@ -68,7 +68,7 @@ impl Observer {
         }
     }
 
-    /// Right, up and forward of the eye.
+    /// Right, up and forward axes of the eye.
     fn view(&self, place: V3) -> V3 {
         let from = minus(place, self.at);
         [dot(from, self.right), dot(from, self.up), dot(from, self.forward)]
@@ -78,7 +78,7 @@ impl Observer {
         if self.is_perspective { depth } else { 1.0 }
     }
 
-    /// Columns of clipFromWorld, as wide as high, seen slightly off the axis.
+    /// Columns of clipFromWorld: a square, slightly off-axis view.
     fn matrix(&self) -> Vec<f32> {
         let f = 1.0 / self.half;
         let (a, b) = if self.is_perspective {
@@ -105,7 +105,7 @@ impl Observer {
         (0..16).map(|i| rows[i % 4][i / 4] as f32).collect()
     }
 
-    /// Whether a place of the image plane at unit depth is in the picture.
+    /// Whether a point of the image plane at unit depth is in the picture.
     fn sees(&self, point: [f64; 2]) -> bool {
         let aside = if self.is_perspective { 0.1 } else { 0.0 };
         (point[0] / self.half + aside).abs() < 1.0 && (point[1] / self.half).abs() < 1.0
@@ -141,13 +141,13 @@ fn solids(seed: u32) -> Vec<f32> {
     table
 }
 
-/// The share of its radius with which a puff at a depth is drawn.
+/// The fraction of its radius with which a puff at this depth is drawn.
 fn grown(depth: f64, radius: f64) -> f64 {
     let share = ((depth - NEAR) / (2.0 * radius)).clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
-/// A puff as the eye sees it, in double precision.
+/// A puff seen from the eye, in double precision.
 struct Puff {
     centre: V3,
     radius: f64,
@@ -175,7 +175,7 @@ impl Puff {
         }
     }
 
-    /// Depth of the puff at a place of the image plane, and of its ring of ink where only that is there.
+    /// Depth of the puff at a point of the image plane, or of its ring of ink if only the ring covers the point.
     fn depth(&self, eye: &Observer, point: [f64; 2], ink: f64) -> Option<(f64, bool)> {
         let w = eye.w(self.centre[2]);
         let at = [0, 1].map(|axis: usize| (point[axis] * w - self.centre[axis]) / self.radius);
@@ -195,7 +195,7 @@ impl Puff {
     }
 }
 
-/// A direction of the puff's own frame in the world; see src/puffs/orientation.ts.
+/// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
 fn turned(at: V3, attributes: [u32; 2]) -> V3 {
     let seed = f64::from(attributes[1] >> 8 & 0xff);
     let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
@@ -274,7 +274,7 @@ fn start_caps() -> Vec<f32> {
         .collect()
 }
 
-/// The entry for light from a side of the puff's own frame.
+/// The entry for light from a direction in the frame of the puff.
 fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
     let column = (y.atan2(x) / std::f64::consts::TAU + 0.5) * TABLE[0] as f64;
     let row = z.clamp(-1.0, 1.0).acos() / std::f64::consts::PI * TABLE[1] as f64;
@@ -291,7 +291,7 @@ fn rows(simulator: &mut Simulator, view: &[f32]) -> Vec<Row> {
     (0..count).map(|row| (place[row], attributes[row])).collect()
 }
 
-/// The rows that stay, and those that only coverage leaves out. Those that stay keep their order.
+/// The remaining rows, and those that only coverage culls. The remaining rows keep their order.
 fn culled(simulator: &mut Simulator, view: &[f32]) -> (Vec<Row>, Vec<Row>) {
     let kept = rows(simulator, view);
     let mut uncovered = view.to_vec();
@@ -307,7 +307,7 @@ fn culled(simulator: &mut Simulator, view: &[f32]) -> (Vec<Row>, Vec<Row>) {
     (kept, left)
 }
 
-/// Whether both are rows of one particle; of shadows the ends may differ.
+/// Whether both are rows of one particle. The ends of shadows can differ.
 fn are_alike(a: &Row, b: &Row) -> bool {
     a.0 == b.0 && a.1[0] & 0xffff == b.1[0] & 0xffff && a.1[1] == b.1[1]
 }
@@ -325,7 +325,7 @@ fn eyes() -> impl Strategy<Value = Observer> {
         })
 }
 
-/// Places of the image plane at unit depth that a puff may cover.
+/// Points of the image plane at unit depth that a puff can cover.
 fn points(puff: &Puff, eye: &Observer, ink: f64, random: &mut Random) -> Vec<[f64; 2]> {
     let w = eye.w(puff.centre[2]);
     let reach = puff.radius / w + ink;
@@ -360,7 +360,7 @@ proptest! {
     }
 
     #[test]
-    fn culled_casters_throw_no_shadow_of_their_own(
+    fn culled_casters_cast_no_additional_shadow(
         eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, covers in prop_oneof![4 => 1..4_usize, 1 => 4..9_usize], lamp in prop::array::uniform3(-1.0..1.0_f64),
     ) {
         prop_assume!(dot(lamp, lamp) > 0.1);
@@ -386,7 +386,7 @@ proptest! {
     }
 }
 
-/// Whether `covers` shadows hold a line along the light, from a depth on; one may go on where another ends.
+/// Whether `covers` shadows contain a line along the light from a depth on. One can continue where another ends.
 fn darkens(thrown: &[Shadow], at: V3, from: f64, covers: usize) -> bool {
     let holding: Vec<&Shadow> = thrown.iter().filter(|shadow| shadow.holds(at)).collect();
     if covers > 1 {
@@ -402,12 +402,12 @@ fn darkens(thrown: &[Shadow], at: V3, from: f64, covers: usize) -> bool {
     reach == f64::INFINITY
 }
 
-/// A shadow volume: the discs of its lobes across the light, from a depth along it on.
+/// A shadow volume: the discs of its lobes across the light, starting at a depth along the light.
 struct Shadow {
     centre: V3,
     start: f64,
     end: f64,
-    /// Middle on the plane through the origin across the light, and radius.
+    /// Centre on the plane through the origin across the light, and radius.
     discs: Vec<(V3, f64)>,
 }
 
@@ -438,7 +438,7 @@ impl Shadow {
             let flat = std::array::from_fn(|i| middle[i] - along * travel[i]);
             (flat, radius * f64::from(columns[3 * BALLS + ball]))
         };
-        // Back into the puff's own frame.
+        // Transforms back into the frame of the puff.
         let unturned = [attributes[0].wrapping_neg() & 0xffff, attributes[1]];
         let cap = start_cap(caps, *attributes, turned(travel.map(|c| -c), unturned));
         let start = dot(centre, travel) + (cap + shear + 0.02) * radius;
@@ -463,11 +463,11 @@ impl Shadow {
         self.discs.iter().any(inside)
     }
 
-    /// Somewhere between two places on the discs: of the gaps between them an eye may see shadow.
+    /// A point between two points on the discs: shadow can be visible in the gaps between the discs.
     fn sample(&self, random: &mut Random) -> V3 {
         let mut on_disc = || {
             let (middle, radius) = self.discs[random.bits() as usize % self.discs.len()];
-            // Any direction on the plane across the light is one between two others.
+            // Every direction in the plane across the light is between two others.
             let way = minus(self.discs[random.bits() as usize % self.discs.len()].0, middle);
             let length = dot(way, way).sqrt();
             let reach = radius * f64::from(random.signed());
@@ -500,14 +500,14 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
         .filter(|(_, attributes)| attributes[0] >> 16 < 0xffff)
         .count();
     assert!(4 * ended > casters.len(), "{ended} of {} shadows end", casters.len());
-    // So it is for an eye whose rays are parallel, whatever the direction of the light.
+    // The same holds for parallel view rays and any direction of the light.
     let from_afar = Observer::new([3.0, 4.0, 5.0], 1.5, false);
     let casters = rows(
         &mut dense_cloud,
         &shadow_view(&from_afar, unit([0.4, -0.8, 0.1]), 1, &solids),
     );
     assert!(casters.len() < 1800, "{} of 4000 casters stay", casters.len());
-    // What must be covered more often is covered less often.
+    // A higher required count culls fewer rows.
     let twice = share(4000, 1.0, 2);
     assert!(
         twice[1] > dense[1] + 0.02,
@@ -516,7 +516,7 @@ fn a_dense_cloud_is_mostly_hidden_and_a_thin_one_is_not() {
 }
 
 #[test]
-fn more_ink_keeps_more_and_zero_covers_keep_all() {
+fn more_ink_culls_less_and_zero_covers_cull_nothing() {
     let solids = solids(2);
     let eye = Observer::new([0.0, 0.4, 8.0], 0.25, true);
     let mut cloud = cloud(3000, 4, 1.0);

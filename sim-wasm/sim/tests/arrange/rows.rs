@@ -6,11 +6,11 @@ use sim::arrange::VIEW_FLOATS;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
-/// The paper's law: particles are born full, and have a row from the start.
+/// The law of the paper: particles start at full size and have a row from the start.
 const FULL: &[(&str, f64)] = &[("simulation.integrator", 1.0)];
 const BOX: [f32; 6] = [-12.0, -1.0, -12.0, 12.0, 12.0, 12.0];
 
-/// A view that keeps everything, ordered along -z.
+/// A view that culls nothing, ordered along -z.
 fn view() -> [f32; VIEW_FLOATS] {
     let mut view = [0.0; VIEW_FLOATS];
     view[1] = 1.0;
@@ -21,7 +21,7 @@ fn view() -> [f32; VIEW_FLOATS] {
     view
 }
 
-/// clipFromWorld by columns: eye at (1, 2, 9), looking along -z, 50 degrees high, off the axis by a quarter.
+/// clipFromWorld by columns: eye at (1, 2, 9), looking along -z, 50 degrees high, a quarter off-axis.
 fn perspective() -> [f32; 16] {
     let (f, near, far) = (1.0 / 25_f32.to_radians().tan(), 0.1, 60.0);
     let (a, b) = ((far + near) / (near - far), 2.0 * far * near / (near - far));
@@ -206,7 +206,7 @@ fn attributes_are_packed_as_documented() {
 }
 
 #[test]
-fn bounds_hold_all_that_lives_whatever_is_culled() {
+fn bounds_contain_all_living_particles_with_any_culling() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let mut view = view();
     view[2] = 1.0;
@@ -252,7 +252,7 @@ fn malformed_views_are_errors_with_their_key() {
     );
 }
 
-/// Whether a place is between the four sides of the frustum.
+/// Whether a point is between the four sides of the frustum.
 fn is_inside(clip_from_world: &[f32], place: [f64; 3]) -> bool {
     let clip = |row: usize| {
         let column = |column: usize| f64::from(clip_from_world[4 * column + row]);
@@ -261,14 +261,14 @@ fn is_inside(clip_from_world: &[f32], place: [f64; 3]) -> bool {
     clip(0).abs() <= clip(3) && clip(1).abs() <= clip(3)
 }
 
-/// A place on the ball, or within.
+/// A point on the ball or inside it.
 fn within(random: &mut Random, row: [f32; 4]) -> [f64; 3] {
     let way: [f64; 3] = std::array::from_fn(|_| f64::from(random.signed()));
     let length = way.iter().map(|c| c * c).sum::<f64>().sqrt();
     std::array::from_fn(|i| f64::from(row[i]) + way[i] / length * f64::from(row[3]))
 }
 
-/// Metres from a place along a direction to where it leaves the box, by small steps.
+/// Distance (m) from a point along a direction to the exit from the box, by small steps.
 fn exit(place: [f32; 4], direction: [f32; 3]) -> f64 {
     let outside = |t: f64| {
         (0..3).any(|i| {
@@ -314,7 +314,7 @@ fn culling_keeps_every_body_that_touches_the_frustum() {
 }
 
 #[test]
-fn pad_and_reach_enlarge_what_is_kept() {
+fn pad_and_reach_enlarge_the_kept_region() {
     let mut simulator = cloud(4000);
     let mut kept = |reach: f32, pad: f32| {
         let mut view = view();

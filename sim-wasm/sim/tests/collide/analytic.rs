@@ -9,7 +9,7 @@ use sim::simulator::collisions::{Scratch, resolve};
 
 const DT: f32 = 1.0 / 60.0;
 const RADII: RadiusLaw = RadiusLaw::linear(1.0, 0.0);
-/// So long a life that the radius does not change over a test.
+/// A lifetime so long that the radius does not change during a test.
 const LIFETIME: f32 = 1e9;
 
 const GROUND: AnalyticCollider = AnalyticCollider {
@@ -30,7 +30,7 @@ struct Probe {
 }
 
 /// One particle of radius `radius` goes from `from` to `to` in a step, meeting `colliders`; `age` is 0 or, for a
-/// newborn, minus the seconds of the step that it does not live.
+/// new one, minus the seconds of the step before its birth.
 fn fly(from: [f32; 3], to: [f32; 3], radius: f32, age: f32, colliders: &[AnalyticCollider]) -> Probe {
     let mut particles = Particles::new(1);
     let newborn = Newborn {
@@ -68,7 +68,7 @@ fn near(a: f32, b: f32, tolerance: f32) -> bool {
 }
 
 #[test]
-fn normal_velocity_comes_back_by_restitution_and_tangential_is_lost_by_friction() {
+fn restitution_reflects_the_normal_velocity_and_friction_reduces_the_tangential_one() {
     for (restitution, friction) in [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (0.3, 0.2), (0.0, 1.0)] {
         let ground = AnalyticCollider {
             restitution,
@@ -103,8 +103,8 @@ fn receding_particles_are_not_changed() {
 }
 
 #[test]
-fn a_newborn_keeps_the_velocity_of_its_short_way() {
-    // Born when 3/4 of the step were over, falling at 12 m/s for the last quarter.
+fn a_newborn_keeps_the_velocity_of_its_partial_step() {
+    // Spawned after 3/4 of the step; falls at 12 m/s for the last quarter.
     let probe = fly(
         [0.0, 0.12, 0.0],
         [0.0, 0.07, 0.0],
@@ -194,7 +194,7 @@ fn every_shape_keeps_the_whole_sphere_outside() {
     }
 }
 
-/// An independent measure: the distance from the nearest of many points of the axis or the box.
+/// An independent reference: the distance to the nearest of many points of the axis or the box.
 fn distance_to(collider: &AnalyticCollider, point: [f32; 3]) -> f32 {
     let [ax, ay, _] = collider.axis;
     // The frame in which `axis` is y, for an axis in the plane z = 0.
@@ -221,7 +221,7 @@ fn a_particle_that_begins_inside_is_brought_to_the_surface() {
     assert!(near(distance_to(&ball, probe.position), 0.1, 1e-5));
 }
 
-/// Heights at which worn puffs of 0.2 m come to rest on a ground of this roughness, by their seed bytes.
+/// Heights at which old puffs of 0.2 m come to rest on a ground of this roughness, by their seed bytes.
 fn rests(roughness: f32, worn: f32, seeds: &[u32]) -> Vec<f32> {
     let mut particles = Particles::new(seeds.len());
     for (i, seed) in seeds.iter().enumerate() {
@@ -261,6 +261,6 @@ fn on_a_rough_surface_each_worn_puff_keeps_its_own_distance() {
     close(rests(0.0, 0.9, &seeds), [0.02; 6]);
     close(rests(1.0, 0.9, &seeds), [0.02, 0.056, 0.092, 0.128, 0.164, 0.2]);
     close(rests(0.5, 0.9, &seeds), [0.02, 0.038, 0.056, 0.074, 0.092, 0.11]);
-    // A puff that has lost nothing keeps off no farther than it reaches.
+    // A puff that has lost no size keeps only its own radius as distance.
     close(rests(1.0, 0.0, &seeds), [0.2; 6]);
 }

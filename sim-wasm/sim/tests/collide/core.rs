@@ -18,7 +18,7 @@ fn pose(random: &mut Random, size: f32) -> Pose {
     Pose::along(vector(random, size), axis)
 }
 
-/// Moves and turns by up to `speed` (m, and rad).
+/// Moves and rotates by up to `speed` (m and rad).
 fn obstacle<C: Collider + std::fmt::Debug>(shape: C, random: &mut Random, speed: f32) -> Obstacle<C> {
     let start = pose(random, 0.2);
     let end = start.towards(&pose(random, 0.2), speed);
@@ -37,7 +37,7 @@ fn obstacle<C: Collider + std::fmt::Debug>(shape: C, random: &mut Random, speed:
     }
 }
 
-/// Of all rounds: how many passed, and how many did not touch.
+/// Number of rounds that passed, and of those without contact.
 fn passed_and_free<C: Collider + std::fmt::Debug>(shape: impl Fn(&mut Random) -> C, speed: f32) -> (usize, usize) {
     let mut random = Random::new(3);
     let (mut passed, mut free) = (0, 0);
@@ -108,7 +108,7 @@ fn cylinders() {
     });
 }
 
-/// A shape that tells no core of its own: its box has to hold it wherever that box stands.
+/// A shape without a core: its bounding box must contain it in every pose.
 #[test]
 fn shapes_known_by_their_box() {
     struct Aside(Ball);

@@ -70,7 +70,7 @@ fn hash_with_rigids() {
         simulator.rigids_mut().add(description).unwrap();
     }
     for step in 0..number::<u16>("steps") {
-        // A power of two: exact in every number format that is between here and there.
+        // A power of two is exact in every number format on the way.
         let x = -1.0 + f32::from(step) / 128.0;
         let pose = pose_of(&[x, 0.75, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
         simulator.rigids_mut().move_to(0, pose).unwrap();

@@ -12,7 +12,7 @@ fn ball(x: f32) -> sim::rigids::RigidDescription {
     rigid(RigidKind::Fixed, RigidShape::Ball { radius: 0.2 }, pose)
 }
 
-/// Of every 32 particles four are a long way from the rest, whichever of them are glanced at.
+/// Four of every 32 particles are far from the rest, at each possible offset from the sample.
 #[test]
 fn particles_outside_of_the_sample_are_pushed_out_too() {
     for odd_block in 0..8 {

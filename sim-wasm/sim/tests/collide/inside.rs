@@ -47,7 +47,7 @@ fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
 
 #[test]
 fn the_grid_does_not_affect_the_result() {
-    // One giant among the particles makes the grid's margin too small for itself, and a huge rigid fills every cell.
+    // One giant particle exceeds the margin of the grid, and a huge rigid fills every cell.
     let mut cloud = Cloud::new(301);
     for k in 0..100 {
         let pose = Pose::at(Vector::new(3.0 * random(k, 1), 3.0 * random(k, 2), 3.0 * random(k, 3)));

@@ -81,7 +81,7 @@ fn nothing_gets_through_a_fixed_plate_at_50_metres_a_second() {
 }
 
 #[test]
-fn a_spinning_blade_does_not_touch_what_is_beside_its_disc_and_lets_nothing_through_it() {
+fn a_spinning_blade_leaves_particles_beside_its_disc_and_lets_none_through() {
     let mut cloud = Cloud::new(2000);
     let blade = RigidShape::Cuboid {
         half_extents: [0.5, 0.2, 0.01],
@@ -89,7 +89,7 @@ fn a_spinning_blade_does_not_touch_what_is_beside_its_disc_and_lets_nothing_thro
     let rigid = cloud.rigids.add(kinematic(blade)).unwrap();
     for k in 0..1000 {
         let angle = 3.2 * random(k, 1);
-        // In the first thousand what the blade sweeps, in the second what lies just outside of its tips.
+        // The blade sweeps the first thousand; the second thousand are just outside its tips.
         let inner = 0.2 + 0.2 * random(k, 2).abs();
         cloud.push(
             [inner * angle.cos(), 0.1 * random(k, 3), inner * angle.sin()],
@@ -221,7 +221,7 @@ fn dynamic_rigids_fall_with_closed_form_and_rest_on_fixed_ones() {
     assert!((height - 0.2).abs() < 0.01, "{height}");
 }
 
-/// A blade along x of a half length `reach` that spins about y so that its tip has 100 m/s, and particles that drift
+/// A blade along x of half length `reach` that spins about y with a tip speed of 100 m/s, and particles that drift
 /// through its disc. Beside it a sweep in closed form: in the disc's plane a blade passes over each particle within
 /// half a turn, so one that needs longer to drift through must have been hit.
 fn tip_at_100_metres_a_second(reach: f32) {
@@ -245,7 +245,7 @@ fn tip_at_100_metres_a_second(reach: f32) {
         let start = -height - 0.05 - 0.3 * random(k, 3).abs();
         let (x, z) = (out * angle.cos(), out * angle.sin());
         cloud.push([x, start, z], [0.0, drift, 0.0], 0.01);
-        // Its twin drifts just outside of the disc.
+        // The second particle drifts just outside the disc.
         let outside = (reach + 0.03) / out;
         cloud.push([x * outside, start, z * outside], [0.0, drift, 0.0], 0.01);
     }
@@ -267,7 +267,7 @@ fn tip_at_100_metres_a_second(reach: f32) {
         hit.iter().step_by(2).all(|hit| *hit),
         "all that was in the disc was swept"
     );
-    // What the blade threw out may not meet these: particles do not collide with each other.
+    // Particles that the blade threw outwards cannot affect these: particles do not collide with each other.
     assert!(
         hit.iter().skip(1).step_by(2).all(|hit| !hit),
         "nothing beside the disc was touched"
@@ -275,14 +275,14 @@ fn tip_at_100_metres_a_second(reach: f32) {
 }
 
 #[test]
-fn a_propeller_tip_at_100_metres_a_second_deflects_all_that_it_sweeps() {
+fn a_propeller_tip_at_100_metres_a_second_deflects_all_swept_particles() {
     for reach in [0.3, 0.6, 1.0, 1.5] {
         tip_at_100_metres_a_second(reach);
     }
 }
 
 #[test]
-fn what_a_blade_hits_within_one_step_is_what_its_sweep_in_closed_form_hits() {
+fn a_blade_hits_within_one_step_exactly_the_particles_of_its_closed_form_sweep() {
     let (reach, rate) = (0.5, 100.0);
     let turn = rate * DT;
     let half_width = 0.02;
@@ -310,13 +310,13 @@ fn what_a_blade_hits_within_one_step_is_what_its_sweep_in_closed_form_hits() {
         cloud.step(0.0);
         let margin = ((half_width + radius) / 0.4_f32).asin();
         for k in 0..720 {
-            // How far the nearer half of the blade has to turn, from the step's start, until its middle is here.
+            // Angle of the nearer half of the blade from the start of the step until its middle is here.
             let angle = k as f32 * std::f32::consts::TAU / 720.0 - offset as f32 * turn;
             let ahead = angle.rem_euclid(std::f32::consts::PI);
             let inside = ahead < turn + margin;
             let near = [turn + margin, std::f32::consts::PI - margin];
             let touched = cloud.particles.sx[k] != 0.0 || cloud.position(k).y != 0.0 || cloud.particles.sz[k] != 0.0;
-            // What the blade is in from the start is not hit by it.
+            // The blade does not hit particles that it contains at the start.
             let within = ahead < margin || ahead > std::f32::consts::PI - margin;
             let close = within || near.iter().any(|edge| (ahead - edge).abs() < 0.02);
             assert!(
@@ -328,8 +328,8 @@ fn what_a_blade_hits_within_one_step_is_what_its_sweep_in_closed_form_hits() {
 }
 
 #[test]
-fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_all_of_its_ring_and_throws_it_its_own_way() {
-    // 100 m/s at 0.3 m: 5.6 rad a step. By its poses alone it might as well turn back by 0.7 rad.
+fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_its_whole_ring_and_throws_it_in_its_direction() {
+    // 100 m/s at 0.3 m: 5.6 rad per step. Its poses alone would also fit a rotation back by 0.7 rad.
     let spin = Spin {
         axis: Vector::Y,
         rate: 100.0 / 0.3,
@@ -355,7 +355,7 @@ fn a_blade_that_turns_by_most_of_a_turn_in_one_step_hits_all_of_its_ring_and_thr
     cloud.step(0.0);
     for (k, place) in places.iter().enumerate() {
         let slip = Vector::new(cloud.particles.sx[k], cloud.particles.sy[k], cloud.particles.sz[k]);
-        // What the blade is in from the start is not hit by it.
+        // The blade does not hit particles that it contains at the start.
         let within = place.z.abs() < 0.02;
         assert!(
             within || place.cross(slip).y > 0.0,
@@ -387,7 +387,7 @@ fn a_dynamic_rigid_is_put_somewhere_at_rest_and_sweeps_nothing_on_its_way() {
     };
     assert_eq!(start[..3], [6.0, 2.0, 0.0], "its way begins where it was put");
     let fall = 9.81 * DT * DT;
-    // Rapier takes its steps in parts, in which it falls by less than in one.
+    // Rapier takes substeps, in which it falls by less than in one step.
     assert!(
         end[1] < 2.0 && end[1] > 2.0 - 1.01 * fall,
         "it falls from rest: {end:?}"

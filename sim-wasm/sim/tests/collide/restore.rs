@@ -6,7 +6,7 @@ use sim::math::vector::Vector;
 use sim::rigids::{RigidDescription, RigidKind, RigidNumbers, RigidPart, RigidShape, Rigids};
 use sim::simulator::collisions::Scratch;
 
-/// A heap: every shape, dynamic, falls on the ground; a kinematic ball goes through it.
+/// A heap: dynamic rigids of every shape fall on the ground, and a kinematic ball moves through it.
 fn heap() -> Cloud {
     let mut cloud = Cloud::new(400);
     let ground = RigidShape::Cuboid {
@@ -48,7 +48,7 @@ fn hash_of(cloud: &Cloud) -> u64 {
 }
 
 #[test]
-fn a_restored_heap_goes_on_to_the_same_hash() {
+fn a_restored_heap_continues_to_the_same_hash() {
     let mut cloud = heap();
     run_heap(&mut cloud, 0..90);
     let bytes = cloud.rigids.save();
@@ -82,7 +82,7 @@ fn damaged_bytes_are_errors() {
     assert!(Rigids::restore(&[]).unwrap().count() == 0);
 }
 
-/// A number that may be ordinary, zero, tiny, huge or none at all.
+/// A number that is ordinary, zero, tiny, huge or not finite.
 fn odd(k: usize, salt: usize) -> f32 {
     match (random(k, salt) * 64.0) as i32 {
         0 => 0.0,
@@ -160,7 +160,7 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
 }
 
 #[test]
-fn numbers_that_end_too_early_are_refused() {
+fn numbers_that_end_too_early_are_rejected() {
     let compound = RigidShape::Compound {
         parts: shapes()
             .into_iter()

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use sim::Simulator;
 use sim::layout::blow::BlowNumbers;
 
-/// Something that a person does.
+/// An input of the user.
 #[derive(Clone, Debug)]
 pub enum Act {
     Set(&'static str, f64),
@@ -17,7 +17,7 @@ pub enum Act {
     Release(u32),
 }
 
-/// Parameters that people turn, with ranges in which much happens.
+/// Parameters that users change, with ranges of strong effects.
 const TURNED: &[(&str, f64, f64)] = &[
     ("emission.rate", 0.0, 2000.0),
     ("emission.lifetime", 0.1, 3.0),
@@ -27,7 +27,7 @@ const TURNED: &[(&str, f64, f64)] = &[
     ("emitters.0.speed", 0.0, 5.0),
 ];
 
-/// Any act.
+/// Any input.
 pub fn act() -> impl Strategy<Value = Act> {
     let place = || prop::array::uniform3(-2.0..2.0);
     prop_oneof![
@@ -42,7 +42,7 @@ pub fn act() -> impl Strategy<Value = Act> {
     ]
 }
 
-/// Does it to a simulator whose rigid 0, if it has rigids, is kinematic, and whose rigid 1 is dynamic.
+/// Applies it to a simulator. With rigids, rigid 0 must be kinematic and rigid 1 dynamic.
 pub fn perform(simulator: &mut Simulator, act: &Act) {
     match act {
         Act::Set(key, value) => simulator.input_values(&[(key, *value)]),
@@ -67,7 +67,7 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
     .unwrap();
 }
 
-/// Acts with the steps made before each.
+/// Inputs with the number of steps before each.
 pub fn script() -> impl Strategy<Value = Vec<(usize, Act)>> {
     prop::collection::vec((prop_oneof![3 => 0..3_usize, 1 => 3..20_usize], act()), 1..40)
 }

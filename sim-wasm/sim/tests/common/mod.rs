@@ -6,7 +6,7 @@ pub mod inputs;
 use sim::Simulator;
 use sim::particles::Newborn;
 
-/// Air that stands still and smoke that weighs nothing.
+/// Still air and weightless smoke.
 pub const STILL: &[(&str, f64)] = &[
     ("buoyancy.acceleration", 0.0),
     ("gravity.acceleration", 0.0),
@@ -45,7 +45,7 @@ pub fn simulator(capacity: u32, seed: u32, settings: &[&[(&str, f64)]]) -> Simul
     simulator
 }
 
-/// A particle at rest in the air that lives as good as for ever.
+/// A particle at rest in the air with a practically unlimited lifetime.
 pub fn newborn(position: [f32; 3]) -> Newborn {
     Newborn {
         position,
@@ -58,12 +58,12 @@ pub fn newborn(position: [f32; 3]) -> Newborn {
     }
 }
 
-/// Many steps.
+/// Takes `count` steps.
 pub fn steps(simulator: &mut Simulator, count: usize) {
     (0..count).for_each(|_| simulator.step());
 }
 
-/// Where particle `i` is.
+/// Position of particle `i`.
 pub fn place(simulator: &Simulator, i: usize) -> [f32; 3] {
     let particles = simulator.particles();
     [particles.x[i], particles.y[i], particles.z[i]]
@@ -88,7 +88,7 @@ pub fn slip(simulator: &Simulator, i: usize) -> [f32; 3] {
     [particles.sx[i], particles.sy[i], particles.sz[i]]
 }
 
-/// That `value` is `expected` but for a share `tolerance` of it.
+/// Asserts that `value` is `expected` within the relative `tolerance`.
 pub fn assert_close(name: &str, value: f64, expected: f64, tolerance: f64) {
     assert!(
         (value - expected).abs() <= tolerance * expected.abs(),

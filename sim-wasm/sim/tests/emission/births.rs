@@ -3,7 +3,7 @@
 use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::particles::Newborn;
 
-/// Nothing varies, nothing dies.
+/// Without variation and without deaths.
 const EVEN: &[(&str, f64)] = &[
     ("emission.lifetime", 60.0),
     ("emitters.0.speedVariation", 0.0),
@@ -104,12 +104,12 @@ fn a_small_emitter_gets_its_share_of_a_full_simulator() {
             seconds += particles.x[..simulator.alive()].iter().filter(|x| **x > 50.0).count();
         }
         let share = seconds as f64 / (1200.0 * 64.0);
-        // Rounding up helps the small one to somewhat more than 0.05 / 1.05.
+        // Rounding up gives the small one slightly more than 0.05 / 1.05.
         assert!((0.04..0.2).contains(&share), "{share} of all that live");
     }
 }
 
-/// Distances between neighbours along `axis`, least and greatest.
+/// Minimum and maximum distance between neighbours along `axis`.
 fn gaps(settings: &[(&str, f64)], axis: usize) -> (f32, f32) {
     let mut simulator = simulator(1000, 1, &[STILL, EVEN, settings]);
     steps(&mut simulator, 60);
@@ -122,7 +122,7 @@ fn gaps(settings: &[(&str, f64)], axis: usize) -> (f32, f32) {
 }
 
 #[test]
-fn a_jet_and_wind_have_no_beads() {
+fn a_jet_in_wind_has_no_clusters() {
     let jet = gaps(&[("emission.rate", 300.0), ("emitters.0.speed", 12.0)], 1);
     assert!(jet.0 > 0.0396 && jet.1 < 0.0404, "a jet of 0.04 m has gaps {jet:?}");
     let wind = gaps(

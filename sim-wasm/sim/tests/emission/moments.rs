@@ -10,7 +10,7 @@ const EVEN: &[(&str, f64)] = &[
     ("emitters.0.speedVariation", 0.0),
 ];
 
-/// How many are born in each step.
+/// Number of births in each step.
 fn births(simulator: &mut Simulator, count: usize) -> Vec<usize> {
     let born = |simulator: &Simulator| simulator.alive() + simulator.waiting() as usize;
     let mut before = born(simulator);
@@ -23,7 +23,7 @@ fn births(simulator: &mut Simulator, count: usize) -> Vec<usize> {
     births
 }
 
-/// The steps in which something is born, with how much.
+/// The steps with births, and their numbers.
 fn moments(births: &[usize]) -> Vec<(usize, usize)> {
     births
         .iter()
@@ -45,7 +45,7 @@ fn a_burst_comes_at_each_start_of_the_envelope() {
             &[("emitters.0.envelope.start", 0.5), ("emitters.0.envelope.period", 1.25)],
             &[(30, 25), (105, 25), (180, 25), (255, 25)],
         ),
-        // Shorter than a step: two or three starts in each.
+        // The period is shorter than a step: each step has two or three starts.
         (
             &[
                 ("emitters.0.envelope.start", 4.95),
@@ -98,7 +98,7 @@ fn a_burst_that_finds_no_room_waits_and_none_is_lost() {
             last = simulator.waiting();
             simulator.step();
         }
-        // A hundred every half second: four times by now, and the next burst comes in the next step.
+        // A burst of a hundred every half second: four so far, and the next one in the next step.
         assert_eq!(simulator.waiting(), 600);
         simulator.step();
         assert_eq!(simulator.waiting() + simulator.alive() as u64, 600 + 100 + 1000);
@@ -129,7 +129,7 @@ fn a_fading_envelope_emits_the_integral_of_its_level() {
     ];
     let mut simulator = simulator(5000, 1, &[STILL, EVEN, &settings]);
     steps(&mut simulator, 240);
-    // 3 s^2 - 2 s^3 adds up to one half at either end.
+    // The integral of 3 s^2 - 2 s^3 is one half at either end.
     assert!(simulator.alive().abs_diff(2000) <= 1, "{}", simulator.alive());
 }
 
@@ -146,7 +146,7 @@ fn an_emitter_that_is_off_does_not_affect_the_others() {
 }
 
 #[test]
-fn lifetimes_are_an_emitters_own() {
+fn lifetimes_are_per_emitter() {
     let settings = [
         ("emission.rate", 600.0),
         ("emission.lifetime", 4.0),
@@ -172,7 +172,7 @@ fn lifetimes_are_an_emitters_own() {
 }
 
 #[test]
-fn tints_are_an_emitters_own() {
+fn tints_are_per_emitter() {
     let settings = [
         ("emission.rate", 600.0),
         ("emitters.0.tint", 15.0),
@@ -198,7 +198,7 @@ fn tiny_periods_are_no_division_by_zero() {
     ];
     let mut simulator = simulator(500, 1, &[STILL, EVEN, &settings]);
     steps(&mut simulator, 10);
-    // A thousand starts a second at most.
+    // The limit is a thousand starts per second.
     assert!(
         (480..=510).contains(&(simulator.alive() as u64 + simulator.waiting())),
         "{}",

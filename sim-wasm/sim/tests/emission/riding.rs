@@ -6,7 +6,7 @@ use crate::common::{STILL, place, simulator, steps};
 use sim::Simulator;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape, pose_of};
 
-/// A nozzle, 600 births a second, that adds no speed of its own.
+/// A nozzle with 600 births per second that adds no speed.
 const NOZZLE: &[(&str, f64)] = &[
     ("emission.rate", 600.0),
     ("emission.lifetime", 60.0),
@@ -23,7 +23,7 @@ fn riding(shape: RigidShape, settings: &[(&str, f64)]) -> Simulator {
     simulator
 }
 
-/// So small that nothing bumps into it.
+/// Small enough that nothing collides with it.
 const SPECK: RigidShape = RigidShape::Ball { radius: 0.001 };
 
 /// `count` steps at `speed` (m/s) along x.
@@ -43,7 +43,7 @@ fn places(simulator: &Simulator) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn a_nozzle_that_sweeps_leaves_no_beads() {
+fn a_sweeping_nozzle_leaves_no_clusters() {
     let mut simulator = riding(SPECK, &[("emitters.0.position.y", 5.0)]);
     sweep(&mut simulator, 40.0, 60);
     let mut along: Vec<f64> = places(&simulator).iter().map(|place| place[0]).collect();
@@ -64,7 +64,7 @@ fn a_blade_that_turns_more_than_half_a_turn_in_a_step_leaves_an_even_circle() {
     simulator.rigids_mut().set_spin(0, [0.0, 1.0, 0.0], 200.0).unwrap();
     steps(&mut simulator, 30);
     assert_eq!(simulator.alive(), 600);
-    // In the order of birth: nobody has died.
+    // In the order of birth: no particle has died.
     for (number, [x, y, z]) in places(&simulator).into_iter().enumerate() {
         assert!((x.hypot(z) - 0.5).abs() < 1e-4 && y == 0.0);
         let turned = 200.0 / 1200.0 * (number as f64 + 1.0);
@@ -74,7 +74,7 @@ fn a_blade_that_turns_more_than_half_a_turn_in_a_step_leaves_an_even_circle() {
 }
 
 #[test]
-fn a_share_of_the_velocity_goes_along() {
+fn a_fraction_of_the_velocity_is_inherited() {
     for inherit in [0.0, 0.25, 1.0] {
         let mut simulator = riding(
             SPECK,
@@ -94,12 +94,12 @@ fn a_share_of_the_velocity_goes_along() {
 }
 
 #[test]
-fn spin_goes_along_too() {
+fn spin_is_also_inherited() {
     let settings = [("emitters.0.position.x", 0.5), ("emitters.0.inherit", 1.0)];
     let mut simulator = riding(SPECK, &settings);
     simulator.rigids_mut().set_spin(0, [0.0, 1.0, 0.0], 20.0).unwrap();
     steps(&mut simulator, 10);
-    // Slung off at 10 m/s along the tangent of the place of birth.
+    // Emitted at 10 m/s along the tangent at the point of birth.
     for (number, [x, _, z]) in places(&simulator).into_iter().enumerate() {
         let turned = 20.0 / 600.0 * (number as f64 + 1.0);
         let flown = 10.0 * (10.0 / 60.0 - (number as f64 + 1.0) / 600.0);
@@ -122,7 +122,7 @@ fn directions_and_places_turn_with_the_rigid() {
         ("emission.rate", 60.0),
     ];
     let mut simulator = riding(SPECK, &settings);
-    // A quarter about x: up becomes +z.
+    // A quarter turn about x: up becomes +z.
     let half = std::f32::consts::FRAC_1_SQRT_2;
     let turned = pose_of(&[0.0, 0.0, 0.0, half, 0.0, 0.0, half]).unwrap();
     simulator.rigids_mut().move_to(0, turned).unwrap();

@@ -32,7 +32,7 @@ fn length(v: &[f64; 3]) -> f64 {
     v.iter().map(|part| part * part).sum::<f64>().sqrt()
 }
 
-/// Pearson's statistic of how evenly `values`, uniform in 0..1 if all is well, fill `bins`. Its mean is `bins - 1` and
+/// Pearson's chi-squared statistic of `values` in `bins`. For uniform values in 0..1 its mean is `bins - 1` and
 /// its variance twice that.
 fn chi_square(values: impl Iterator<Item = f64>, bins: usize) -> f64 {
     let mut counts = vec![0.0; bins];
@@ -45,7 +45,7 @@ fn chi_square(values: impl Iterator<Item = f64>, bins: usize) -> f64 {
 }
 
 fn assert_even(values: impl Iterator<Item = f64>, what: &str) {
-    // Mean 49, standard deviation 10: 6 of them are beyond any chance.
+    // Mean 49, standard deviation 10: a deviation of 6 is not chance.
     let statistic = chi_square(values, 50);
     assert!(
         statistic < 110.0,
@@ -53,7 +53,7 @@ fn assert_even(values: impl Iterator<Item = f64>, what: &str) {
     );
 }
 
-/// Angle about the y axis as a share of a turn.
+/// Angle about the y axis as a fraction of a turn.
 fn turn([x, _, z]: &[f64; 3]) -> f64 {
     z.atan2(*x) / std::f64::consts::TAU + 0.5
 }
@@ -136,7 +136,7 @@ fn a_cone_fans_out_from_its_apex() {
         let blowing = born(6.0, &[("emitters.0.speed", 2.0), ("emitters.0.spread", spread)]);
         let disc = born(6.0, &[("emitters.0.spread", spread)]);
         assert_even(places(&disc).iter().map(|p| (length(p) / 2.0).powi(2)), "radius");
-        // Behind the disc by radius / tan(spread), where all ways meet; 1 / tan(0) is infinitely far.
+        // All paths meet radius / tan(spread) behind the disc; 1 / tan(0) is infinite.
         let particles = blowing.particles();
         for (i, p) in places(&disc).iter().enumerate() {
             let slip = [particles.sx[i], particles.sy[i], particles.sz[i]].map(f64::from);

@@ -115,7 +115,7 @@ fn surfaces_are_inputs_that_are_saved() {
     other.restore(&original.save()).unwrap();
     assert_eq!(other.hash(), original.hash());
     assert_eq!(other.save(), original.save());
-    // Everybody dies and is born again from the surface.
+    // All particles die and respawn on the surface.
     for simulator in [&mut original, &mut other] {
         steps(simulator, 200);
     }

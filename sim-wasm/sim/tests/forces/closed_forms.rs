@@ -126,7 +126,7 @@ fn huge_drag_stops_slip_at_once_and_no_drag_keeps_it() {
     assert_close("height", height, 50.0, 1e-5);
 }
 
-/// Steps until `turns` turns about z are done; the least and the greatest distance on the way.
+/// Number of steps for `turns` revolutions about z, and the minimum and maximum distance during them.
 fn circle(settings: &[(&str, f64)], r: f32, turns: f64) -> (f64, f64) {
     let mut simulator = simulator(1, 1, &[STILL, settings]);
     simulator.add(&newborn([r, 0.0, 0.3]));

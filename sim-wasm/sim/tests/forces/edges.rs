@@ -4,7 +4,7 @@ use crate::common::{STILL, newborn, place, simulator, slip, steps};
 use sim::Simulator;
 use sim::particles::Newborn;
 
-/// Every list of forces once, about the origin or along its axes.
+/// One item of each list of forces, about the origin or along its axes.
 const ALL: &[(&str, f64)] = &[
     ("winds.0.velocity.x", 0.4),
     ("winds.0.shear", 0.3),
@@ -77,7 +77,7 @@ fn every_force_is_finite_at_its_centre_beside_it_and_far_away() {
 }
 
 #[test]
-fn a_force_of_no_strength_leaves_the_motion_as_it_is_to_the_bit() {
+fn a_force_without_strength_leaves_the_motion_bit_exact() {
     let hash = |settings: &[(&str, f64)]| {
         let mut simulator = simulator(50, 3, &[crate::common::LIVELY, settings]);
         steps(&mut simulator, 60);
@@ -90,12 +90,12 @@ fn a_force_of_no_strength_leaves_the_motion_as_it_is_to_the_bit() {
     }
 }
 
-/// Positions, directions, and the axes about which something turns, each with which of its parts a mirror in x turns.
+/// Positions, directions and axes of rotation, each with the components that a mirror in x negates.
 fn mirrored(settings: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
     let flips = |key: &str| {
         let is_sense = key.starts_with("vortices") || key.starts_with("spirals");
         if is_sense && key.contains(".axis.") {
-            // The rotation about an axis is a pseudovector: x stays, y and z turn. Rise along it is turned back below.
+            // An axis of rotation is a pseudovector: x stays, y and z change sign. The code below corrects the rise.
             !key.ends_with(".x")
         } else {
             key.ends_with(".x") && !key.contains(".size.") || key.ends_with("spirals.0.along")
@@ -148,7 +148,7 @@ fn a_mirrored_scene_moves_as_the_mirrored_particles() {
         ("gravity.acceleration", 0.2),
         ("drag.rate", 0.5),
     ];
-    // The default axis of a vortex stands there too, so that it is mirrored with the rest.
+    // The list includes the default axis of a vortex, so that it is mirrored, too.
     let axes = [
         ("vortices.0.axis.z", 1.0),
         ("vortices.1.axis.z", 1.0),

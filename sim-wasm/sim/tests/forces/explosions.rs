@@ -9,7 +9,7 @@ const BLAST: [(&str, f64); 4] = [
     ("explosions.0.envelope.start", 0.5),
 ];
 
-/// Speed outwards after each step of a particle that rests at the distance `r`.
+/// Outward speed after each step of a particle that starts at rest at the distance `r`.
 fn speeds(settings: &[(&str, f64)], r: f32, count: usize) -> Vec<f64> {
     let mut simulator = alone(settings, [0.0, 0.0, r], [0.0; 3]);
     (0..count)
@@ -21,7 +21,7 @@ fn speeds(settings: &[(&str, f64)], r: f32, count: usize) -> Vec<f64> {
 }
 
 #[test]
-fn the_front_throws_once_when_it_passes() {
+fn the_front_accelerates_once_when_it_passes() {
     for integrator in [0.0, 1.0] {
         let settings = [BLAST.as_slice(), &[("simulation.integrator", integrator)]].concat();
         for r in [0.05_f32, 0.77, 1.31, 2.9] {
@@ -41,13 +41,13 @@ fn the_front_throws_once_when_it_passes() {
 }
 
 #[test]
-fn beyond_its_reach_and_before_its_start_nothing_happens() {
+fn there_is_no_effect_beyond_its_reach_or_before_its_start() {
     assert!(speeds(&BLAST, 3.01, 120).iter().all(|speed| *speed == 0.0));
     assert!(speeds(&BLAST, 0.01, 29).iter().all(|speed| *speed == 0.0));
 }
 
 #[test]
-fn it_throws_again_with_each_period() {
+fn it_accelerates_again_in_each_period() {
     let settings = [
         BLAST.as_slice(),
         &[("explosions.0.envelope.period", 0.7), ("drag.rate", 1000.0)],
@@ -71,7 +71,7 @@ fn it_throws_again_with_each_period() {
 }
 
 #[test]
-fn smoke_that_moves_is_thrown_once_too() {
+fn moving_smoke_is_also_accelerated_once() {
     for (velocity, integrator) in [(2.0, 0.0), (-2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)] {
         let settings = [
             BLAST.as_slice(),
@@ -108,7 +108,7 @@ fn a_cloud_that_is_symmetric_gets_no_momentum() {
 }
 
 #[test]
-fn wind_is_cut_to_the_limit() {
+fn wind_is_clamped_to_the_limit() {
     let settings = [
         ("forces.wind.x", 4.0),
         ("forces.wind.z", 3.0),
@@ -135,7 +135,7 @@ fn a_fall_is_the_parabola_up_to_the_limit_and_then_even() {
         for step in 1..=120 {
             simulator.step();
             let (t, y) = (f64::from(step) * STEP, f64::from(place(&simulator, 0)[1]));
-            // Euler is half a step late.
+            // Euler lags by half a step.
             let expected = if t < 0.4 { -2.5 * t * t } else { -0.4 - 2.0 * (t - 0.4) };
             assert!((y - expected).abs() < 0.5 * STEP * 2.0 + 1e-4, "{y} after {t} s");
             assert!(before - y <= 2.0 * STEP * 1.000_1, "{} m/s", (before - y) / STEP);
@@ -146,7 +146,7 @@ fn a_fall_is_the_parabola_up_to_the_limit_and_then_even() {
 }
 
 #[test]
-fn a_limit_does_not_touch_what_is_slower_or_outside() {
+fn a_limit_does_not_affect_slower_or_outside_particles() {
     let settings = [
         ("speedLimits.0.speed", 1.0),
         ("speedLimits.0.region.shape", 1.0),

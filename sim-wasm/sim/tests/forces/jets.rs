@@ -88,7 +88,7 @@ fn the_momentum_is_the_same_in_every_section() {
 }
 
 #[test]
-fn smoke_in_the_core_goes_with_the_jet() {
+fn smoke_in_the_core_moves_with_the_jet() {
     let settings = [("jets.0.speed", 2.0), ("jets.0.radius", 0.5), ("jets.0.reach", 1000.0)];
     let mut simulator = alone(&settings, [0.1, 0.0, 0.0], [0.0; 3]);
     steps(&mut simulator, 60);

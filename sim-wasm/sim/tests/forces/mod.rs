@@ -1,4 +1,4 @@
-//! What moves air and particles.
+//! Forces on air and particles.
 
 mod closed_forms;
 mod edges;

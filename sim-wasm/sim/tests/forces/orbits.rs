@@ -49,7 +49,7 @@ fn an_attractor_fades_to_nothing_at_its_reach() {
     }
 }
 
-/// Least and greatest distance from the y axis over `turns` turns, and the mean time of a turn (s).
+/// Minimum and maximum distance from the y axis over `turns` revolutions, and their mean period (s).
 fn circled(settings: &[(&str, f64)], r: f32, speed: f32, turns: f64) -> (f64, f64, f64) {
     let mut simulator = alone(settings, [r, 0.5, 0.0], [0.0, 0.0, speed]);
     let (mut least, mut greatest, mut angle, mut before) = (f64::MAX, 0.0_f64, 0.0, 0.0);
@@ -93,7 +93,7 @@ fn a_circular_orbit_stays_one_for_20_turns() {
     }
 }
 
-/// Place and velocity in a plane, one fine step of the fourth-order Runge-Kutta rule later, about a softened mass of 1 m3/s2.
+/// Position and velocity in a plane after one fine fourth-order Runge-Kutta step about a softened mass of 1 m3/s2.
 fn fine_step(state: [f64; 4], core_squared: f64, h: f64) -> [f64; 4] {
     let rate = |[x, y, u, v]: [f64; 4]| {
         let strength = (x * x + y * y + core_squared).powf(-1.5);
@@ -119,7 +119,7 @@ fn an_ellipse_keeps_its_energy_and_its_path() {
     };
     let first = energy(&simulator);
     let mut exact = [1.0, 0.0, 0.0, 0.8];
-    // Twenty turns.
+    // Twenty revolutions.
     for step in 0..20 * 250 {
         simulator.step();
         let now = energy(&simulator);

@@ -6,7 +6,7 @@ use sim::math::pose::{Frame, Pose};
 use sim::math::vector::Vector;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
-/// Where the rigid is at `time` (s): it turns about z at 1 rad/s and goes along x at 2 m/s.
+/// Pose of the rigid at `time` (s): it rotates about z at 1 rad/s and moves along x at 2 m/s.
 fn pose(time: f64) -> Pose {
     let half = (0.5 * time) as f32;
     Pose {
@@ -15,7 +15,7 @@ fn pose(time: f64) -> Pose {
     }
 }
 
-/// A simulator whose first rigid stands aside, and whose second goes as `pose` tells.
+/// A simulator with a first rigid out of the way and a second one with the pose `pose`.
 fn rigged(settings: &[(&str, f64)]) -> Simulator {
     let mut simulator = simulator(8, 1, &[STILL, settings]);
     let shape = RigidShape::Ball { radius: 0.001 };
@@ -43,7 +43,7 @@ fn assert_near(what: &str, ours: [f32; 3], expected: Vector, tolerance: f32) {
 }
 
 #[test]
-fn a_vortex_and_a_jet_go_and_turn_with_their_rigid() {
+fn a_vortex_and_a_jet_move_and_rotate_with_their_rigid() {
     let own = [
         ("vortices.0.circulation", 3.0),
         ("vortices.0.position.y", 0.5),
@@ -73,7 +73,7 @@ fn a_vortex_and_a_jet_go_and_turn_with_their_rigid() {
 }
 
 #[test]
-fn the_region_of_a_wind_goes_and_turns_with_its_rigid() {
+fn the_region_of_a_wind_moves_and_rotates_with_its_rigid() {
     let settings = [
         ("winds.0.velocity.y", 1.5),
         ("winds.0.rigid", 1.0),

@@ -29,7 +29,7 @@ fn gravities_add_up_each_in_its_region() {
 
 #[test]
 fn the_edge_of_a_region_weakens_smoothly() {
-    // Radius 1 m and half of a soft edge of 2 m: half the pull, while the particle hardly moves.
+    // At the middle of a soft edge of 2 m outside a radius of 1 m the pull is one half. The particle hardly moves.
     for (distance, weight) in [
         (0.9_f32, 1.0),
         (1.5, 0.843_75),
@@ -48,7 +48,7 @@ fn the_edge_of_a_region_weakens_smoothly() {
 }
 
 #[test]
-fn buoyancies_lift_what_is_warm() {
+fn buoyancies_lift_warm_smoke() {
     let settings = [
         ("buoyancies.0.acceleration", 2.0),
         ("buoyancies.1.acceleration", -0.5),
@@ -113,12 +113,12 @@ fn a_fading_envelope_gives_the_momentum_of_its_area() {
         ("gravities.0.envelope.duration", 0.8),
         ("gravities.0.envelope.fade", 0.3),
     ];
-    // The two ramps have half of their length as area each.
+    // Each of the two ramps has half of its length as area.
     assert_close("speed", pushed(&settings, [0.0; 3])[1], 2.0 * 0.5, 2e-3);
 }
 
 #[test]
-fn a_wind_that_fades_in_carries_smoke_its_area() {
+fn a_wind_that_fades_in_displaces_smoke_by_its_integral() {
     let settings = [("winds.0.velocity.x", 3.0), ("winds.0.envelope.fade", 1.0)];
     let mut simulator = alone(&settings, [0.0; 3], [0.0; 3]);
     steps(&mut simulator, 120);
@@ -126,7 +126,7 @@ fn a_wind_that_fades_in_carries_smoke_its_area() {
 }
 
 #[test]
-fn smoke_beyond_a_region_is_left_alone_to_the_bit() {
+fn smoke_outside_a_region_is_bit_exact() {
     let settings = [
         ("winds.0.velocity.x", 3.0),
         ("winds.0.region.shape", 3.0),

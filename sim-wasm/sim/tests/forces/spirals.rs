@@ -21,14 +21,14 @@ fn a_spiral_turns_draws_in_and_rises_at_constant_speeds() {
         let (r, angle) = (3.0 - 0.5 * t, 3.0 * t);
         // Counter-clockwise seen against y: from x towards -z.
         let off = (x - 1.0 - r * angle.cos()).hypot(z + r * angle.sin());
-        // The first step of a newborn does not know its way yet, which costs half of the turn squared.
+        // The first step of a new particle has no previous displacement, which costs half of the squared rotation.
         assert!(off < 0.006 * r, "{off} m off after {t} s");
         assert!((y - 0.25 * t).abs() < 1e-4, "height {y} after {t} s");
     }
 }
 
 #[test]
-fn a_spiral_that_draws_nothing_in_keeps_the_distance_over_20_turns() {
+fn a_spiral_without_inflow_keeps_the_distance_over_20_turns() {
     for turn in [-1.0, 2.0, 8.0, 30.0, 50.0] {
         let mut simulator = alone(&[WIDE, ("spirals.0.turn", turn)], [0.0, 1.0, 2.0], [0.0; 3]);
         let distance = |simulator: &sim::Simulator| {
@@ -50,7 +50,7 @@ fn the_angle_of_a_spiral_is_right_at_every_turn() {
     for (turn, tolerance) in [(1.0, 2e-4), (8.0, 2e-4), (50.0, 2e-3)] {
         let mut simulator = alone(&[WIDE, ("spirals.0.turn", turn)], [2.0, 0.0, 0.0], [0.0; 3]);
         let (mut angle, mut before) = (0.0, 0.0);
-        // The first step is a straight one.
+        // The first step is straight.
         steps(&mut simulator, 1);
         for step in 0..=240 {
             let [x, _, z] = place(&simulator, 0).map(f64::from);

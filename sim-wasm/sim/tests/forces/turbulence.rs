@@ -10,7 +10,7 @@ use sim::layout::parameters::settings::Pattern;
 use sim::math::random::Random;
 use sim::math::simd::Vector4;
 
-/// By which the first octave's lattice is shifted, in cells.
+/// Shift of the lattice of the first octave, in cells.
 const SHIFT: f64 = 0.37;
 
 fn pattern(octaves: f64) -> Pattern {
@@ -36,7 +36,7 @@ fn at(field: &Swirls, place: [f32; 3]) -> [f64; 3] {
     field.velocity(Vector4::splat(place)).first().map(f64::from)
 }
 
-/// Central difference of component `of` along `along`; the step is a power of two, so that places are exact.
+/// Central difference of component `of` along `along`; the step is a power of two, so that positions are exact.
 fn slope(field: &Swirls, place: [f32; 3], of: usize, along: usize) -> f64 {
     const STEP: f32 = 1.0 / 512.0;
     let place = place.map(|component| (component * 512.0).round() / 512.0);
@@ -63,7 +63,7 @@ fn divergence_is_zero_and_vorticity_is_not() {
 }
 
 #[test]
-fn swirls_turn_as_often_to_the_left_as_to_the_right() {
+fn swirls_rotate_equally_often_in_both_directions() {
     let field = field(1.0, 0.8);
     let (mut helicity, mut speed, mut vorticity) = (0.0, 0.0, 0.0);
     for place in places(4000) {
@@ -123,14 +123,14 @@ fn every_direction_is_as_strong_while_the_pattern_evolves() {
     }
 }
 
-/// The place at `skewed` coordinates of the lattice, in cells, of `field(1.0, _)`.
+/// The point at `skewed` coordinates of the lattice, in cells, of `field(1.0, _)`.
 fn from_skewed(skewed: [f64; 3]) -> [f32; 3] {
     let cells = skewed.map(|component| component + SHIFT);
     let lean = cells.iter().sum::<f64>() / 6.0;
     cells.map(|component| ((component - lean) * 0.8 / CELLS) as f32)
 }
 
-/// Root mean square speed at the same place of many cells.
+/// Root mean square speed at the same point of many cells.
 fn speed_within_cells(field: &Swirls, fraction: [f64; 3]) -> f64 {
     const CELL_COUNT: usize = 3000;
     let mut random = Random::new(11);
@@ -154,7 +154,7 @@ fn speed_is_even_within_the_cell() {
         let speed = speed_within_cells(&field, fraction.map(|i| f64::from(i) / f64::from(GRID)));
         (least, greatest) = (least.min(speed), greatest.max(speed));
     }
-    // 1.39 by the formula, and 2 % of chance at either end.
+    // 1.39 by the formula, with 2 % of noise in both directions.
     assert!(greatest / least < 1.45, "between {least} and {greatest} m/s");
 }
 
@@ -167,7 +167,7 @@ fn velocity_and_its_slopes_are_continuous_across_faces() {
     let (mut jumps, mut kinks, mut bends) = (0.0, 0.0, 0.0);
     for number in 0..3000 {
         let (a, b) = (share(), share());
-        // On the faces of the skewed cubes, and where two fractions are the same.
+        // On the faces of the skewed cubes, and where two fractions are equal.
         let face = [[0.0, a, b], [a, 0.0, b], [a, b, 0.0], [a, a, b], [a, b, a], [b, a, a]][number % 6];
         let across = [
             [1.0, 0.0, 0.0],
@@ -185,7 +185,7 @@ fn velocity_and_its_slopes_are_continuous_across_faces() {
         let [tiny_left, tiny_right] = [-0.01, 0.01].map(beside);
         for i in 0..3 {
             jumps = f64::max(jumps, (tiny_right[i] - tiny_left[i]).abs());
-            // The slope just left of the face against the slope just right of it, and how much slopes change at all.
+            // The change of the slope across the face, and the typical change of slopes.
             let slopes = [
                 left[i] - before[i],
                 middle[i] - left[i],
@@ -222,7 +222,7 @@ fn speed_stays_the_same_at_the_end_of_the_world() {
 }
 
 #[test]
-fn a_quarter_turn_of_the_phase_forgets_the_pattern() {
+fn a_quarter_turn_of_the_phase_replaces_the_pattern() {
     let (early, late) = (field(1.0, 0.0), field(1.0, std::f64::consts::FRAC_PI_2));
     let product = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mean: f64 = places(20_000)

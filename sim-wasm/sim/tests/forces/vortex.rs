@@ -7,7 +7,7 @@ use sim::Simulator;
 use sim::math::random::Random;
 
 const STEP: f64 = 1.0 / 60.0;
-/// So far that nothing fades.
+/// So far away that nothing fades.
 const FAR: (&str, f64) = ("vortices.0.reach", 1000.0);
 
 fn vortex(settings: &[(&'static str, f64)], at: [f32; 3]) -> Simulator {
@@ -47,7 +47,7 @@ fn the_core_of_rankine_turns_like_a_solid() {
     }
 }
 
-/// How far from the axis a particle is that is drawn in at `speed(r)`, by small steps of Runge and Kutta.
+/// Distance from the axis of a particle that moves inwards at `speed(r)`, by small Runge-Kutta steps.
 fn drawn_in(r: f64, seconds: f64, speed: impl Fn(f64) -> f64) -> f64 {
     let h = seconds / 20_000.0;
     (0..20_000).fold(r, |r, _| {
@@ -89,7 +89,7 @@ fn inflow_draws_in_by_its_closed_form_at_any_swirl() {
 }
 
 #[test]
-fn outflow_drives_away() {
+fn outflow_pushes_smoke_away() {
     let settings = [
         ("vortices.0.profile", 1.0),
         ("vortices.0.coreRadius", 0.5),
@@ -106,7 +106,7 @@ fn outflow_drives_away() {
 }
 
 #[test]
-fn the_strongest_inflow_neither_overshoots_nor_blows_up() {
+fn the_strongest_inflow_neither_overshoots_nor_diverges() {
     let settings = [
         ("vortices.0.coreRadius", 0.01),
         ("vortices.0.inflow", 20.0),
@@ -124,7 +124,7 @@ fn the_strongest_inflow_neither_overshoots_nor_blows_up() {
 }
 
 #[test]
-fn updraft_lifts_in_the_core_alone() {
+fn updraft_lifts_only_in_the_core() {
     let settings = [
         ("vortices.0.circulation", 2.0),
         ("vortices.0.coreRadius", 0.5),
@@ -152,7 +152,7 @@ fn a_region_weakens_inflow_and_updraft() {
     assert_eq!(place(&simulator, 0), [0.1, 0.0, 0.0]);
 }
 
-/// A scene with one of everything that has no chance in it; `side` -1 is its mirror image in the plane x = 0.
+/// A scene with one item of each kind without randomness. `side` -1 is its mirror image in the plane x = 0.
 fn scene(side: f64) -> Simulator {
     let settings = [
         ("vortices.0.circulation", 4.0 * side),
@@ -186,7 +186,7 @@ fn a_mirrored_scene_gives_the_mirrored_picture() {
     let mut moved = 0.0_f32;
     for i in 0..400 {
         let ([x, y, z], mirrored) = (place(&one, i), place(&other, i));
-        // An axis of rotation is mirrored by turning the other way: nothing but signs differs.
+        // Mirroring an axis reverses the rotation: only signs differ.
         assert_eq!([-x, y, z], mirrored, "particle {i}");
         moved = moved.max(x.abs());
     }

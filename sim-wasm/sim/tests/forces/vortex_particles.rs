@@ -6,7 +6,7 @@ use sim::forces::vortex_particles::{MAX_VORTEX_PARTICLES, VortexParticle};
 use sim::layout::limits::STEP;
 use sim::math::random::Random;
 
-/// At the origin, turning about z by one radian a second, that neither spreads nor noticeably fades.
+/// A vortex particle at the origin that rotates about z at 1 rad/s and neither spreads nor noticeably fades.
 const ONE: VortexParticle = VortexParticle {
     position: [0.0; 3],
     swirl: [0.0, 0.0, 1.0],
@@ -20,7 +20,7 @@ fn still(capacity: u32) -> Simulator {
     simulator(capacity, 1, &[STILL])
 }
 
-/// Velocity at `place` that `particle` gives the air, from the formula.
+/// Air velocity at `place` by `particle`, from the formula.
 fn closed_form(particle: &VortexParticle, place: [f32; 3]) -> [f64; 3] {
     let [x, y, z] = std::array::from_fn(|i| f64::from(place[i]) - f64::from(particle.position[i]));
     let [wx, wy, wz] = particle.swirl.map(f64::from);
@@ -41,7 +41,7 @@ fn anywhere(random: &mut Random, half: f32) -> [f32; 3] {
     std::array::from_fn(|_| random.signed() * half)
 }
 
-/// Many of all sizes, in a box that is longer than wide.
+/// Many vortex particles of all sizes in an elongated box.
 fn many(count: usize, seed: u32) -> Vec<VortexParticle> {
     let mut random = Random::new(seed);
     (0..count)
@@ -58,7 +58,7 @@ fn many(count: usize, seed: u32) -> Vec<VortexParticle> {
 }
 
 #[test]
-fn one_gives_the_velocity_of_the_formula_and_nothing_beyond_its_reach() {
+fn one_follows_the_velocity_formula_and_ends_at_its_reach() {
     let mut simulator = still(4);
     let particle = VortexParticle {
         position: [1.0, 2.0, -3.0],
@@ -82,7 +82,7 @@ fn one_gives_the_velocity_of_the_formula_and_nothing_beyond_its_reach() {
         place[direction] += 1.5001;
         assert_eq!(simulator.air_velocity(place), [0.0; 3]);
     }
-    // Across the axis, against the Gaussian that it stands for.
+    // Across the axis, compared with the Gaussian that it approximates.
     let mut alone = still(4);
     alone.add_vortex_particle(&ONE);
     for i in 0..150 {
@@ -109,7 +109,7 @@ fn the_divergence_vanishes() {
                 place[axis] += step;
                 f64::from(simulator.air_velocity(place)[part])
             };
-            // A difference of fourth order: what is left of it is rounding.
+            // A difference of fourth order: the remainder is rounding.
             (8.0 * (at(0.01) - at(-0.01)) - (at(0.02) - at(-0.02))) / 0.12
         };
         let divergence: f64 = (0..3).map(|axis| slope(axis, axis)).sum();
@@ -122,7 +122,7 @@ fn the_divergence_vanishes() {
 }
 
 #[test]
-fn all_together_give_the_sum_of_each() {
+fn all_together_equal_the_sum_of_each() {
     for seed in 0..4 {
         let all = many(1000, seed);
         let mut simulator = still(4);
@@ -154,7 +154,7 @@ fn smoke_circles_about_one() {
     let [x, y, z] = place(&simulator, 0).map(f64::from);
     let angle = speed / 0.4 * 240.0 * STEP;
     assert!(angle > 2.0, "it has to come around: {angle}");
-    // The midpoint rule lets the radius grow by a^4 / 8 for a turn by a, and the angle lag.
+    // With the midpoint rule the radius grows by a^4 / 8 for a rotation by a, and the angle lags.
     let expected = [0.4 * angle.cos(), 0.4 * angle.sin(), 0.2];
     assert!(
         distance([x, y, z].map(|part| part as f32), expected) < 2e-3,
@@ -164,7 +164,7 @@ fn smoke_circles_about_one() {
 }
 
 #[test]
-fn two_that_turn_against_each_other_travel_together() {
+fn two_of_opposite_rotation_travel_together() {
     let mut simulator = still(4);
     for side in [1.0, -1.0] {
         simulator.add_vortex_particle(&VortexParticle {
@@ -173,7 +173,7 @@ fn two_that_turn_against_each_other_travel_together() {
             ..ONE
         });
     }
-    // Each goes as fast as the other turns the air there.
+    // Each one moves at the speed of the air that the other one rotates.
     let particle = VortexParticle {
         swirl: [0.0, 0.0, 4.0],
         ..ONE
@@ -193,7 +193,7 @@ fn two_that_turn_against_each_other_travel_together() {
 }
 
 #[test]
-fn two_that_turn_alike_go_round() {
+fn two_of_the_same_rotation_orbit_each_other() {
     let mut simulator = still(4);
     for side in [1.0, -1.0] {
         simulator.add_vortex_particle(&VortexParticle {
@@ -202,14 +202,14 @@ fn two_that_turn_alike_go_round() {
             ..ONE
         });
     }
-    // A turn by a each step widens the circle by a^4 / 4, here 0.6 % in all; Euler's rule would make it twice as wide.
+    // A rotation by a in each step widens the circle by a^4 / 4, here 0.6 % in all; Euler's rule would double its size.
     steps(&mut simulator, 600);
     let [x, y, _] = simulator.vortex_particle(0).unwrap().position;
     assert!((x.hypot(y) - 0.25).abs() < 0.0025, "they drifted apart: {}", x.hypot(y));
 }
 
 #[test]
-fn they_go_with_wind_turbulence_and_vortices_like_smoke() {
+fn wind_turbulence_and_vortices_move_them_like_smoke() {
     let forces = [
         ("forces.wind.x", 0.7),
         ("turbulence.octaves", 2.0),
@@ -222,7 +222,7 @@ fn they_go_with_wind_turbulence_and_vortices_like_smoke() {
     simulator.add_vortex_particle(&VortexParticle { position: start, ..ONE });
     steps(&mut simulator, 120);
     let particle = simulator.vortex_particle(0).unwrap();
-    // A first step has no way before it that could be continued, so the two may differ by rounding only.
+    // A first step has no previous displacement to continue, so the two differ only by rounding.
     let apart = distance(particle.position, place(&simulator, 0).map(f64::from));
     assert!(apart < 1e-4, "{apart} m apart after 2 s");
     assert!(distance(particle.position, start.map(f64::from)) > 0.3);
@@ -252,7 +252,7 @@ fn one_spreads_and_fades_by_its_closed_form() {
         let (got, expected) = (simulator.air_velocity(place), closed_form(&now, place));
         assert!(distance(got, expected) < 3e-6, "after {t} s: {got:?}, not {expected:?}");
     }
-    // Sixtieths add up to 4 s but for rounding.
+    // Sixtieths add up to 4 s except for rounding.
     steps(&mut simulator, 2);
     assert_eq!(
         (simulator.vortex_particles(), simulator.air_velocity([0.1; 3])),
@@ -317,7 +317,7 @@ fn an_invalid_vortex_particle_is_rejected() {
     assert_eq!(simulator.vortex_particles(), 0);
 }
 
-/// Wind that sheds, vortex particles of all sizes and smoke among them.
+/// Wind with a shedder, vortex particles of all sizes, and smoke.
 fn with_vortex_particles() -> Simulator {
     let shedders = [
         ("shedders.0.rate", 300.0),
@@ -335,7 +335,7 @@ fn with_vortex_particles() -> Simulator {
 }
 
 #[test]
-fn restored_they_go_on_to_the_same_hash() {
+fn they_continue_from_a_restored_state_to_the_same_hash() {
     let mut original = with_vortex_particles();
     let mut restored = still(500);
     restored.add_vortex_particle(&ONE);

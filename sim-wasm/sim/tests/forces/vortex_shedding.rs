@@ -11,7 +11,7 @@ use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 /// Speed of the rigid (m/s).
 const SPEED: f32 = 3.0;
 
-/// At the upper and the lower side of a sphere of radius 0.2 m, by turns.
+/// Sheds alternately at the upper and the lower side of a sphere of radius 0.2 m.
 const STREET: &[(&str, f64)] = &[
     ("shedders.0.rate", 24.0),
     ("shedders.0.rigid", 0.0),
@@ -37,7 +37,7 @@ fn seeded_ball(seed: u32, settings: &[(&str, f64)]) -> Simulator {
     simulator
 }
 
-/// Goes along x for `count` steps, turned by `angle` about z.
+/// Moves along x for `count` steps, rotated by `angle` about z.
 fn go(simulator: &mut Simulator, from: f32, speed: f32, count: usize, angle: f32) {
     for step in 1..=count {
         let x = from + speed * step as f32 * STEP as f32;
@@ -54,13 +54,13 @@ fn all(simulator: &Simulator) -> Vec<VortexParticle> {
         .collect()
 }
 
-/// Fastest air around it (m/s), with the sign of its turn about z.
+/// Peak air speed around it (m/s), with the sign of its rotation about z.
 fn speed_of(particle: &VortexParticle) -> f32 {
     0.594_107 * particle.swirl[2] * particle.core_radius
 }
 
 #[test]
-fn as_many_are_shed_as_rate_and_time_say() {
+fn the_number_shed_follows_rate_and_time() {
     for (rate, count) in [(24.0, 48), (0.7, 1), (333.0, 666), (0.0, 0)] {
         let mut simulator = ball(&[("shedders.0.rate", rate)]);
         go(&mut simulator, 0.0, SPEED, 120, 0.0);
@@ -79,7 +79,7 @@ fn strength_follows_the_speed_through_the_air() {
             assert!((got - expected).abs() < 1e-3 * expected, "{got} m/s, not {expected}");
         }
     }
-    // Wind along with it: nothing passes. Wind past one at rest: the same as through still air.
+    // With a wind of the same velocity no air passes. Wind past a rigid at rest equals motion through still air.
     let mut carried = ball(&[("forces.wind.x", f64::from(SPEED))]);
     go(&mut carried, 0.0, SPEED, 60, 0.0);
     assert_eq!(carried.vortex_particles(), 0);
@@ -97,9 +97,9 @@ fn at_rest_nothing_is_shed() {
 }
 
 #[test]
-fn the_shear_layers_turn_as_the_wake_drags_them() {
+fn the_shear_layers_rotate_as_the_wake_drags_them() {
     for (speed, angle) in [(SPEED, 0.0), (-SPEED, 0.0), (SPEED, std::f32::consts::PI)] {
-        // So weak that they stay on their sides.
+        // Weak enough to stay on their sides.
         let mut simulator = ball(&[("shedders.0.perSpeed", 0.01), ("shedders.0.rate", 0.0)]);
         go(&mut simulator, 0.0, 0.0, 10, angle);
         simulator.set("shedders.0.rate", 24.0).unwrap();
@@ -108,7 +108,7 @@ fn the_shear_layers_turn_as_the_wake_drags_them() {
         for particle in all(&simulator) {
             let [_, y, z] = particle.position;
             assert!((y.abs() - 0.2).abs() < 0.03 && z.abs() < 1e-5, "shed at {y} {z}");
-            // Air in the wake goes along with the ball: towards +x it turns counter-clockwise above.
+            // Air in the wake follows the ball: for motion towards +x the vortices above rotate counter-clockwise.
             let turn = speed_of(&particle) * y.signum() * speed.signum();
             assert!(turn > 0.0, "the wrong sense at {y} at {speed} m/s, turned by {angle}");
             sides[usize::from(y > 0.0)] += 1;
@@ -118,7 +118,7 @@ fn the_shear_layers_turn_as_the_wake_drags_them() {
 }
 
 #[test]
-fn the_tips_of_a_wing_turn_against_each_other() {
+fn the_vortices_of_both_wing_tips_have_opposite_rotation() {
     let wing = [
         ("shedders.0.extent.y", 0.0),
         ("shedders.0.extent.z", 1.0),
@@ -135,8 +135,8 @@ fn the_tips_of_a_wing_turn_against_each_other() {
 }
 
 #[test]
-fn they_are_born_all_along_the_way() {
-    // Twenty a step: each at its own moment, so that the gaps within a step are those from step to step. With their axes
+fn they_are_born_along_the_whole_path() {
+    // Twenty per step, each at its own time, so the gaps within a step equal those between steps. With their axes
     // along the line they do not move each other.
     let line = [
         ("shedders.0.rate", 1200.0),
@@ -162,7 +162,7 @@ fn they_are_born_all_along_the_way() {
 }
 
 #[test]
-fn chance_scatters_them_by_seed() {
+fn the_seed_scatters_them() {
     let scattered = [
         ("shedders.0.scatter", 0.3),
         ("shedders.0.jitter", 0.5),
@@ -190,7 +190,7 @@ fn chance_scatters_them_by_seed() {
 }
 
 #[test]
-fn envelope_and_region_say_when_and_where() {
+fn envelope_and_region_limit_time_and_place() {
     let mut pulsing = ball(&[
         ("shedders.0.envelope.start", 0.5),
         ("shedders.0.envelope.duration", 0.5),
@@ -202,7 +202,7 @@ fn envelope_and_region_say_when_and_where() {
         ("shedders.0.region.size.x", 0.1),
         ("shedders.0.region.softness", 0.0),
     ];
-    // The region rides along: the sides of the ball are always outside of it.
+    // The region moves with the ball: the sides of the ball are always outside it.
     let mut simulator = ball(&within);
     go(&mut simulator, 0.0, SPEED, 60, 0.0);
     assert_eq!(simulator.vortex_particles(), 0);

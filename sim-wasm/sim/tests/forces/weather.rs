@@ -15,7 +15,7 @@ fn quadratic_drag_slows_like_one_over_time() {
             simulator.step();
             let t = f64::from(step) * STEP;
             let expected = v / (1.0 + c * v * t);
-            // The rate is that of the start of each step: a step's error is half the square of c v h.
+            // The rate is evaluated at the start of each step: the error of a step is half the square of c v h.
             assert_close("speed", slip(&simulator, 0)[0].into(), expected, 0.6 * c * v * STEP);
             let way = (1.0 + c * v * t).ln() / c;
             assert_close("way", place(&simulator, 0)[0].into(), way, 0.6 * c * v * STEP);
@@ -53,7 +53,7 @@ fn a_list_of_quadratic_drags_is_one_in_its_region() {
 }
 
 #[test]
-fn shear_makes_wind_grow_with_height_and_never_turns_it() {
+fn shear_increases_wind_with_height_and_never_reverses_it() {
     let settings = [
         ("winds.0.velocity.x", 2.0),
         ("winds.0.velocity.z", -1.0),
@@ -122,10 +122,10 @@ fn density(weather: &Weather, low: f64, high: f64, time: f64) -> f64 {
     (0..bins).map(power).sum::<f64>() / f64::from(bins) / time
 }
 
-/// Power of frequency with which the spectrum grows from wave `from` to wave `to`, as measured and by the law.
+/// Exponent of the spectrum between wave `from` and wave `to`, measured and by the law.
 fn slopes(from: i32, to: i32, time: f64) -> (f64, f64) {
     let weather = weather(1.0, 2.0);
-    // The waves stand at ratios of 1.46 from 0.05 Hz on; each band is one wave wide.
+    // The frequencies of the waves have a ratio of 1.46, from 0.05 Hz; each band contains one wave.
     let band = |n: i32| [-0.5, 0.5].map(|half| 0.05 * 1.46_f64.powf(f64::from(n) + half));
     let measured = |n: i32| density(&weather, band(n)[0], band(n)[1], time);
     let law = |n: i32| (1.0 + 0.1 * 1.46_f64.powi(n)).powf(-5.0 / 3.0);
@@ -145,7 +145,7 @@ fn beyond_the_gust_time_the_spectrum_falls_with_the_power_five_thirds() {
 }
 
 #[test]
-fn seeds_and_winds_have_gusts_of_their_own() {
+fn seeds_and_winds_have_different_gusts() {
     let weather = weather(1.0, 2.0);
     let product = |a: u32, b: u32| {
         (0..40_000_u32)
@@ -156,7 +156,7 @@ fn seeds_and_winds_have_gusts_of_their_own() {
     };
     assert_close("with itself", product(3, 3), 1.0, 0.05);
     let others: Vec<f64> = (0..8).map(|n| product(3, 100 + n)).collect();
-    // The waves are the same, so that two sums of them are alike by chance: never as one, and not on the mean.
+    // Both use the same waves, so two sums can be similar by chance, but never equal and not on average.
     assert!(others.iter().all(|value| value.abs() < 0.95), "{others:?}");
     assert!(others.iter().sum::<f64>().abs() < 8.0 * 0.5, "{others:?}");
     let settings = [("winds.0.gusts", 1.0), ("winds.1.gusts", 1.0)];

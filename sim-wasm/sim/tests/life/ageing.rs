@@ -7,7 +7,7 @@ use sim::particles::radius::RadiusLaw;
 
 const STEP: f32 = 1.0 / 60.0;
 
-/// Radii of one particle, step by step, until it is gone.
+/// Radii of one particle at each step until it dies.
 fn radii(growth_time: f32, lifetime: f32, size: f32) -> Vec<f32> {
     let mut simulator = simulator(1, 1, &[STILL, &[("emission.growthTime", f64::from(growth_time))]]);
     simulator.add(&Newborn {
@@ -21,7 +21,7 @@ fn radii(growth_time: f32, lifetime: f32, size: f32) -> Vec<f32> {
         radii.push(law.radius(size, simulator.particles().age[0], lifetime));
         simulator.step();
     }
-    // What the particle would have at the age at which it died.
+    // The value of the particle at the age at which it died.
     radii.push(law.radius(size, radii.len() as f32 * STEP, lifetime));
     radii
 }
@@ -44,7 +44,7 @@ fn radius_falls_by_one_share_a_step_to_exactly_zero() {
 }
 
 #[test]
-fn growth_begins_and_ends_at_zero_and_never_jumps() {
+fn growth_starts_and_ends_at_zero_and_is_continuous() {
     for (growth_time, lifetime) in [(0.5_f32, 3.0_f32), (2.0, 1.0), (0.05, 1.0)] {
         let radii = radii(growth_time, lifetime, 0.4);
         let bound = 0.4 * STEP * (1.0 / lifetime + 2.0 / growth_time);
@@ -65,7 +65,7 @@ fn growth_begins_and_ends_at_zero_and_never_jumps() {
 fn particles_die_at_their_time_whatever_slot_they_have() {
     let mut simulator = simulator(50, 1, &[STILL]);
     for i in 0..50 {
-        // Lifetimes between steps, in a scrambled order: whoever dies is not the last.
+        // Lifetimes between steps in a shuffled order, so that a dying particle is not the last one.
         let lifetime = ((i * 37 % 50) as f32 + 0.5) * STEP;
         simulator.add(&Newborn {
             lifetime,
@@ -75,7 +75,7 @@ fn particles_die_at_their_time_whatever_slot_they_have() {
     }
     for step in 1..=50 {
         simulator.step();
-        // In the step in which a life ends it is still drawn.
+        // A particle is still drawn in the step in which its life ends.
         assert_eq!(simulator.alive(), 51 - step);
         let particles = simulator.particles();
         for i in 0..simulator.alive() {

@@ -19,7 +19,7 @@ fn parameters(stops: &[(f64, f64)]) -> Parameters {
     parameters
 }
 
-/// Density at the share `worn` of a life so long that growth is over.
+/// Density at the fraction `worn` of a lifetime long enough that growth is complete.
 fn density(stops: &[(f64, f64)], worn: f64) -> f64 {
     let lifetime = 1000.0;
     f64::from(RadiusLaw::new(&parameters(stops)).radius(1.0, (worn * lifetime) as f32, lifetime as f32))
@@ -67,7 +67,7 @@ fn one_stop_is_a_constant_and_none_is_the_papers_law() {
 }
 
 #[test]
-fn stops_of_one_age_are_pulled_apart() {
+fn stops_of_the_same_age_are_separated() {
     let stops = [(0.5, 0.0), (0.5, 1.0), (0.5, 0.5)];
     for (worn, expected) in [
         (0.5, 0.0),
@@ -82,7 +82,7 @@ fn stops_of_one_age_are_pulled_apart() {
     }
 }
 
-/// Radii of a particle drawn at `parts` moments of each step, from its birth to its end.
+/// Radii of a particle at `parts` times within each step, from birth to death.
 fn drawn(simulator: &mut Simulator, parts: usize) -> Vec<f32> {
     let mut view = [0.0; sim::arrange::VIEW_FLOATS];
     (0..4).for_each(|i| view[4 + 5 * i] = 1.0);
@@ -135,9 +135,9 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn no_curve_ever_pops(
+    fn every_curve_is_continuous(
         stops in prop::collection::vec((0.0..=1.0_f64, 0.0..=1.0_f64), 0..=8),
-        // Repeated ages are what would jump.
+        // Repeated ages would cause a jump.
         grid in 1..8_i32,
         growth_time in 0.0..3.0_f64,
         lifetime in 0.2..5.0_f64,
@@ -171,12 +171,12 @@ fn grown(settings: &[(&str, f64)], seconds: f64) -> f64 {
 }
 
 #[test]
-fn size_grows_by_the_way_through_the_air() {
+fn size_grows_with_the_distance_through_the_air() {
     for seconds in [0.5, 2.0, 10.0] {
         let (drag, rate) = (("drag.rate", 1.6), 1.6_f64);
         let slowed = 0.1 + 0.12 * 3.0 * (1.0 - (-rate * seconds).exp()) / rate;
         let free = 0.1 + 0.12 * 3.0 * seconds;
-        // The wind carries smoke along with the air that it would take in.
+        // The wind carries smoke together with the air around it, so it adds no entrainment.
         let wind = ("forces.wind.x", 8.0);
         for (settings, expected) in [(&[][..], free), (&[drag][..], slowed), (&[drag, wind][..], slowed)] {
             let found = grown(settings, seconds);
@@ -190,7 +190,7 @@ fn size_grows_by_the_way_through_the_air() {
 }
 
 #[test]
-fn the_papers_integrator_counts_the_way_relative_to_the_air() {
+fn the_papers_integrator_uses_the_distance_relative_to_the_air() {
     let still = grown(&[("simulation.integrator", 1.0)], 2.0);
     assert!((still / (0.1 + 0.12 * 3.0 * 2.0) - 1.0).abs() < 2e-5, "{still}");
     let along = [("simulation.integrator", 1.0), ("forces.wind.x", 1.0)];

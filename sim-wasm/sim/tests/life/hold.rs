@@ -17,7 +17,7 @@ fn view(blend: f32) -> [f32; sim::arrange::VIEW_FLOATS] {
     view
 }
 
-/// Particles side by side, each with a seed of its own, in a steady wind.
+/// Particles side by side, each with a different seed, in a steady wind.
 fn procession(hold: f64) -> Simulator {
     let settings = [("forces.wind.x", 1.0), ("drag.rate", 1000.0), ("style.hold", hold)];
     let mut simulator = simulator(COUNT, 1, &[STILL, &settings]);
@@ -31,7 +31,7 @@ fn procession(hold: f64) -> Simulator {
     simulator
 }
 
-/// x of each particle as it is shown, in the order of their making.
+/// Shown x of each particle, in the order of birth.
 fn shown(simulator: &mut Simulator, blend: f32) -> Vec<f32> {
     let count = simulator.arrange(&view(blend)).unwrap();
     simulator.place()[..count].iter().map(|place| place[0]).collect()
@@ -46,7 +46,7 @@ fn rows(simulator: &mut Simulator) -> (Vec<[f32; 4]>, Vec<[u32; 2]>) {
 }
 
 #[test]
-fn each_moves_so_often_a_second_and_they_take_turns() {
+fn each_moves_at_the_held_rate_and_they_are_staggered() {
     for (hold, moves) in [(2.0, 12), (3.0, 8), (4.0, 6)] {
         let mut simulator = procession(hold);
         steps(&mut simulator, 30);
@@ -78,7 +78,7 @@ fn nothing_moves_between_steps() {
 }
 
 #[test]
-fn the_hash_knows_nothing_of_it_and_ones_are_as_if_never_held() {
+fn the_hash_ignores_it_and_hold_1_equals_no_hold() {
     let mut smooth = simulator(800, 4, &[LIVELY]);
     let mut held = simulator(800, 4, &[LIVELY, &[("style.hold", 4.0)]]);
     steps(&mut smooth, 200);
@@ -90,7 +90,7 @@ fn the_hash_knows_nothing_of_it_and_ones_are_as_if_never_held() {
 }
 
 #[test]
-fn saved_resized_and_restored_the_same_is_shown() {
+fn saving_resizing_and_restoring_keep_the_shown_rows() {
     let mut original = simulator(800, 4, &[LIVELY, &[("style.hold", 3.0)]]);
     steps(&mut original, 150);
     let mut restored = simulator(800, 9, &[STILL]);

@@ -30,7 +30,7 @@ fn straight(from: Vector, speed: f32) -> Path {
 }
 
 #[test]
-fn a_plate_drags_what_is_within_its_layer_by_the_closed_form() {
+fn a_plate_drags_particles_within_its_layer_by_the_closed_form() {
     for speed in [0.5, 20.0] {
         let mut simulator = simulator(16, 1, &[STILL]);
         let plate = RigidShape::Cuboid {
@@ -63,10 +63,10 @@ fn a_plate_drags_what_is_within_its_layer_by_the_closed_form() {
     }
 }
 
-/// A ball passes a particle at rest at the distance at which half of its speed acts at the nearest point. In its own
+/// A ball passes a particle at rest. At the nearest point half of the ball's speed acts on the particle. In the ball's
 /// frame x' = speed (f(d) - 1): integrated here in tiny steps.
 #[test]
-fn a_ball_that_passes_within_a_step_moves_a_particle_as_slow_integration_says() {
+fn a_ball_that_passes_within_a_step_moves_a_particle_as_a_fine_integration_does() {
     let (speed, radius, layer, off) = (60.0, 0.3, 0.3, 0.45);
     let mut simulator = simulator(16, 1, &[STILL]);
     simulator
@@ -115,14 +115,14 @@ fn a_spinning_drum_drags_air_around_and_off_is_off() {
         place(&simulator, 0)
     };
     assert_eq!(drum(0.0), [0.6, 0.0, 0.0]);
-    // Half way through the layer it goes with half of the surface's 1 m/s, on a circle of 0.6 m, but for the midpoint
+    // In the middle of the layer it moves at half of the surface's 1 m/s, on a circle of 0.6 m, except for the midpoint
     // rule's outward drift.
     let [x, _, z] = drum(0.2);
     let angle = (-z).atan2(x);
     assert!((angle - 0.5 / 0.6).abs() < 0.02, "{angle}");
 }
 
-/// Specks on a lattice that rise with the wind, to which those that were stopped soon return.
+/// Specks on a lattice that rise with the wind. Stopped ones soon follow the wind again.
 fn stream(settings: &[(&str, f64)]) -> Simulator {
     let mut simulator = simulator(20_000, 1, &[STILL, &[("drag.rate", 20.0)], settings]);
     for k in 0..16 * 16 * 70 {
@@ -184,21 +184,21 @@ fn a_tilted_plate_is_lifted_aside_by_the_law_of_the_flat_plate() {
     steps(&mut simulator, 6);
     let before = simulator.rigids().poses()[7];
     steps(&mut simulator, 1);
-    // Heavy: hardly moved yet. Only the large faces count for a thin plate, but the edges are told too.
+    // Heavy, so it has hardly moved yet. For a thin plate only the large faces count, but the edges contribute, too.
     let poses = simulator.rigids().poses();
     let speed = (poses[7] - before) / STEP;
     let (mass, sine, cosine) = (0.6 * 0.6 * 0.02 * 4_000.0, angle.sin(), angle.cos());
-    // It falls by 9.81 m/s2 meanwhile, and in the first step the specks have not moved yet.
+    // It falls at 9.81 m/s2 meanwhile, and in the first step the specks have not moved yet.
     let relative = 5.0 + 9.81 * 3.5 * STEP;
     let law = |area: f32, along: [f32; 2]| 10.0 * 0.5 * 1.2 * 1.17 * area * relative * relative * along[0] * along[1];
     let force = -law(0.36, [cosine, sine]) + law(0.012, [sine, cosine]);
-    // Rapier moves by the mean of its four substeps: of the last step's gain five eighths are seen.
+    // Rapier moves by the mean of its four substeps: five eighths of the last step's gain are visible.
     let expected = force / mass * 5.625 * STEP;
     assert!((speed / expected - 1.0).abs() < 0.05, "{speed} for {expected}");
 }
 
 #[test]
-fn a_heavy_rigid_hardly_notices_and_off_is_no_coupling_to_the_last_bit() {
+fn a_heavy_rigid_hardly_reacts_and_without_coupling_the_motion_is_bit_exact() {
     let run = |feels_smoke: f32, density: f32, wind: f64| {
         let mut simulator = stream(&[("forces.wind.y", wind)]);
         simulator.rigids_mut().add(plate(density, feels_smoke)).unwrap();
@@ -214,7 +214,7 @@ fn a_heavy_rigid_hardly_notices_and_off_is_no_coupling_to_the_last_bit() {
 }
 
 #[test]
-fn a_feather_that_is_restored_falls_on_to_the_same_hash() {
+fn a_restored_feather_continues_to_the_same_hash() {
     let mut first = stream(&[("forces.wind.y", 2.0), ("forces.wind.x", 0.3)]);
     first.rigids_mut().add(plate(2.0, 1.0)).unwrap();
     steps(&mut first, 30);

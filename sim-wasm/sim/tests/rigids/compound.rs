@@ -13,7 +13,7 @@ fn part(shape: RigidShape, position: [f32; 3], angle: f32) -> RigidPart {
     RigidPart { shape, pose }
 }
 
-/// One part of each shape, far enough from each other that no particle meets two of them.
+/// One part of each shape, so far apart that no particle collides with two of them.
 fn scattered() -> Vec<RigidPart> {
     let place = |k: usize| [3.0 * (k % 3) as f32, 3.0 * (k / 3) as f32, 0.5 * k as f32];
     let parts = shapes().into_iter().enumerate();
@@ -32,7 +32,7 @@ fn within(outer: &Pose, inner: &Pose) -> Pose {
     }
 }
 
-/// Particles about every part, flying at it.
+/// Particles around every part that fly towards it.
 fn shower(cloud: &mut Cloud, outer: &Pose) {
     for k in 0..900 {
         let centre = within(outer, &scattered()[k % scattered().len()].pose).position;
@@ -62,7 +62,7 @@ fn parts_of_a_compound_meet_particles_as_rigids_of_their_own_do() {
     }
     let moved = (0..900).filter(|&i| compound.particles.sx[i] != 0.0).count();
     assert!(moved > 800, "they hit: {moved}");
-    // Rounding decides whether one that grazes an edge hits it.
+    // Rounding decides whether a particle that grazes an edge hits it.
     let apart = |i: &usize| (compound.position(*i) - single.position(*i)).length() > 5e-3;
     let differing = (0..900).filter(apart).count();
     assert!(differing < 9, "{differing} of 900 are elsewhere");
@@ -98,7 +98,7 @@ fn a_compound_moves_as_one() {
         cloud.rigids.move_to(propeller, pose).unwrap();
         cloud.step(0.0);
     }
-    // A third of a turn of three blades sweeps the whole disc; what was swept goes with the blades, about y.
+    // A third of a turn of three blades sweeps the whole disc; swept particles move with the blades, about y.
     for i in 0..300 {
         let (at, slip) = (
             cloud.position(i),
@@ -122,7 +122,7 @@ fn a_dynamic_compound_falls_about_its_common_centre_of_mass() {
     for _ in 0..10 {
         rigids.advance(DT);
     }
-    // Falls freely so far: the parabola, no turning.
+    // It falls freely so far: a parabola without rotation.
     let fallen = 1.0 - rigids.poses()[8];
     let time = 10.0 * DT;
     assert!((fallen - 0.5 * 9.81 * time * time).abs() < 0.02, "{fallen}");

@@ -7,7 +7,7 @@ use sim::rigids::{Grab, RigidDescription, RigidKind, RigidShape, Rigids};
 
 const STIFFNESS: f32 = 20.0;
 
-/// The share of the way that is left after `steps` steps from rest.
+/// The remaining fraction of the path after `steps` steps from rest.
 fn left(steps: i32) -> f32 {
     let a = STIFFNESS * DT;
     (1.0 + steps as f32 * a / (1.0 + a)) / (1.0 + a).powi(steps)
@@ -18,7 +18,7 @@ fn grab(anchor: [f32; 3], target: [f32; 3]) -> Grab {
 }
 
 #[test]
-fn a_kinematic_rigid_follows_as_the_closed_form_says_and_is_never_thrown_there() {
+fn a_kinematic_rigid_follows_the_closed_form_and_never_jumps() {
     let mut cloud = Cloud::new(1);
     cloud.rigids.add(kinematic(RigidShape::Ball { radius: 0.3 })).unwrap();
     cloud.rigids.drag(0, grab([0.0, 0.2, 0.0], [3.0, 0.2, 0.0])).unwrap();
@@ -35,7 +35,7 @@ fn a_kinematic_rigid_follows_as_the_closed_form_says_and_is_never_thrown_there()
     assert_eq!(cloud.pose(0), released);
 }
 
-/// A ball of 0.1 m radius that weighs `mass` kg, dragged by its middle; how far it came at each step.
+/// A ball of 0.1 m radius that weighs `mass` kg, dragged by its centre: its displacement at each step.
 fn response(mass: f32) -> Vec<f32> {
     let volume = 4.0 / 3.0 * std::f32::consts::PI * 1e-3;
     let mut rigids = Rigids::new();

@@ -42,7 +42,7 @@ fn pose(rigids: &Rigids) -> Pose {
     }
 }
 
-/// Seconds of a swing in the xy plane, from twelve passages through the vertical.
+/// Period (s) in the xy plane, from twelve passages through the vertical.
 fn period(rigids: &mut Rigids) -> f32 {
     let mut passages = Vec::new();
     let mut before = pose(rigids).position.x;
@@ -163,7 +163,7 @@ fn a_fixed_joint_a_rope_and_a_spring_hold() {
     roped
         .add_joint(&joint(JointKind::Rope { length: 0.7 }, Vector::ZERO))
         .unwrap();
-    // 500 kg/m3: it weighs 20.55 N, which draws 100 N/m out by 0.2055 m.
+    // At 500 kg/m3 it weighs 20.55 N, which extends 100 N/m by 0.2055 m.
     let mut sprung = hung(ball, below(0.5));
     let spring = JointKind::Spring {
         length: 0.5,

@@ -53,7 +53,7 @@ fn keyframes_are_joined_at_an_even_pace_and_hold_or_loop() {
             } else {
                 time.min(2.0)
             };
-            // Up and down between 0 and 2, of place and angle alike.
+            // Position and angle alternate between 0 and 2.
             let expected = if within < 1.0 {
                 4.0 * (within - 0.5).max(0.0)
             } else {
@@ -181,7 +181,7 @@ fn a_spline_is_the_centripetal_one() {
 }
 
 #[test]
-fn spin_goes_with_a_path_and_with_a_target() {
+fn spin_combines_with_a_path_and_with_a_target() {
     let axis = Vector::new(0.0, 0.6, 0.8);
     let spinning = RigidDescription {
         spin: Spin { axis, rate: -50.0 },
@@ -211,7 +211,7 @@ fn spin_goes_with_a_path_and_with_a_target() {
             assert!(error < 1e-3, "step {step}, rigid {index}: {error}");
         }
     }
-    // A change of the rate goes on from the angle that was reached.
+    // A change of the rate continues from the current angle.
     let before = pose(&rigids, 1);
     rigids.set_spin(1, axis.into(), 3.0).unwrap();
     rigids.advance(DT);
@@ -221,7 +221,7 @@ fn spin_goes_with_a_path_and_with_a_target() {
 }
 
 #[test]
-fn a_path_goes_by_the_time_of_the_simulator_through_save_and_restore() {
+fn a_path_follows_the_time_of_the_simulator_through_save_and_restore() {
     let path = Path::Spline {
         points: ring(7),
         pace: Pace::Duration(2.0),
@@ -237,7 +237,7 @@ fn a_path_goes_by_the_time_of_the_simulator_through_save_and_restore() {
     };
     let mut simulator = Simulator::new(10, 1).unwrap();
     (0..50).for_each(|_| simulator.step());
-    // Nothing to save of rigids yet, but the time goes on in what is restored.
+    // There are no rigids to save yet, but the time continues in the restored simulator.
     let mut twin = Simulator::new(10, 1).unwrap();
     twin.restore(&simulator.save()).unwrap();
     for simulator in [&mut simulator, &mut twin] {
@@ -250,7 +250,7 @@ fn a_path_goes_by_the_time_of_the_simulator_through_save_and_restore() {
     (0..77).for_each(|_| simulator.step());
     (0..77).for_each(|_| third.step());
     assert_eq!(third.hash(), simulator.hash());
-    // 167 steps of 120 in a round.
+    // A round takes 120 steps; 167 have been taken.
     let at = pose(simulator.rigids(), 0).position;
     let angle = std::f32::consts::TAU * 167.0 / 120.0;
     assert!(

@@ -9,7 +9,7 @@ use sim::math::vector::Vector;
 use sim::particles::Newborn;
 use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
-/// Four particles fly at a thin plate across y = 0, two fly past it; a tint that one has is its number's.
+/// Four particles fly towards a thin plate across y = 0, two fly past it. A tint identifies its particle.
 fn with_plate(action: Option<Action>, settings: &[(&str, f64)]) -> Simulator {
     let mut simulator = simulator(16, 1, &[STILL, settings]);
     if let Some(action) = action {
@@ -61,12 +61,12 @@ fn both(action: Action) -> [Simulator; 2] {
 }
 
 #[test]
-fn what_touches_a_killing_plate_dies_in_that_step_and_nothing_else_does() {
+fn a_killing_plate_kills_exactly_the_touching_particles_in_that_step() {
     for mut simulator in both(Action::Kill) {
         let mut expected = 6;
         for step in 1..=8 {
             steps(&mut simulator, 1);
-            // Half a metre a step: number k touches when 1 + 0.3 k - 0.5 step <= 0.051.
+            // Half a metre per step: number k touches when 1 + 0.3 k - 0.5 step <= 0.051.
             let gone = (0..4)
                 .filter(|k| 1.0 + 0.3 * *k as f32 - 0.5 * step as f32 <= 0.051)
                 .count();
@@ -79,7 +79,7 @@ fn what_touches_a_killing_plate_dies_in_that_step_and_nothing_else_does() {
 }
 
 #[test]
-fn what_touches_a_tinting_plate_flies_on_with_its_tint() {
+fn a_tinting_plate_tints_touching_particles_without_stopping_them() {
     for mut simulator in both(Action::Tint(11)) {
         steps(&mut simulator, 12);
         assert_eq!(tints(&simulator), [11, 11, 11, 11, 0, 0]);

@@ -86,7 +86,7 @@ fn unknown_keys_are_errors_with_the_key() {
 }
 
 #[test]
-fn a_bundle_is_set_whole_or_not_at_all() {
+fn a_set_of_values_is_applied_completely_or_not_at_all() {
     let mut simulator = Simulator::new(100, 1).unwrap();
     let before = *simulator.parameters();
     let bundle = [

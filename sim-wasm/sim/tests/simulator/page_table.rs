@@ -20,7 +20,7 @@ fn the_page_has_the_lists_of_the_simulator() {
 }
 
 #[test]
-fn every_parameter_of_a_list_says_what_it_does() {
+fn every_parameter_of_a_list_has_a_label_and_a_text() {
     for row in rows().iter().filter(|row| row.is_of_list) {
         assert!(!row.meta.label.is_empty(), "{} has no label", row.key);
         assert!(

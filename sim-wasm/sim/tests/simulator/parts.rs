@@ -8,13 +8,13 @@ use sim::layout::scope::parts::{FIRST_PART, MAX_PARTS, PART_FLOATS};
 use sim::math::pose::{Pose, rotation_about};
 use sim::math::vector::Vector;
 
-/// The second part: the first one stands aside.
+/// The second part; the first one is out of the way.
 const SECOND: f64 = FIRST_PART as f64 + 1.0;
-/// Turns of the part (rad/s) about z.
+/// Angular velocity of the part (rad/s) about z.
 const RATE: f64 = 20.0;
 const HUB: [f32; 3] = [1.0, 0.5, 0.0];
 
-/// A nozzle on the second part, 600 births a second, that adds no speed of its own.
+/// A nozzle on the second part with 600 births per second that adds no speed.
 const NOZZLE: &[(&str, f64)] = &[
     ("emission.rate", 600.0),
     ("emission.lifetime", 60.0),
@@ -24,7 +24,7 @@ const NOZZLE: &[(&str, f64)] = &[
     ("emitters.0.rigid", SECOND),
 ];
 
-/// Where the part is at `time` (s): it turns about z on the spot.
+/// Pose of the part at `time` (s): it rotates about z in place.
 fn propeller(time: f64) -> Pose {
     Pose {
         position: HUB.into(),
@@ -32,7 +32,7 @@ fn propeller(time: f64) -> Pose {
     }
 }
 
-/// Where the part is at `time` (s): it turns and goes.
+/// Pose of the part at `time` (s): it rotates and moves.
 fn wheel(time: f64) -> Pose {
     Pose {
         position: Vector::new(1.5 * time as f32, 0.4, -0.3),
@@ -40,7 +40,7 @@ fn wheel(time: f64) -> Pose {
     }
 }
 
-/// What `Parts::place` takes, for a part that stands aside and one that goes as `pose` tells.
+/// Arguments of `Parts::place` for a part out of the way and one with the pose `pose`.
 fn numbers(carrier: f32, step: u64, pose: impl Fn(f64) -> Pose) -> Vec<f32> {
     let flat = |pose: Pose| {
         let [x, y, z]: [f32; 3] = pose.position.into();
@@ -81,7 +81,7 @@ fn a_nozzle_on_the_tip_of_a_propeller_leaves_an_even_circle() {
 }
 
 #[test]
-fn a_share_of_the_velocity_of_the_tip_goes_along() {
+fn a_fraction_of_the_velocity_of_the_tip_is_inherited() {
     for inherit in [0.25, 1.0] {
         let mut simulator = simulator(4000, 1, &[STILL, NOZZLE, &[("emitters.0.inherit", inherit)]]);
         (0..10).for_each(|_| advance(&mut simulator, propeller));
@@ -116,7 +116,7 @@ fn parts_without_a_pose_are_fixed_in_the_world() {
 }
 
 #[test]
-fn parts_change_nothing_that_does_not_ride_on_them() {
+fn parts_affect_only_items_attached_to_them() {
     let run = |places_parts: bool| {
         let mut simulator = simulator(2000, 5, &[LIVELY]);
         for _ in 0..60 {
@@ -131,7 +131,7 @@ fn parts_change_nothing_that_does_not_ride_on_them() {
     assert_eq!(run(true), run(false));
 }
 
-/// Something of each kind on the second part.
+/// One item of each kind on the second part.
 const RIDERS: &[(&str, f64)] = &[
     ("emission.rate", 120.0),
     ("emitters.0.rigid", SECOND),
@@ -147,13 +147,13 @@ const RIDERS: &[(&str, f64)] = &[
 ];
 
 #[test]
-fn a_saved_state_goes_on_as_what_was_saved() {
+fn a_saved_state_continues_like_the_original() {
     let mut whole = simulator(500, 3, &[RIDERS]);
     (0..30).for_each(|_| advance(&mut whole, wheel));
     let saved = whole.save();
     (0..30).for_each(|_| advance(&mut whole, wheel));
 
-    // Poses that were given for another step must not matter.
+    // Poses given for another step have no effect.
     let mut other = simulator(500, 9, &[]);
     other.place_parts(&numbers(-1.0, 400, propeller)).unwrap();
     other.restore(&saved).unwrap();
@@ -162,7 +162,7 @@ fn a_saved_state_goes_on_as_what_was_saved() {
 }
 
 #[test]
-fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
+fn a_take_with_an_input_that_reads_the_air_replays_from_every_state() {
     let mut simulator = simulator(500, 3, &[RIDERS]);
     simulator.record();
     let mut states = Vec::new();
@@ -171,7 +171,7 @@ fn a_take_is_replayed_from_every_state_though_an_input_looks_at_the_air() {
             states.push(simulator.save());
         }
         if step == 20 {
-            // Changes the particles at once, by the air where they are.
+            // Changes the particles at once, by the air at their positions.
             simulator.input_values(&[("simulation.integrator", 1.0)]).unwrap();
         }
         advance(&mut simulator, wheel);
@@ -226,11 +226,11 @@ mod on_rigids {
     use sim::math::pose::product;
     use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
-    /// So small that nothing bumps into it.
+    /// Small enough that nothing collides with it.
     const SPECK: RigidShape = RigidShape::Ball { radius: 0.001 };
     const FAR: [f32; 3] = [0.0, -50.0, 0.0];
 
-    /// A rigid that stands aside and one that goes as `pose` tells.
+    /// A rigid that is out of the way, and one with the pose `pose`.
     fn rigged(settings: &[&[(&str, f64)]], pose: impl Fn(f64) -> Pose) -> Simulator {
         let mut simulator = simulator(1000, 1, settings);
         for pose in [Pose::at(FAR.into()), pose(0.0)] {
@@ -245,7 +245,7 @@ mod on_rigids {
         simulator.rigids_mut().move_to(1, pose(end)).unwrap();
     }
 
-    /// Something of each kind of which it shows at once whether it rides.
+    /// One item of each kind that shows at once whether it follows its carrier.
     const KINDS: &[&[(&str, f64)]] = &[
         &[
             ("emitters.0.position.x", 0.3),
@@ -271,7 +271,7 @@ mod on_rigids {
         ],
     ];
 
-    /// The greatest distance (m) between two particles of the same number.
+    /// The largest distance (m) between two particles of the same index.
     fn farthest(ours: &Simulator, expected: &Simulator) -> f32 {
         assert_eq!(ours.alive(), expected.alive());
         let pairs = places(ours).into_iter().zip(places(expected));
@@ -280,7 +280,7 @@ mod on_rigids {
             .fold(0.0, f32::max)
     }
 
-    /// The settings and the key that lets them ride.
+    /// The settings, and the key that attaches them.
     fn with_smoke(kind: &[(&str, f64)], rigid: f64) -> Simulator {
         let list = kind[0].0.split('.').next().unwrap();
         let key = format!("{list}.0.rigid");
@@ -294,7 +294,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn each_kind_rides_on_a_part_as_on_a_rigid_of_the_same_way() {
+    fn each_kind_follows_a_part_as_a_rigid_on_the_same_path() {
         for kind in KINDS {
             let runs = [1.0, SECOND, -1.0].map(|rigid| {
                 let mut simulator = with_smoke(kind, rigid);
@@ -312,7 +312,7 @@ mod on_rigids {
         }
     }
 
-    /// Where the part stands on its carrier at `time` (s).
+    /// Pose of the part on its carrier at `time` (s).
     fn on_carrier(time: f64) -> Pose {
         Pose {
             position: Vector::new(0.2, 0.3 * time as f32, 0.1),
@@ -320,7 +320,7 @@ mod on_rigids {
         }
     }
 
-    /// Where it is in the world when its carrier goes as `wheel` tells.
+    /// Pose of the part in the world when its carrier has the pose of `wheel`.
     fn carried(time: f64) -> Pose {
         let (carrier, own) = (wheel(time), on_carrier(time));
         // The sandwich product, written out.
@@ -334,7 +334,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn each_kind_rides_on_a_part_that_a_rigid_carries() {
+    fn each_kind_follows_a_part_on_a_rigid() {
         for kind in KINDS {
             let run = |carrier: f32, pose: fn(f64) -> Pose| {
                 let mut simulator = with_smoke(kind, SECOND);
@@ -370,7 +370,7 @@ mod on_rigids {
     }
 
     #[test]
-    fn a_saved_state_goes_on_on_a_carrier_that_moves() {
+    fn a_saved_state_continues_on_a_moving_carrier() {
         let run = |simulator: &mut Simulator, count: usize| {
             for _ in 0..count {
                 move_rigid(simulator, wheel);

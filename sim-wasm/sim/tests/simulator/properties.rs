@@ -9,13 +9,13 @@ use sim::life::WORLD_RADIUS;
 
 const PARTICLES: u32 = 300;
 const STEPS: usize = 120;
-/// In the test that always runs, and in the long one.
+/// Number of cases in the ordinary test and in the long one.
 const CASES: u32 = 96;
 const MANY_CASES: u32 = 4000;
 
 type Entries = Vec<(String, f64)>;
 
-/// Both ends, the middle of the range, and values near the default and near zero, where most that is divided by lies.
+/// Both ends, the middle of the range, and values near the default and near zero, where most divisors are.
 fn any_number(row: &Row) -> impl Strategy<Value = f64> + use<> {
     let (min, max, whole, default) = (row.meta.min, row.meta.max, row.meta.whole, row.default);
     let cubed = move |s: f64| s * s * s * (max - min) * 0.01;
@@ -49,7 +49,7 @@ fn any_parameters() -> impl Strategy<Value = Entries> {
     })
 }
 
-/// A simulator with these parameters, and births to begin with.
+/// A simulator with these parameters and some births.
 fn simulator(entries: &Entries, seed: u32) -> Simulator {
     let mut simulator = Simulator::new(PARTICLES, seed).unwrap();
     let births = [("emission.rate", 600.0), ("emitters.0.share", 1.0)];
@@ -59,7 +59,7 @@ fn simulator(entries: &Entries, seed: u32) -> Simulator {
     simulator
 }
 
-/// After each step, all that lives has finite numbers and is in the world.
+/// After each step all living particles have finite numbers and are in the world.
 fn stays_sound(simulator: &mut Simulator) -> Result<(), TestCaseError> {
     for step in 0..STEPS {
         steps(simulator, 1);
@@ -127,7 +127,7 @@ mod rigids {
         TOP_SPEED,
     };
 
-    /// A few metres, so that things meet, or anywhere in the world.
+    /// Within a few metres, so that items interact, or anywhere in the world.
     fn any_place() -> impl Strategy<Value = [f32; 3]> {
         prop_oneof![
             8 => prop::array::uniform3(-2.0..2.0_f32),
@@ -208,7 +208,7 @@ mod rigids {
         prop_oneof![keyframes, spline]
     }
 
-    /// Where it goes and how fast it spins as a share of what its size allows; what is not kinematic does neither.
+    /// Its path, and its spin as a fraction of the limit for its size. Only kinematic rigids have them.
     fn any_description() -> impl Strategy<Value = (RigidDescription, f32)> {
         let kind = prop_oneof![
             Just(RigidKind::Fixed),
@@ -255,7 +255,7 @@ mod rigids {
         ]
     }
 
-    /// The fastest spin (rad/s) that the simulator takes for it: it tells, when one that is too fast is refused.
+    /// The fastest spin (rad/s) that the simulator accepts for it, taken from the error for a faster one.
     fn fastest(simulator: &mut Simulator, index: u32) -> f32 {
         let mut rate = 1e6;
         while let Err(error) = simulator.rigids_mut().set_spin(index, [0.0, 1.0, 0.0], rate) {
@@ -290,7 +290,8 @@ mod rigids {
         })
     }
 
-    /// Puts in all that is accepted: what has no volume in single precision, or joins two that stand still, is not.
+    /// Adds everything that is accepted. Not accepted are shapes without volume in single precision and joints of two
+    /// fixed rigids.
     fn furnish(simulator: &mut Simulator, world: &World) {
         for (description, spin) in &world.rigids {
             let Ok(index) = simulator.rigids_mut().add(description.clone()) else {

@@ -5,7 +5,7 @@ use sim::Simulator;
 use sim::math::random::Random;
 use sim::particles::Newborn;
 
-/// A simulator in the middle of things: full, with births that wait.
+/// A running simulator: full, with waiting births.
 fn busy() -> Simulator {
     let mut simulator = simulator(500, 3, &[LIVELY]);
     steps(&mut simulator, 100);
@@ -14,10 +14,10 @@ fn busy() -> Simulator {
 }
 
 #[test]
-fn restored_it_goes_on_to_the_same_hash() {
+fn it_continues_from_a_restored_state_to_the_same_hash() {
     let mut original = busy();
     let bytes = original.save();
-    // Another seed, another capacity, other parameters, other particles: nothing of it may remain.
+    // Another seed, capacity, parameters and particles, none of which may remain.
     let mut restored = simulator(
         900,
         99,
@@ -31,7 +31,7 @@ fn restored_it_goes_on_to_the_same_hash() {
         (original.hash(), 100, original.waiting())
     );
     assert_eq!(restored.parameters(), original.parameters());
-    // The larger one has more room for what waits: go on with the same capacity.
+    // The larger one has more room for waiting particles: continue with the same capacity.
     restored.resize(500).unwrap();
     assert!(restored.save() == bytes, "something was not restored");
     for _ in 0..60 {
@@ -80,7 +80,7 @@ fn exceeding_the_capacity_is_an_error() {
 }
 
 #[test]
-fn a_larger_capacity_carries_over_all_that_lives() {
+fn a_larger_capacity_keeps_all_living_particles() {
     let mut simulator = busy();
     let (hash, waiting) = (simulator.hash(), simulator.waiting());
     simulator.resize(2000).unwrap();
@@ -93,7 +93,7 @@ fn a_larger_capacity_carries_over_all_that_lives() {
 }
 
 #[test]
-fn a_smaller_capacity_keeps_what_has_most_of_its_life_left() {
+fn a_smaller_capacity_keeps_the_particles_with_the_longest_remaining_life() {
     let mut simulator = simulator(100, 1, &[STILL]);
     for i in 0..100 {
         let age = (i * 37 % 100) as f32 * 0.01;

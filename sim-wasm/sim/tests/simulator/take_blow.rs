@@ -13,7 +13,7 @@ const BLOW: BlowNumbers = BlowNumbers {
     seconds: 0.5,
 };
 
-/// How far each particle, one at each place, is carried by a whole blow.
+/// Displacement by a whole gust of one particle at each position.
 fn carried(places: &[[f32; 3]], blow: &BlowNumbers) -> Vec<[f32; 3]> {
     let mut simulator = simulator(places.len() as u32, 1, &[STILL, &[("emission.rate", 0.0)]]);
     places.iter().for_each(|place| assert!(simulator.add(&newborn(*place))));
@@ -25,7 +25,7 @@ fn carried(places: &[[f32; 3]], blow: &BlowNumbers) -> Vec<[f32; 3]> {
 
 #[test]
 fn a_gentle_blow_carries_by_the_integral_of_its_level() {
-    // The integral of 16 s^2 (1 - s)^2 over the gust's time T is 8/15 T; a slow one moves nobody off the ray.
+    // The integral of 16 s^2 (1 - s)^2 over the gust's time T is 8/15 T; a slow gust moves no particle off the ray.
     let gentle = BlowNumbers {
         velocity: [0.0, 0.05, 0.0],
         ..BLOW
@@ -65,7 +65,7 @@ fn many_blows_at_once_are_bounded() {
         simulator.input_blow(&BlowNumbers { seconds: 10.0, ..BLOW }).unwrap();
         simulator.step();
     }
-    // Sixteen of the hundred blow, the eldest of them for 16 of its 600 steps.
+    // Sixteen of the hundred gusts are active, the oldest for 16 of its 600 steps.
     let most = 16.0 * 2.0 * 16.0 * (16.0_f32 / 600.0).powi(2);
     let speed = simulator.air_velocity([0.0; 3])[1];
     assert!(speed > 0.0 && speed < most, "{speed}");

@@ -31,7 +31,7 @@ fn running() -> Simulator {
     running
 }
 
-/// Bytes whose envelope holds again, as somebody who knows the format could send them.
+/// Bytes with a recomputed envelope, as an attacker could send them.
 fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     let mut hash = Hash::new();
     let (words, rest) = bytes[16..].as_chunks::<4>();
@@ -109,7 +109,7 @@ fn an_error_changes_nothing() {
     assert!(simulator(5, 1, &[]).replay(&bytes).is_err(), "no start to set out from");
 }
 
-/// Damage behind a checksum that holds: refused, or taken for what it says; never a panic, and nothing half done.
+/// Damage with a valid checksum is rejected or accepted as valid data; never a panic or a partial change.
 fn survive(bytes: &[u8], running: &mut Simulator) {
     let before = (running.hash(), running.steps());
     if running.replay(bytes).is_err() && running.restore(bytes).is_err() {

@@ -9,7 +9,7 @@ use sim::simulator::take::Take;
 
 const CAPACITY: u32 = 400;
 
-/// The scene of all these takes: lively smoke and, where there are rigids, a ball that people move.
+/// The scene of all these takes: lively smoke and, with rigids, a ball that the user moves.
 fn scene(seed: u32) -> Simulator {
     #[cfg_attr(not(feature = "rigids"), allow(unused_mut))]
     let mut scene = simulator(CAPACITY, seed, &[LIVELY]);
@@ -31,7 +31,7 @@ fn recording(seed: u32) -> Simulator {
     scene
 }
 
-/// Plays a script and tells steps and hash after each of its acts and at the end.
+/// Plays a script and returns steps and hash after each of its inputs and at the end.
 fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
     let mut moments = Vec::new();
     for (wait, act) in script {
@@ -48,7 +48,7 @@ fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
     moments
 }
 
-/// Hashes at the same moments, without doing anything. Of several acts in one step the last one's hash counts.
+/// Asserts the hashes at the same steps, without inputs. Of several inputs in one step, the hash after the last one counts.
 fn follow(simulator: &mut Simulator, moments: &[(u64, u64)]) {
     for (index, (step, hash)) in moments.iter().enumerate() {
         if moments.get(index + 1).is_some_and(|(next, _)| next == step) {
@@ -64,11 +64,11 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_replay_comes_to_the_same_hashes(script in script(), seed in 0_u32..100) {
+    fn a_replay_reaches_the_same_hashes(script in script(), seed in 0_u32..100) {
         let mut live = recording(seed);
         let moments = play(&mut live, &script);
         let bytes = live.take("").unwrap();
-        // Another seed, other values, and something going on: a take brings all of it along.
+        // Another seed, other values and a running simulation: a take replaces all of it.
         let mut other = recording(seed + 1);
         other.input_values(&[("forces.drag", 3.0)]).unwrap();
         steps(&mut other, 10);
@@ -81,7 +81,7 @@ proptest! {
     }
 
     #[test]
-    fn seeking_back_and_forth_comes_to_the_same_hashes(script in script(), kept in 1_u64..200, twice in 0..2) {
+    fn seeking_back_and_forth_reaches_the_same_hashes(script in script(), kept in 1_u64..200, twice in 0..2) {
         let mut live = recording(5);
         let mut states = Vec::new();
         let mut moments = Vec::new();
@@ -108,7 +108,7 @@ proptest! {
     }
 
     #[test]
-    fn a_take_may_begin_in_the_middle_of_things(script in script(), first in 1_usize..80) {
+    fn a_take_can_start_in_a_running_simulation(script in script(), first in 1_usize..80) {
         let mut live = scene(9);
         steps(&mut live, first);
         live.record();
@@ -228,7 +228,7 @@ fn invalid_inputs_are_errors_with_their_key() {
     assert_eq!((live.hash(), live.inputs()), before);
 }
 
-/// A blow across the plume at a speed (m/s).
+/// A gust across the plume at a speed (m/s).
 fn puff(speed: f64) -> BlowNumbers {
     BlowNumbers {
         origin: [0.0, 1.0, 5.0],

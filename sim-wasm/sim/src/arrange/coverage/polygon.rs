@@ -93,7 +93,7 @@ mod tests {
     use crate::math::random::Random;
 
     #[test]
-    fn holds_every_point_between_its_discs_and_hardly_more() {
+    fn contains_every_point_between_its_discs_and_hardly_more() {
         let mut random = Random::new(4);
         for _ in 0..200 {
             let discs: Vec<[f32; 3]> = (0..5)

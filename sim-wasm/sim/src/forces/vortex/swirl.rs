@@ -181,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn velocity_is_that_of_the_formula() {
+    fn velocity_follows_the_formula() {
         let vortex = Vortex {
             circulation: 3.0,
             core_radius: 0.4,

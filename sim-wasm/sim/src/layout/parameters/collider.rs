@@ -23,29 +23,29 @@ impl Item for ColliderParameters {
     const FIELDS: &'static [Field<Self>] = &[
         number("shape", "1", [0.0, 3.0], 0.0, |c: &mut Self| &mut c.shape)
             .named(&["plane", "ball", "box", "capsule"])
-            .says("Shape", "What smoke bumps into."),
+            .says("Shape", "Shape that smoke collides with."),
         vector("position", "m", PLACE, [0.0; 3], |c: &mut Self| &mut c.position)
-            .says("Place", "Its centre, or a point on the plane."),
+            .says("Position", "Centre, or a point on the plane."),
         vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |c: &mut Self| &mut c.axis)
-            .says("Axis", "Where the plane faces, or the way up of a box or capsule."),
+            .says("Axis", "Normal of the plane, or the up axis of a box or capsule."),
         vector("halfExtents", "m", LENGTH, [0.5; 3], |c: &mut Self| &mut c.half_extents).says(
             "Half sides",
-            "Half sides of a box; of a capsule y is half its straight part.",
+            "Half sides of a box. For a capsule, y is half the length of its straight part.",
         ),
         number("radius", "m", LENGTH, 0.5, |c: &mut Self| &mut c.radius).says("Radius", "Radius of a ball or capsule."),
         number("restitution", "1", SHARE, 0.1, |c: &mut Self| &mut c.restitution)
-            .says("Bounce", "Share of the speed with which smoke comes back."),
+            .says("Bounce", "Fraction of the normal speed that smoke keeps when it bounces."),
         number("friction", "1", SHARE, 0.2, |c: &mut Self| &mut c.friction)
-            .says("Friction", "Share of the speed along it that smoke loses."),
+            .says("Friction", "Fraction of the tangential speed that smoke loses."),
         number("roughness", "1", SHARE, 0.0, |c: &mut Self| &mut c.roughness).says(
             "Roughness",
-            "How unevenly smoke lies along it: of the size that a puff has lost, the share by which it keeps off at most.",
+            "How much the distances of puffs from the surface vary: the largest is this fraction of the size that a puff has lost.",
         ),
         number("action", "1", [0.0, 2.0], 0.0, |c: &mut Self| &mut c.action)
             .named(&["bounce", "kill", "tint"])
-            .says("Touch", "What becomes of smoke that touches it."),
+            .says("On contact", "What happens to smoke on contact."),
         number("tint", "1", [1.0, 15.0], 1.0, |c: &mut Self| &mut c.tint)
             .whole()
-            .says("Tint", "The tint that it gives, where touching tints."),
+            .says("Tint", "Number of the tint that smoke gets, if contact tints."),
     ];
 }

@@ -14,10 +14,10 @@ impl Item for Stop {
     const LABEL: &'static str = "Density stop";
     const FIELDS: &'static [Field<Self>] = &[
         number("age", "1", SHARE, 0.0, |s: &mut Self| &mut s.age)
-            .says("Age", "Where in a puff's life, as a share of it."),
+            .says("Age", "Age of a puff, as a fraction of its lifetime."),
         number("value", "1", SHARE, 1.0, |s: &mut Self| &mut s.value).says(
             "Density",
-            "How much of its size a puff has then; without stops it shrinks evenly.",
+            "Fraction of its size that a puff has at this age. Without stops it shrinks evenly.",
         ),
     ];
 }

@@ -40,62 +40,66 @@ impl Item for Emitter {
             ])
             .says(
                 "Shape",
-                "Where its puffs are born; from a sphere or a surface they leave outwards.",
+                "Shape of the source. From a sphere or a surface, puffs leave outwards.",
             ),
-        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position).says("Place", "Centre of its shape."),
+        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position)
+            .says("Position", "Centre of the shape."),
         vector("direction", "1", DIRECTION, [0.0, 1.0, 0.0], |e: &mut Self| {
             &mut e.direction
         })
-        .says("Direction", "Where it blows its puffs."),
+        .says("Direction", "Direction in which puffs leave."),
         number("radius", "m", [0.0, 100.0], 0.1, |e: &mut Self| &mut e.radius)
             .says("Radius", "Radius of a disc, ball, ring, sphere or cone."),
         number("inner", "1", SHARE, 0.8, |e: &mut Self| &mut e.inner)
-            .says("Hole", "Inner radius of a ring, as a share of its radius."),
+            .says("Inner radius", "Inner radius of a ring, as a fraction of its radius."),
         vector("extent", "m", PLACE, [0.5; 3], |e: &mut Self| &mut e.extent).says(
             "Extent",
-            "Half sides of a box; a line goes from its place minus this to its place plus this.",
+            "Half sides of a box. A line goes from the position minus this vector to the position plus it.",
         ),
         number("surface", "1", [0.0, MAX_SURFACES as f64 - 1.0], 0.0, |e: &mut Self| {
             &mut e.surface
         })
         .whole()
-        .says("Surface", "Number of the mesh that it smokes from."),
+        .says("Surface", "Number of the mesh that emits the puffs."),
         number("speed", "m/s", [0.0, 50.0], 0.5, |e: &mut Self| &mut e.speed)
-            .says("Speed", "How fast its puffs leave, relative to the air."),
+            .says("Speed", "Speed at which puffs leave, relative to the air."),
         number("speedVariation", "1", SHARE, 0.2, |e: &mut Self| &mut e.speed_variation)
-            .says("Speed range", "How much faster or slower some leave, as a share."),
+            .says("Speed variation", "Largest random change of the speed, as a fraction."),
         number("spread", "rad", [0.0, std::f64::consts::PI], 0.3, |e: &mut Self| {
             &mut e.spread
         })
-        .says("Spread", "Half angle of the cone into which they leave."),
+        .says("Spread", "Half angle of the cone in which puffs leave."),
         number("inherit", "1", SHARE, 0.0, |e: &mut Self| &mut e.inherit).says(
-            "Momentum",
-            "Share of the velocity of what it rides on that its puffs take along.",
+            "Inherited velocity",
+            "Fraction of the emitter's own velocity that its puffs inherit.",
         ),
         number("size", "m", [0.001, 20.0], 0.3, |e: &mut Self| &mut e.size)
-            .says("Size", "Radius of its puffs at full density."),
+            .says("Size", "Radius of puffs at full density."),
         number("sizeVariation", "1", SHARE, 0.2, |e: &mut Self| &mut e.size_variation)
-            .says("Size range", "How much larger or smaller some are, as a share."),
+            .says("Size variation", "Largest random change of the size, as a fraction."),
         number("lifetime", "1", [0.05, 20.0], 1.0, |e: &mut Self| &mut e.lifetime).says(
             "Lifetime",
-            "How long its puffs live, relative to the lifetime of all smoke.",
+            "Lifetime of its puffs, relative to the lifetime of all smoke.",
         ),
         number("lifetimeVariation", "1", SHARE, 0.2, |e: &mut Self| {
             &mut e.lifetime_variation
         })
-        .says("Lifetime range", "How much longer or shorter some live, as a share."),
+        .says(
+            "Lifetime variation",
+            "Largest random change of the lifetime, as a fraction.",
+        ),
         number("temperature", "1", [0.0, 4.0], 1.0, |e: &mut Self| &mut e.temperature)
-            .says("Temperature", "How warm its puffs are; warm smoke rises."),
+            .says("Temperature", "Temperature of new puffs. Warm smoke rises."),
         number("tint", "1", [0.0, 15.0], 0.0, |e: &mut Self| &mut e.tint)
             .whole()
-            .says("Tint", "Number of the tint that its puffs are born with; 0 has none."),
+            .says("Tint", "Number of the tint of new puffs; 0 is none."),
         number("share", "1", [0.0, 1000.0], 1.0, |e: &mut Self| &mut e.share)
-            .says("Share", "Its part of all births, relative to the other emitters."),
+            .says("Share", "Share of the emission rate, relative to the other emitters."),
         number("burst.count", "particles", [0.0, 20_000.0], 0.0, |e: &mut Self| {
             &mut e.burst_count
         })
         .whole()
-        .says("Burst", "Puffs that are born at once, each time it is switched on."),
+        .says("Burst", "Number of puffs emitted at once at each start."),
     ];
 
     const SCOPE: &'static [Field<Scope>] = WHEN_AND_ON_WHAT;

@@ -145,26 +145,26 @@ impl Item for Scope {
             .named(&["all", "sphere", "box", "capsule"])
             .says("Region", "Where it acts: everywhere, or within a shape."),
         vector("region.position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
-            .says("Region at", "Centre of the region."),
+            .says("Region position", "Centre of the region."),
         vector("region.size", "m", LENGTH, [1.0; 3], |s: &mut Self| &mut s.size).says(
             "Region size",
-            "Half sides of a box; of a sphere x is the radius; of a capsule x is the radius and y half its straight part.",
+            "Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part.",
         ),
         number("region.softness", "m", [0.0, 100.0], 0.3, |s: &mut Self| &mut s.softness)
-            .says("Soft edge", "How far outside of the region its effect fades out."),
+            .says("Soft edge", "Distance outside the region over which the effect fades out."),
         number("envelope.start", "s", [0.0, 3600.0], 0.0, |s: &mut Self| &mut s.start)
-            .says("Starts at", "When it is switched on for the first time."),
+            .says("Start", "Time of the first start."),
         number("envelope.duration", "s", [0.0, 3600.0], 0.0, |s: &mut Self| &mut s.duration)
-            .says("Stays on for", "How long it stays on; 0 is for ever."),
+            .says("Duration", "Time from a start to its end; 0 never ends."),
         number("envelope.period", "s", [0.0, 3600.0], 0.0, |s: &mut Self| &mut s.period)
-            .says("Again every", "Time from one switching on to the next; 0 is once only."),
+            .says("Period", "Time from one start to the next; 0 starts only once."),
         number("envelope.fade", "s", [0.0, 60.0], 0.0, |s: &mut Self| &mut s.fade)
-            .says("Fades over", "How long it takes to come up and, before its end, to go down."),
+            .says("Fade time", "Time to fade in after a start and to fade out before the end."),
         number("rigid", "1", [WORLD, LAST_PART], WORLD, |s: &mut Self| &mut s.rigid)
             .whole()
             .says(
-                "Rides on",
-                "Number of the rigid that carries it along, or 4096 and the number of a moving part; -1 leaves it where it is.",
+                "Attached to",
+                "Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing.",
             ),
     ];
 }

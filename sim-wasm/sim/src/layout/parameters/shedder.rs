@@ -28,34 +28,43 @@ impl Item for Shedder {
     const FIELDS: &'static [Field<Self>] = &[
         number("rate", "1/s", [0.0, MAX_RATE], 0.0, |s: &mut Self| &mut s.rate)
             .starts_at(30.0)
-            .says("Rate", "Swirls shed in a second; 0 takes this shedder away."),
-        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
-            .says("Place", "Where on the rigid swirls are shed: the middle."),
-        vector("extent", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.extent).says(
-            "Extent",
-            "From the middle to one end of the line on which they are shed.",
+            .says("Rate", "Vortex particles shed per second; 0 disables the shedder."),
+        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position).says(
+            "Position",
+            "Middle of the line on which they are shed, relative to the rigid.",
         ),
+        vector("extent", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.extent)
+            .says("Extent", "Vector from the middle of the line to one end."),
         number("scatter", "m", [0.0, 100.0], 0.0, |s: &mut Self| &mut s.scatter)
-            .says("Scatter", "How far from their place they may be born."),
+            .says("Scatter", "Largest random distance from the line."),
         vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |s: &mut Self| &mut s.axis)
-            .says("Axis", "Direction of their axes on the rigid."),
-        number("jitter", "1", SHARE, 0.1, |s: &mut Self| &mut s.jitter).says("Disorder", "How much their axes differ."),
+            .says("Axis", "Direction of their axes, relative to the rigid."),
+        number("jitter", "1", SHARE, 0.1, |s: &mut Self| &mut s.jitter)
+            .says("Axis variation", "How much their axes vary at random."),
         number("alternate", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.alternate)
             .named(&["alike", "alternating"])
-            .says("Senses", "All turn alike, or by turns at both ends against each other."),
+            .says(
+                "Rotation",
+                "All rotate alike, or the two ends shed alternately with opposite rotation.",
+            ),
         number("strength", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.strength)
             .starts_at(1.0)
-            .says("Strength", "Fastest air around a fresh one, however slow the rigid is."),
+            .says(
+                "Strength",
+                "Peak air speed around a new vortex particle, at any speed of the rigid.",
+            ),
         number("perSpeed", "1", [-4.0, 4.0], 0.5, |s: &mut Self| &mut s.per_speed).says(
-            "With speed",
-            "Share of the speed of the air past the rigid that is added to the strength.",
+            "Strength by speed",
+            "Fraction of the speed of the air past the rigid that is added to the strength.",
         ),
-        number("coreRadius", "m", [0.01, 5.0], 0.15, |s: &mut Self| &mut s.core_radius)
-            .says("Core", "Where a fresh one is fastest; it ends at three times that."),
+        number("coreRadius", "m", [0.01, 5.0], 0.15, |s: &mut Self| &mut s.core_radius).says(
+            "Core",
+            "Radius at which a new vortex particle is fastest. It ends at three times this radius.",
+        ),
         number("viscosity", "m2/s", [0.0, 1.0], 0.002, |s: &mut Self| &mut s.viscosity)
-            .says("Viscosity", "How fast they grow wide and slow."),
+            .says("Viscosity", "How fast they widen and slow down."),
         number("lifetime", "s", [0.1, 60.0], 3.0, |s: &mut Self| &mut s.lifetime)
-            .says("Lifetime", "When they have faded away."),
+            .says("Lifetime", "Time until they have faded away."),
     ];
 
     fn scope(&mut self) -> Option<&mut Scope> {

@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn once_or_again_and_again() {
+    fn starts_once_or_repeatedly() {
         let once = scope(1.0, 0.5, 0.0, 0.0);
         let often = scope(1.0, 0.5, 2.0, 0.0);
         for (time, first, again) in [

@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn even_motion_leaves_mostly_zeros() {
+    fn uniform_motion_leaves_mostly_zeros() {
         let rows: Rows = (0u8..100).map(|step| vec![5, step, 7, 7]).collect();
         let bytes = transposed(&rows);
         assert_eq!(bytes.iter().filter(|&&byte| byte == 0).count(), 298);

@@ -19,12 +19,16 @@ impl Item for Attractor {
             &mut a.acceleration
         })
         .starts_at(3.0)
-        .says("Pull", "How strongly it draws smoke in; negative drives smoke away."),
+        .says(
+            "Pull",
+            "Acceleration of smoke towards the centre; negative is away from it.",
+        ),
         number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
             .says("Core", "Radius within which the pull fades towards the centre."),
         number("reach", "m", [0.05, 1000.0], 5.0, |a: &mut Self| &mut a.reach)
             .says("Reach", "Distance at which the pull has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position).says("Place", "Where it draws to."),
+        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position)
+            .says("Position", "Centre of the pull."),
     ];
 
     const LABEL: &'static str = "Attractor";

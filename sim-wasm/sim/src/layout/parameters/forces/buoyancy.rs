@@ -11,12 +11,15 @@ pub struct Buoyancy {
 }
 
 impl Item for Buoyancy {
-    const LABEL: &'static str = "Lift";
+    const LABEL: &'static str = "Buoyancy";
     const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |b: &mut Self| {
         &mut b.acceleration
     })
     .starts_at(1.0)
-    .says("Lift", "Upward acceleration of smoke at temperature 1 in its region.")];
+    .says(
+        "Acceleration",
+        "Upward acceleration of smoke at temperature 1 in the region.",
+    )];
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

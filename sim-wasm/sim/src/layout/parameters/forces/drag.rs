@@ -16,10 +16,10 @@ impl Item for Drag {
     const FIELDS: &'static [Field<Self>] = &[
         number("rate", "1/s", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.rate)
             .starts_at(2.0)
-            .says("Drag", "How firmly the air of its region takes smoke along."),
+            .says("Drag", "How strongly the air of the region carries smoke."),
         number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic).says(
             "Quadratic drag",
-            "Drag that grows with speed: fast smoke is stopped first.",
+            "Drag that grows with speed, so it slows fast smoke most.",
         ),
     ];
 

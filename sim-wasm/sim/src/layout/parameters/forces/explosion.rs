@@ -17,15 +17,15 @@ impl Item for Explosion {
     const FIELDS: &'static [Field<Self>] = &[
         number("impulse", "m/s", [-100.0, 100.0], 0.0, |e: &mut Self| &mut e.impulse)
             .starts_at(4.0)
-            .says(
-                "Impulse",
-                "Speed that it gives to smoke at its centre; negative is inwards.",
-            ),
-        number("speed", "m/s", [0.1, 1000.0], 20.0, |e: &mut Self| &mut e.speed)
-            .says("Front", "How fast it spreads; smoke is thrown when the front passes."),
+            .says("Impulse", "Speed that smoke gains at the centre; negative is inwards."),
+        number("speed", "m/s", [0.1, 1000.0], 20.0, |e: &mut Self| &mut e.speed).says(
+            "Front speed",
+            "Speed of the front. Smoke is accelerated when the front passes.",
+        ),
         number("reach", "m", [0.05, 1000.0], 3.0, |e: &mut Self| &mut e.reach)
-            .says("Reach", "Distance at which it has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position).says("Place", "Its centre."),
+            .says("Reach", "Distance at which the effect has faded to nothing."),
+        vector("position", "m", PLACE, [0.0; 3], |e: &mut Self| &mut e.position)
+            .says("Position", "Centre of the explosion."),
     ];
 
     const LABEL: &'static str = "Explosion";

@@ -11,14 +11,14 @@ pub struct Gravity {
 }
 
 impl Item for Gravity {
-    const LABEL: &'static str = "Pull";
+    const LABEL: &'static str = "Gravity";
     const FIELDS: &'static [Field<Self>] =
         &[
             vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
                 &mut g.acceleration
             })
             .starts_at(1.0)
-            .says("Pull", "Acceleration of all smoke in its region."),
+            .says("Acceleration", "Acceleration of all smoke in the region."),
         ];
 
     fn scope(&mut self) -> Option<&mut Scope> {

@@ -20,21 +20,22 @@ impl Item for Jet {
         number("speed", "m/s", [0.0, 100.0], 0.0, |j: &mut Self| &mut j.speed)
             .starts_at(4.0)
             .says("Speed", "How fast the air leaves the nozzle."),
-        number("radius", "m", [0.001, 50.0], 0.1, |j: &mut Self| &mut j.radius).says("Nozzle", "Radius of the nozzle."),
+        number("radius", "m", [0.001, 50.0], 0.1, |j: &mut Self| &mut j.radius)
+            .says("Nozzle radius", "Radius of the nozzle."),
         number("spread", "1", [0.01, 1.0], 0.113, |j: &mut Self| &mut j.spread).says(
             "Spread",
-            "How much wider the jet is for each metre; air in air has 0.113.",
+            "Increase of the jet's width per metre; a jet of air in air has 0.113.",
         ),
         number("reach", "m", [0.05, 1000.0], 5.0, |j: &mut Self| &mut j.reach).says(
             "Reach",
             "Distance from the nozzle at which the jet has faded to nothing.",
         ),
         vector("position", "m", PLACE, [0.0; 3], |j: &mut Self| &mut j.position)
-            .says("Place", "The middle of the nozzle."),
+            .says("Position", "Centre of the nozzle."),
         vector("direction", "1", DIRECTION, [0.0, 1.0, 0.0], |j: &mut Self| {
             &mut j.direction
         })
-        .says("Direction", "Where it blows."),
+        .says("Direction", "Direction of the jet."),
     ];
 
     const LABEL: &'static str = "Jet";

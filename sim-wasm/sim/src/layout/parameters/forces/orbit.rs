@@ -21,16 +21,16 @@ impl Item for Orbit {
         .starts_at(2.0)
         .says(
             "Pull",
-            "Pull at a distance of one metre: nearer it grows, farther away it falls.",
+            "Acceleration at a distance of one metre. It is larger nearer the centre and smaller farther away.",
         ),
         number("coreRadius", "m", [0.01, 50.0], 0.1, |o: &mut Self| &mut o.core_radius)
             .says("Core", "Radius within which the pull fades towards the centre."),
-        vector("position", "m", PLACE, [0.0; 3], |o: &mut Self| &mut o.position)
-            .says("Place", "What smoke orbits, or a point on the line that it orbits."),
-        vector("axis", "1", DIRECTION, [0.0; 3], |o: &mut Self| &mut o.axis).says(
-            "Axis",
-            "Direction of the line that smoke orbits; all 0 where it is a point.",
+        vector("position", "m", PLACE, [0.0; 3], |o: &mut Self| &mut o.position).says(
+            "Position",
+            "Point that smoke orbits, or a point on the line that it orbits.",
         ),
+        vector("axis", "1", DIRECTION, [0.0; 3], |o: &mut Self| &mut o.axis)
+            .says("Axis", "Direction of the line that smoke orbits; all 0 for a point."),
     ];
 
     const LABEL: &'static str = "Orbit";

@@ -15,7 +15,7 @@ impl Item for SpeedLimit {
         &[
             number("speed", "m/s", [0.0, 1000.0], 1000.0, |s: &mut Self| &mut s.speed)
                 .starts_at(0.5)
-                .says("Top speed", "Smoke in its region moves no faster."),
+                .says("Maximum speed", "Maximum speed of smoke in the region."),
         ];
 
     const LABEL: &'static str = "Speed limit";

@@ -20,22 +20,23 @@ impl Item for Spiral {
     const FIELDS: &'static [Field<Self>] = &[
         number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
             .starts_at(3.0)
-            .says("Turn", "How fast and in which sense the air turns about the axis."),
+            .says("Rotation speed", "Angular velocity of the air about the axis."),
         number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
-            "Inward",
-            "How fast the air moves towards the axis; negative is away from it.",
+            "Inward speed",
+            "Speed of the air towards the axis; negative is away from it.",
         ),
         number("along", "m/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.along)
-            .says("Along", "How fast the air moves along the axis."),
+            .says("Axial speed", "Speed of the air along the axis."),
         number("coreRadius", "m", [0.01, 50.0], 0.25, |s: &mut Self| &mut s.core_radius).says(
             "Core",
-            "Distance from the axis within which the air slows down on its way inward.",
+            "Distance from the axis within which the inward flow slows down.",
         ),
         number("reach", "m", [0.05, 1000.0], 2.0, |s: &mut Self| &mut s.reach).says(
             "Reach",
             "Distance from the axis at which the spiral has faded to nothing.",
         ),
-        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position).says("Place", "A point on the axis."),
+        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
+            .says("Position", "A point on the axis."),
         vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
             .says("Axis", "Direction of the axis."),
     ];

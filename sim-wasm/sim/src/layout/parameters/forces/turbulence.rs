@@ -18,17 +18,20 @@ impl Item for Turbulence {
             .starts_at(0.5)
             .says(
                 "Speed",
-                "Typical (root mean square) speed of the swirls; 0 takes this turbulence away.",
+                "Typical (root mean square) speed of the swirls; 0 disables the turbulence.",
             ),
         number("scale", "m", [0.05, 100.0], 1.0, |t: &mut Self| &mut t.pattern.scale)
             .says("Scale", "Size of the largest swirls."),
         number("octaves", "1", [0.0, 4.0], 1.0, |t: &mut Self| &mut t.pattern.octaves)
             .whole()
-            .says("Octaves", "How many finer layers of swirls are added; 0 is still air."),
+            .says(
+                "Octaves",
+                "Number of layers of swirls, each finer than the one before; 0 is still air.",
+            ),
         number("evolution", "1/s", [0.0, 10.0], 0.3, |t: &mut Self| {
             &mut t.pattern.evolution
         })
-        .says("Evolution", "How fast the pattern of swirls changes."),
+        .says("Evolution", "Rate at which the pattern of swirls changes."),
     ];
 
     fn scope(&mut self) -> Option<&mut Scope> {

@@ -24,26 +24,24 @@ impl Item for Vortex {
             &mut v.circulation
         })
         .starts_at(2.0)
-        .says(
-            "Circulation",
-            "Strength and sense of the swirl; 0 takes this vortex away.",
-        ),
+        .says("Circulation", "Strength of the swirl; the sign selects its direction."),
         number("coreRadius", "m", [0.01, 50.0], 0.25, |v: &mut Self| &mut v.core_radius)
-            .says("Core", "Radius of the calm middle, where the swirl is fastest."),
+            .says("Core", "Radius of the calm core, at which the swirl is fastest."),
         number("reach", "m", [0.05, 1000.0], 2.0, |v: &mut Self| &mut v.reach).says(
             "Reach",
             "Distance from the axis at which the swirl has faded to nothing.",
         ),
         number("profile", "1", [0.0, 1.0], 0.0, |v: &mut Self| &mut v.profile)
             .named(&["lambOseen", "rankine"])
-            .says("Profile", "A soft core, or one that turns like a solid."),
+            .says("Profile", "A smooth core, or one that rotates like a solid."),
         number("inflow", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.inflow).says(
             "Inflow",
             "Speed at which smoke is drawn towards the axis, at the core radius.",
         ),
         number("updraft", "m/s", [-20.0, 20.0], 0.0, |v: &mut Self| &mut v.updraft)
-            .says("Updraft", "Speed along the axis, in the middle of the core."),
-        vector("position", "m", PLACE, [0.0; 3], |v: &mut Self| &mut v.position).says("Place", "A point on the axis."),
+            .says("Updraft", "Speed along the axis at the centre of the core."),
+        vector("position", "m", PLACE, [0.0; 3], |v: &mut Self| &mut v.position)
+            .says("Position", "A point on the axis."),
         vector("axis", "1", DIRECTION, [0.0, 0.0, 1.0], |v: &mut Self| &mut v.axis)
             .says("Axis", "Direction of the axis."),
     ];

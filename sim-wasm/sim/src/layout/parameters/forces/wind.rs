@@ -28,10 +28,10 @@ impl Item for Wind {
         .says("Gust time", "How long a strong gust lasts."),
         number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.weather.shear).says(
             "Shear",
-            "How much faster the wind is for each metre of height, as a share.",
+            "Increase of the wind speed per metre of height, as a fraction.",
         ),
         number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.weather.height)
-            .says("Shear height", "Height at which shear changes nothing."),
+            .says("Shear height", "Height at which shear has no effect."),
     ];
 
     fn scope(&mut self) -> Option<&mut Scope> {

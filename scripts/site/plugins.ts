@@ -1,0 +1,98 @@
+/** The bundler plugins of the site. */
+
+import { fileURLToPath } from 'node:url';
+import type { HtmlTagDescriptor, Plugin, Rollup } from 'vite';
+
+const PICTURE = 'icons/512.png';
+
+/**
+ * Adds a page's absolute URLs for search engines and link previews, if the site's URL is known.
+ * @param base URL of the site's folder, with a trailing slash
+ */
+export function addresses(base: string | undefined): Plugin {
+  return {
+    name: 'addresses',
+    apply: 'build',
+    transformIndexHtml(html, { path }) {
+      if (!base) return [];
+      const address = new URL(path.replace(/^\//, '').replace(/index\.html$/, ''), base).href;
+      const texts = { title: /<title>([^<]*)</, description: /name="description"\s+content="([^"]*)"/ };
+      return [
+        head('link', { rel: 'canonical', href: address }),
+        head('meta', { property: 'og:url', content: address }),
+        head('meta', { property: 'og:image', content: new URL(PICTURE, base).href }),
+        ...Object.entries(texts).flatMap(([name, pattern]) => {
+          const content = pattern.exec(html)?.[1];
+          return content === undefined ? [] : [head('meta', { property: `og:${name}`, content })];
+        }),
+      ];
+    },
+  };
+}
+
+function head(tag: string, attrs: Record<string, string>): HtmlTagDescriptor {
+  return { tag, attrs, injectTo: 'head' };
+}
+
+/**
+ * Adds preload hints to the page for modules that its entry imports dynamically, so that they load in parallel.
+ * @param entry suffix of the path of a module that the page's entry imports dynamically
+ */
+export function preloads(entry: string): Plugin {
+  return {
+    name: 'preloads',
+    apply: 'build',
+    transformIndexHtml: {
+      order: 'post',
+      handler(_, { bundle = {}, chunk }) {
+        const later = chunk?.dynamicImports.find((name) => {
+          const found = bundle[name];
+          return found?.type === 'chunk' && found.facadeModuleId?.endsWith(entry);
+        });
+        if (!chunk || !later) return [];
+        const hinted = closure(bundle, chunk.fileName);
+        return [...closure(bundle, later)]
+          .filter((name) => !hinted.has(name))
+          .map((name) => ({
+            tag: 'link',
+            attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}` },
+            injectTo: 'head' as const,
+          }));
+      },
+    },
+  };
+}
+
+/** A chunk and all its static imports. */
+function closure(bundle: Rollup.OutputBundle, name: string): Set<string> {
+  const names = new Set([name]);
+  for (const each of names) {
+    const chunk = bundle[each];
+    if (chunk?.type === 'chunk') for (const imported of chunk.imports) names.add(imported);
+  }
+  return names;
+}
+
+const SOURCE = fileURLToPath(new URL('../../src/app/offline/worker.ts', import.meta.url));
+const NAME = 'sw.js';
+
+/** Builds the service worker with the site, so that it contains the file names of its version. */
+export function serviceWorker(): Plugin {
+  return {
+    name: 'service-worker',
+    apply: 'build',
+    buildStart() {
+      // Without a hash in the name, because browsers check this URL for updates.
+      this.emitFile({ type: 'chunk', id: SOURCE, fileName: NAME });
+    },
+    generateBundle: {
+      order: 'post',
+      handler(_, bundle) {
+        const chunk = bundle[NAME];
+        if (chunk?.type !== 'chunk' || chunk.imports.length > 0) this.error(`${NAME} has to be one plain script.`);
+        const files = Object.keys(bundle).filter((name) => name.startsWith('assets/') && !name.endsWith('.map'));
+        chunk.code = chunk.code.replace('HASHED_FILES', JSON.stringify(files.sort()));
+      },
+    },
+  };
+}

@@ -1,0 +1,11 @@
+// World transforms of surfaces, see src/passes/transformTexture.ts.
+uniform highp sampler2D transforms;
+
+mat4 worldFromModel(int surface) {
+  return mat4(
+    texelFetch(transforms, ivec2(0, surface), 0),
+    texelFetch(transforms, ivec2(1, surface), 0),
+    texelFetch(transforms, ivec2(2, surface), 0),
+    texelFetch(transforms, ivec2(3, surface), 0)
+  );
+}

@@ -1,2 +1,0 @@
-/** Version of the package. A test compares it with package.json. */
-export const version = '0.1.0';

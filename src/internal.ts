@@ -1,0 +1,31 @@
+/**
+ * Exports of inner modules for the demo page. Not published: the package has no entry for it, and users must not import
+ * it. No module of the library imports this file.
+ */
+export { ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.ts';
+export { linkCapacity, lookOf } from './page/moment.ts';
+export { sizeOf, watchSize } from './page/size.ts';
+export { restWhileHidden } from './page/visibility.ts';
+export { LONGEST_LINK } from './preset/codec.ts';
+export { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from './preset/curve.ts';
+export { LONGEST_LEAD, readEnvironment, type Environment } from './preset/environment.ts';
+export { MAX_NAME, nameOf } from './preset/file.ts';
+export { itemLabel, LIST_LIMIT, listLabel, listNames, startValues } from './preset/lists.ts';
+export { DEBUG_VIEWS } from './preset/quality.ts';
+export { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from './preset/ramp.ts';
+export { isAccepted } from './preset/values.ts';
+export { channelSheet, lobeSheet, type ChannelPicture } from './puffs/billboards/channelSheet.ts';
+export { bakePuffs } from './puffs/billboards/layers.ts';
+export { LOBE_SHAPES } from './puffs/lobeShapes.ts';
+export { billboardShapes } from './puffs/shapes.ts';
+export { STEP_SECONDS } from './sim/clock.ts';
+export { ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS, type Rows } from './sim/rows.ts';
+export type { Arranged, Bounds } from './sim/arranged.ts';
+export { ALL_THAT_LIVES, type View } from './sim/view.ts';
+export type { Arranger, FrameInput } from './smoke/frameInput.ts';
+export type { Light } from './smoke/light.ts';
+export { showsBillboards } from './smoke/livePuffs.ts';
+export { automaticColors } from './smoke/style.ts';
+export { openScene } from './stage/openScene.ts';
+export { encodePng } from './stage/presenter.ts';
+export { nextTask } from './stage/seek.ts';

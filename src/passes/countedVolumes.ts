@@ -1,0 +1,63 @@
+import { InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import fragmentShader from '../../shaders/countedVolumes/countedVolumes.frag';
+import vertexShader from '../../shaders/volumes/volumes.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
+import type { FrameView } from '../device/frameView.ts';
+import type { PuffTextures } from '../device/puffTextures.ts';
+import { FIRST_BORDER } from '../device/ramps.ts';
+import { countFaces, countingMaterial } from '../device/stencil.ts';
+import { withLobes } from '../device/unroll.ts';
+import { ParticleVolumes } from './volumes.ts';
+
+/**
+ * Counts the shadow volumes of particles in the stencil buffer by depth pass, as McGuire and Fein do ('Real-Time
+ * Rendering of Cartoon Smoke and Clouds', 2006): a quad at the depth where view rays enter a volume, and one where they
+ * leave it. This works for each sample of a multisampled buffer. The operations clamp. Each volume draws its front face
+ * and then its back face in one draw call, so the running count is exact, and a saturated count can only stay dark.
+ */
+export class CountedVolumesPass extends ParticleVolumes {
+  protected readonly quads: DrawnMesh;
+  /** The geometry with two quads for each caster, by the geometry with one. */
+  private readonly doubled = new Map<InstancedBufferGeometry, InstancedBufferGeometry>();
+
+  constructor(eye: FrameView, puffs: PuffTextures) {
+    super(eye, puffs);
+    this.quads = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
+    countFaces(
+      this.quads.mesh,
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
+      { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.DECR },
+    );
+  }
+
+  /** @param rows one quad for each caster */
+  draw(renderer: WebGLRenderer, rows: InstancedBufferGeometry): void {
+    const geometry = this.doubled.get(rows) ?? frontAndBack(rows);
+    this.doubled.set(rows, geometry);
+    geometry.instanceCount = rows.instanceCount;
+    this.quads.draw(renderer, geometry);
+  }
+
+  override dispose(): void {
+    for (const geometry of this.doubled.values()) geometry.dispose();
+    this.doubled.clear();
+    super.dispose();
+  }
+
+  protected materialWith(lobes: number): RawShaderMaterial {
+    return countingMaterial({
+      vertexShader: withLobes(vertexShader, lobes),
+      fragmentShader: withLobes(fragmentShader, lobes),
+      uniforms: this.uniforms,
+    });
+  }
+}
+
+/** A geometry of the same rows, with the triangles of each once more in the opposite winding. */
+function frontAndBack(rows: InstancedBufferGeometry): InstancedBufferGeometry {
+  const front = [...rows.index!.array];
+  const geometry = new InstancedBufferGeometry();
+  geometry.setIndex([...front, ...front.toReversed()]);
+  for (const [name, attribute] of Object.entries(rows.attributes)) geometry.setAttribute(name, attribute);
+  return geometry;
+}

@@ -1,0 +1,129 @@
+/** Captures, configured in the dialog and received as downloads. */
+import { fileURLToPath } from 'node:url';
+import type { Download, Page } from '@playwright/test';
+import { expect, test } from '../../support/fixtures.ts';
+import { ask, closeSheet, LIGHT, open } from './page.ts';
+
+test.use({ viewport: { width: 400, height: 300 }, deviceScaleFactor: 1 });
+
+type Media = typeof import('mediabunny');
+const MEDIABUNNY = fileURLToPath(
+  new URL('../../../node_modules/mediabunny/dist/bundles/mediabunny.min.cjs', import.meta.url),
+);
+
+const sheet = (page: Page) => page.getByRole('dialog', { name: 'Capture the smoke' });
+const press = (page: Page) => sheet(page).getByRole('button', { name: 'Capture', exact: true }).click();
+
+async function openSheet(page: Page): Promise<string> {
+  await page.keyboard.press('c');
+  await expect(sheet(page)).toBeVisible();
+  return ask(page, (stage) => stage.hash());
+}
+
+async function bytesOf(file: Download): Promise<number[]> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of await file.createReadStream()) chunks.push(chunk as Buffer);
+  return Array.from(Buffer.concat(chunks));
+}
+
+/**
+ * Bytes of colour that change between consecutive frames of a film. Decodes frame by frame, because a video element may
+ * show a frame some time after its `seeked` event.
+ */
+async function movesOf(page: Page, film: number[]): Promise<number[]> {
+  await page.addScriptTag({ path: MEDIABUNNY });
+  return page.evaluate(async (bytes) => {
+    const { ALL_FORMATS, BlobSource, Input, VideoSampleSink } = (window as unknown as { Mediabunny: Media }).Mediabunny;
+    const input = new Input({ source: new BlobSource(new Blob([Uint8Array.from(bytes)])), formats: ALL_FORMATS });
+    const frames: Uint8ClampedArray[] = [];
+    for await (const sample of new VideoSampleSink((await input.getPrimaryVideoTrack())!).samples()) {
+      const { displayWidth, displayHeight } = sample;
+      const context = new OffscreenCanvas(displayWidth, displayHeight).getContext('2d')!;
+      sample.draw(context, 0, 0);
+      sample.close();
+      frames.push(context.getImageData(0, 0, displayWidth, displayHeight).data);
+    }
+    const later = frames.slice(1);
+    return later.map((data, at) => data.filter((value, byte) => Math.abs(value - frames[at][byte]) > 24).length);
+  }, film);
+}
+
+async function captured(page: Page): Promise<{ name: string; bytes: number[] }> {
+  const [file] = await Promise.all([page.waitForEvent('download'), press(page)]);
+  await expect(sheet(page).getByRole('status')).toContainText(`Saved ${file.suggestedFilename()}`);
+  return { name: file.suggestedFilename(), bytes: await bytesOf(file) };
+}
+
+test('captures are started from the sheet and do not change the smoke', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await ask(page, (stage) => stage.step(60));
+  await test.step('a video from the sheet has all frames, and neighbours differ', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('Format').selectOption('webm');
+    await sheet(page).getByLabel('Seconds').fill('0.5');
+    await sheet(page).getByLabel('Frame rate').selectOption('12');
+    await expect(sheet(page).getByText('6 frames of 400 × 300 pixels.')).toBeVisible();
+    const { name, bytes } = await captured(page);
+    expect(name).toBe('lamp-1.00s.webm');
+    const moves = await movesOf(page, bytes);
+    expect(moves).toHaveLength(5);
+    for (const moved of moves) expect(moved).toBeGreaterThan(50);
+    expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+    await closeSheet(page);
+  });
+  await test.step('a long clip is stopped by its button, and by closing the sheet', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('Format').selectOption('gif');
+    await sheet(page).getByLabel('Seconds').fill('60');
+    await press(page);
+    await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+    await sheet(page).getByRole('button', { name: 'Stop here' }).click();
+    await expect(sheet(page).getByText('Stopped. The smoke is unchanged.')).toBeVisible();
+    await press(page);
+    await expect(sheet(page).getByRole('progressbar', { name: 'Drawing frame by frame' })).toBeVisible();
+    await closeSheet(page);
+    await page.keyboard.press('c');
+    await expect(sheet(page).getByLabel('Format')).toBeEnabled();
+    expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+    await closeSheet(page);
+  });
+  await test.step('a picture from the sheet has the chosen size and a transparent background', async () => {
+    const hash = await openSheet(page);
+    await sheet(page).getByLabel('Format').selectOption('png');
+    await sheet(page).getByLabel('Scale').selectOption('2');
+    await sheet(page).getByLabel('With background').uncheck();
+    await expect(sheet(page).getByText('800 × 600 pixels.')).toBeVisible();
+    const { name, bytes } = await captured(page);
+    expect(name).toBe('lamp-1.00s.png');
+    const picture = await page.evaluate(async (given) => {
+      const image = await createImageBitmap(new Blob([Uint8Array.from(given)]));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      const opaque = data.filter((value, at) => at % 4 === 3 && value === 255).length;
+      return { size: [image.width, image.height], corner: data[3], opaque: opaque / (data.length / 4) };
+    }, bytes);
+    expect(picture).toMatchObject({ size: [800, 600], corner: 0 });
+    expect(picture.opaque).toBeGreaterThan(0.05);
+    await closeSheet(page);
+    expect(await ask(page, (stage) => [stage.hash(), stage.playing])).toEqual([hash, false]);
+  });
+});
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('a finger reaches the whole sheet', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    await page.getByRole('button', { name: 'Capture' }).tap();
+    await sheet(page).getByLabel('Format').selectOption('zip');
+    for (const button of await sheet(page).getByRole('button').all()) {
+      const box = (await button.boundingBox())!;
+      expect(box.x).toBeGreaterThanOrEqual(0);
+      expect(box.x + box.width).toBeLessThanOrEqual(390);
+      expect(box.y + box.height).toBeLessThanOrEqual(844);
+    }
+    await sheet(page).getByRole('button', { name: 'Close' }).tap();
+    await expect(sheet(page)).toBeHidden();
+  });
+});

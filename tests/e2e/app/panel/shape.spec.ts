@@ -1,0 +1,109 @@
+import { expect, test } from '../../../support/fixtures.ts';
+import { ask, expectSteps, LIGHT, open } from '../page.ts';
+
+const CORNERS = [0, 1, 2, 3, 4, 5, 6, 7].map((corner) => [corner & 1, (corner >> 1) & 1, corner >> 2]);
+/** Four corners each, counter-clockwise from outside. */
+const SIDES = [
+  [0, 2, 3, 1],
+  [4, 5, 7, 6],
+  [0, 1, 5, 4],
+  [2, 6, 7, 3],
+  [0, 4, 6, 2],
+  [1, 3, 7, 5],
+];
+
+/** A cube as an OBJ file. @param sides number of its sides */
+function cubeObject(name: string, sides = 6) {
+  const lines = [
+    ...CORNERS.map((corner) => `v ${corner.join(' ')}`),
+    ...SIDES.slice(0, sides).map((side) => `f ${side.map((corner) => corner + 1).join(' ')}`),
+  ];
+  return { name, mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
+}
+
+/** The cube as a glTF file. @param address URL of its buffer; embedded where absent */
+function cubeScene(name: string, address?: string) {
+  const triangles = SIDES.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]);
+  const [places, corners] = [Float32Array.from(CORNERS.flat()), Uint16Array.from(triangles)];
+  const bytes = Buffer.concat([Buffer.from(places.buffer), Buffer.from(corners.buffer)]);
+  const scene = {
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    // Mirrored and stretched: tests that node transforms are applied.
+    nodes: [{ mesh: 0, scale: [-1, 1, 3] }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 8, type: 'VEC3', min: [0, 0, 0], max: [1, 1, 1] },
+      { bufferView: 1, componentType: 5123, count: 36, type: 'SCALAR' },
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: places.byteLength },
+      { buffer: 0, byteOffset: places.byteLength, byteLength: corners.byteLength },
+    ],
+    buffers: [
+      { byteLength: bytes.length, uri: address ?? `data:application/octet-stream;base64,${bytes.toString('base64')}` },
+    ],
+  };
+  return { name, mimeType: 'model/gltf+json', buffer: Buffer.from(JSON.stringify(scene)) };
+}
+
+test('a mesh replaces the puffs, the link reports that it cannot contain it, and the default puffs can be restored', async ({
+  page,
+}) => {
+  await open(page, `?paused=1&t=2${LIGHT}`);
+  await expectSteps(page, 120);
+  await page.keyboard.press('p');
+  await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
+  const chooser = page.getByLabel('Use your own mesh');
+  const hash = await ask(page, (stage) => stage.hash());
+  await chooser.last().setInputFiles(cubeObject('cube.obj'));
+  const name = page.locator('.own-shape-name');
+  await expect(name).toHaveText(/^cube\.obj, [89]\d % match$/);
+  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await expect(
+    page.getByText('A link cannot contain a mesh. It shows the default puffs instead of cube.obj.'),
+  ).toBeVisible();
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Use the default puffs' }).click();
+  await expect(name).toBeHidden();
+  await chooser.last().setInputFiles(cubeScene('bar.gltf'));
+  await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
+});
+
+test('an open or invalid mesh is rejected with a message, and the puffs stay', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('p');
+  await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
+  const chooser = page.getByLabel('Use your own mesh').last();
+  const rejected = async (file: ReturnType<typeof cubeObject>, words: RegExp) => {
+    await chooser.setInputFiles(file);
+    await expect(page.getByText(words)).toBeVisible();
+  };
+  await rejected(cubeObject('lid.obj', 5), /The mesh is open: 4 of its 17 edges/);
+  await rejected(cubeObject('empty.obj', 0), /empty/);
+  await rejected({ ...cubeObject('cube.stl'), name: 'cube.stl' }, /cube\.stl is not a supported mesh\./);
+  await rejected(
+    { name: 'torn.glb', mimeType: 'model/gltf-binary', buffer: Buffer.from('glTF') },
+    /torn\.glb could not be read/,
+  );
+  await rejected(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /refers to other files/);
+  await rejected(
+    { ...cubeObject('huge.obj'), buffer: Buffer.alloc(17 * 1024 * 1024, ' ') },
+    /huge\.obj has 17 MB\. The limit is 16 MB\./,
+  );
+  await expect(page.locator('.own-shape-name')).toBeHidden();
+});
+
+test('a mesh is dropped on the page', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.evaluate((text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], 'dropped.obj'));
+    document
+      .querySelector('canvas')!
+      .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, cubeObject('dropped.obj').buffer.toString());
+  await expect(page.locator('.own-shape-name')).toHaveText(/^dropped\.obj/);
+});

@@ -1,0 +1,8 @@
+import { test } from '../../support/fixtures.ts';
+import { expectStatesReturn } from './states.ts';
+
+test.use({ viewport: { width: 120, height: 90 } });
+
+test('fifty random states survive a round trip from the address to the stage', async ({ page }) => {
+  await expectStatesReturn(page, 50, 5);
+});

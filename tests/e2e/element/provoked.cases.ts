@@ -1,0 +1,69 @@
+/** Elements with injected faults, which only the sources support, and their effects on a page. */
+import type { ElementOptions } from '../../../src/element/cartoonSmokeElement.ts';
+import { CartoonSmokeElement } from '../../../src/element/define.ts';
+
+export interface Shown {
+  readonly element: CartoonSmokeElement;
+  /** Events of the element, by type and error name. */
+  readonly notified: string[];
+}
+
+/** Adds a small wisp with a poster and a fallback to the page. */
+export function show(thread: 'auto' | 'main' | 'worker', options: ElementOptions = {}): Shown {
+  const element = new CartoonSmokeElement(options);
+  Object.assign(element, { preset: 'wisp', simulationMaxParticles: 300, thread, loading: 'eager' });
+  element.style.cssText = 'display: block; width: 160px; height: 120px';
+  element.innerHTML = '<p slot="poster">Poster</p><p>Fallback</p>';
+  const notified: string[] = [];
+  element.addEventListener('ready', ({ detail }) => notified.push(`ready on ${detail.thread}`));
+  element.addEventListener('error', ({ detail }) => notified.push(detail.error.name));
+  document.body.append(element);
+  return { element, notified };
+}
+
+/** Several elements side by side. */
+export function showSome(count: number, thread: 'main' | 'worker'): Shown[] {
+  const shown = Array.from({ length: count }, () => show(thread));
+  for (const { element } of shown) {
+    element.style.cssText = 'display: inline-block; width: 48px; height: 36px';
+    Object.assign(element, { puffVariations: 1 });
+  }
+  return shown;
+}
+
+/** Resolves when all elements have advanced and show smoke. */
+export async function allDraw(shown: readonly Shown[]): Promise<void> {
+  await Promise.all(
+    shown.map(async (one) => {
+      const { steps } = await one.element.stats();
+      while ((await one.element.stats()).steps < steps + 3 || (await colorsOf(one)) < 4) {
+        await new Promise(requestAnimationFrame);
+      }
+    }),
+  );
+}
+
+/** Whether poster and fallback replace the smoke, and playback is disabled. */
+export function isGivenUp({ element }: Shown): boolean {
+  const [poster, fallback] = [...element.children].map((child) => child.checkVisibility());
+  return poster && fallback && !element.shadowRoot!.querySelector('button')!.checkVisibility();
+}
+
+/** Number of colours on the element's canvas. */
+export async function colorsOf({ element }: Shown): Promise<number> {
+  const bitmap = await createImageBitmap(element.shadowRoot!.querySelector('canvas')!);
+  const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+  context.drawImage(bitmap, 0, 0);
+  return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
+}
+
+/** Adds elements and removes each as soon as it plays. */
+export async function comeAndGo(rounds: number, thread: 'auto' | 'main'): Promise<void> {
+  for (let round = 0; round < rounds; ++round) {
+    const { element } = show(thread);
+    await element.ready;
+    element.remove();
+    // Removal takes effect in a later task, because the element may only have been moved.
+    await new Promise((resolve) => setTimeout(resolve));
+  }
+}

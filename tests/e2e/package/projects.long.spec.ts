@@ -1,0 +1,57 @@
+/** The package as a new user installs it: packed by npm, in projects outside this repository. */
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type * as Vite from 'vite';
+import { bin, expect, expectTitle, expectTypes, PAGE_WITH_ELEMENT, test } from '../../support/freshProject.ts';
+
+const MAIN = `import 'cartoon-smoke/element';
+import { CartoonSmokeElement, ParameterError } from 'cartoon-smoke';
+import { decode, table } from 'cartoon-smoke/preset';
+
+const smoke = document.querySelector('cartoon-smoke')!;
+const isOne: boolean = smoke instanceof CartoonSmokeElement;
+smoke.addEventListener('error', ({ detail }) => (document.title = detail.error.message));
+smoke.addEventListener('ready', async ({ detail }) => {
+  smoke.emissionRate = 20;
+  const { state } = await decode('#v=1&preset=wisp');
+  const error: unknown = await smoke.set({ 'emission.rate': -1 }).catch((thrown: unknown) => thrown);
+  document.title = [detail.thread, isOne, table.length > 100, state.preset, error instanceof ParameterError].join();
+});
+`;
+const READY = 'worker,true,true,wisp,true';
+
+test('a page without a bundler', async ({ page, project }) => {
+  const map = '{ "imports": { "three": "./node_modules/three/build/three.module.js" } }';
+  const listen = `document.querySelector('cartoon-smoke').addEventListener('ready', () => (document.title = 'Smoke'));`;
+  const scripts = `<script type="importmap">${map}</script>
+    <script type="module">import './node_modules/cartoon-smoke/dist/element.js'; ${listen}</script>`;
+  await expectTitle(page, project([], { 'index.html': PAGE_WITH_ELEMENT + scripts }), 'Smoke');
+});
+
+for (const version of ['7', '8']) {
+  test(`Vite ${version} without configuration, built and on its development server`, async ({ page, project }) => {
+    const main = `${PAGE_WITH_ELEMENT}<script type="module" src="/main.ts"></script>`;
+    const place = project([`vite@${version}`], { 'index.html': main, 'main.ts': MAIN });
+    bin(place, 'vite/bin/vite.js', 'build');
+    await expectTitle(page, join(place, 'dist'), READY);
+    const { createServer } = (await import(join(place, 'node_modules/vite/dist/node/index.js'))) as typeof Vite;
+    const server = await createServer({ root: place, logLevel: 'error', server: { port: 0 } });
+    await server.listen();
+    await page.goto(server.resolvedUrls!.local[0]);
+    await expect(page).toHaveTitle(READY);
+    await server.close();
+  });
+}
+
+test('webpack without configuration', async ({ page, project }) => {
+  const main = MAIN.replace(/!;|: boolean|: unknown/g, (type) => (type === '!;' ? ';' : ''));
+  const place = project(['webpack', 'webpack-cli'], { 'main.js': main });
+  bin(place, 'webpack/bin/webpack.js', './main.js', '--mode', 'production');
+  writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script src="main.js"></script>`);
+  await expectTitle(page, join(place, 'dist'), READY);
+});
+
+test('TypeScript in its strictest mode, including the declarations of the package', ({ project }) => {
+  const place = project(['typescript@7', '@types/three@0.187'], { 'main.ts': MAIN });
+  expectTypes(place, {}, ['main.ts']);
+});

@@ -1,8 +1,0 @@
-import { test } from '../support/fixtures.ts';
-import { expectStatesReturn } from './states.ts';
-
-test.use({ viewport: { width: 120, height: 90 } });
-
-test('ten random states go from the address to the stage and back', async ({ page }) => {
-  await expectStatesReturn(page, 10, 4);
-});

@@ -1,0 +1,47 @@
+/**
+ * The hash of each preset after some seconds, without rendering. The expected values are in
+ * `tests/engines/hashes.json`.
+ */
+import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
+import { withDrops } from '../../../src/scenes/drops.ts';
+import { sceneNamed } from '../../../src/scenes/scenes.ts';
+import { STEP_SECONDS } from '../../../src/sim/clock.ts';
+import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { Simulation } from '../../../src/stage/simulation.ts';
+
+/** Hashes of 16 hexadecimal digits by simulated seconds, by preset name. */
+export type HashList = Record<string, Record<string, string>>;
+
+/** Returns the simulators with or without physics. */
+type FactoryFor = (physics: boolean) => Promise<SimulatorFactory>;
+
+export const HASH_LIST = new URL('../../engines/hashes.json', import.meta.url);
+
+/** Simulated seconds. */
+const MOMENTS = [2, 8, 20];
+
+/** @returns the list of all presets */
+export async function presetHashes(factoryFor: FactoryFor): Promise<HashList> {
+  const list: HashList = {};
+  for (const { name } of presets) list[name] = await hashesOf(name, MOMENTS, factoryFor);
+  return list;
+}
+
+/** @param moments simulated seconds, ascending */
+export async function hashesOf(
+  name: string,
+  moments: readonly number[],
+  factoryFor: FactoryFor,
+): Promise<Record<string, string>> {
+  const values = presetValues(findPreset(name)!);
+  const { load, hasRigids } = sceneNamed(values.scene as string);
+  // As in `openScene`: with physics the scene has drops.
+  const scene = hasRigids ? withDrops(await load()) : await load();
+  const simulation = new Simulation(await factoryFor(hasRigids), scene, values, 0);
+  const hashes = moments.map((seconds) => {
+    simulation.advance(Math.round(seconds / STEP_SECONDS) - simulation.simulator.steps);
+    return [seconds, simulation.simulator.hash()];
+  });
+  simulation.dispose();
+  return Object.fromEntries(hashes) as Record<string, string>;
+}

@@ -1,0 +1,23 @@
+import { readFileSync } from 'node:fs';
+import { loadSimulators, type SimulatorFactory } from '../../../src/sim/load.ts';
+
+/** The built WASM of a variant. Node cannot fetch a file. */
+export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
+  return readFileSync(new URL(`../../../src/sim/wasm/${variant}/bindings_bg.wasm`, import.meta.url));
+}
+
+export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFactory> {
+  return loadSimulators({ physics: variant === 'physics', bytes: wasmBytes(variant) });
+}
+
+/** An upward jet. */
+export const JET: Record<string, number> = {
+  'emission.rate': 600,
+  'emission.lifetime': 4,
+  'emission.growthTime': 0,
+  'emitters.0.share': 1,
+  'emitters.0.direction.y': 1,
+  'emitters.0.speed': 2,
+  'emitters.0.spread': 0.3,
+  'emitters.0.size': 0.1,
+};

@@ -1,4 +1,0 @@
-import { it } from 'vitest';
-import { expectRoundTrips } from '../support/roundTrip.ts';
-
-it('10,000 random states come back from their links', () => expectRoundTrips(10_000), 600_000);

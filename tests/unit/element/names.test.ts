@@ -1,0 +1,71 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { HANDED_ON } from '../../../src/element/methods.ts';
+import { keyOfAttribute, names } from '../../../src/element/attributes/names.ts';
+import type { Parameter } from '../../../src/preset/parameter.ts';
+import { listNames } from '../../../src/preset/lists.ts';
+import { table } from '../../../src/preset/table.ts';
+import { calls } from '../../../src/remote/calls.ts';
+
+const FILE = new URL('../../../src/element/attributes/names.json', import.meta.url);
+
+function isNumber(row: Parameter): boolean {
+  return row.kind === 'number' || row.kind === 'integer' || typeof row.default === 'number';
+}
+
+/** The keys in the format of names.json: `$` marks texts, a vector is one key. */
+function fieldsOf(rows: readonly Parameter[], prefix: string): string {
+  const fields = rows.map((row) => row.key.slice(prefix.length) + (isNumber(row) ? '' : '$'));
+  return fields.join(' ').replace(/(\S+\.)x \1y \1z(?= |$)/g, '$1xyz');
+}
+
+function expected(): string {
+  const isListed = ({ key }: Parameter) => listNames.some((list) => key.startsWith(`${list}.`));
+  const single = table.filter((row) => !isListed(row) || !/^\w+\.\d\./.test(row.key));
+  const lists = listNames.map((list) => {
+    const first = `${list}.0.`;
+    return [
+      list,
+      fieldsOf(
+        table.filter(({ key }) => key.startsWith(first)),
+        first,
+      ),
+    ];
+  });
+  return `${JSON.stringify({ '': fieldsOf(single, ''), ...Object.fromEntries(lists) }, null, 2)}\n`;
+}
+
+it('lists the keys of the table (npm run generate writes them)', () => {
+  if (process.env.GENERATE) writeFileSync(FILE, expected());
+  else expect(readFileSync(FILE, 'utf8')).toBe(expected());
+});
+
+it('has each parameter once, in the order of the table', () => {
+  expect(names.map(({ key }) => key)).toEqual(table.map(({ key }) => key));
+  expect(names.filter(({ isText }) => isText).map(({ key }) => key)).toEqual(
+    table.filter((row) => !isNumber(row)).map(({ key }) => key),
+  );
+});
+
+it('has unique attributes and properties', () => {
+  expect(new Set(names.map(({ property }) => property)).size).toBe(names.length);
+  expect(keyOfAttribute.size).toBe(names.length);
+});
+
+it('forwards every method of a stage except those that it implements itself', () => {
+  const own = Object.keys(calls).filter((name) => !(HANDED_ON as readonly string[]).includes(name));
+  expect(own).toEqual(['play', 'pause', 'resize', 'setBackground', 'setVisible']);
+});
+
+it('writes keys in kebab and camel case', () => {
+  const named = (key: string) => names.find((name) => name.key === key);
+  expect(named('emission.growthTime')).toMatchObject({
+    attribute: 'emission-growth-time',
+    property: 'emissionGrowthTime',
+  });
+  expect(named('forces.wind.x')).toMatchObject({ attribute: 'forces-wind-x', property: 'forcesWindX' });
+  expect(named('vortices.0.coreRadius')).toMatchObject({
+    attribute: 'vortices-0-core-radius',
+    property: 'vortices0CoreRadius',
+  });
+});

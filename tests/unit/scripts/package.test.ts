@@ -1,0 +1,133 @@
+/** The npm package, as checkers and servers see it. */
+import { execFileSync } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { publint } from 'publint';
+import { rolldown, type Plugin } from 'rolldown';
+import { beforeAll, expect, it } from 'vitest';
+import { names } from '../../../src/element/attributes/names.ts';
+import { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
+import { table } from '../../../src/preset/table.ts';
+import { hiddenTypes } from './signatures.ts';
+
+interface PackageScript {
+  /** The tarball's name. */
+  ARCHIVE: string;
+  isFresh(): boolean;
+  bring(say: () => void): Promise<void>;
+}
+
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
+const FOLDER = join(ROOT, 'package');
+/** Path of the tarball. */
+let archive: string;
+
+beforeAll(async () => {
+  const script = (await import(pathToFileURL(join(ROOT, 'scripts/setup/package.mjs')).href)) as PackageScript;
+  if (!script.isFresh()) await script.bring(() => undefined);
+  archive = join(ROOT, script.ARCHIVE);
+}, 300_000);
+
+it('is also written as one tarball next to the folder, which git ignores', () => {
+  const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
+  expect(archive).toBe(join(ROOT, `cartoon-smoke-${ofPackage}.tgz`));
+  const listed = execFileSync('tar', ['-tzf', archive], { encoding: 'utf8' }).trim().split('\n');
+  const entries = readdirSync(FOLDER, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const files = entries.map(({ parentPath, name }) => join(parentPath, name).slice(ROOT.length));
+  expect(listed.sort()).toEqual(files.map((file) => file.replaceAll('\\', '/')).sort());
+  expect(execFileSync('git', ['check-ignore', archive], { cwd: ROOT, encoding: 'utf8' }).trim()).toBe(archive);
+});
+
+it('has valid exports and files for npm and bundlers', async () => {
+  const { messages } = await publint({ pkgDir: FOLDER, pack: 'npm' });
+  expect(messages).toEqual([]);
+}, 60_000);
+
+it('links to the repository of package.json, its homepage and its issues', () => {
+  const manifestIn = (folder: string) =>
+    JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8')) as Record<string, unknown>;
+  const [host, path] = (manifestIn(ROOT).repository as string).split(':');
+  const address = `https://${host}.com/${path}`;
+  expect(manifestIn(FOLDER)).toMatchObject({
+    repository: { type: 'git', url: `git+${address}.git` },
+    homepage: `${address}#readme`,
+    bugs: { url: `${address}/issues` },
+  });
+});
+
+it('has types for each way of resolving modules', () => {
+  const checker = join(ROOT, 'node_modules/@arethetypeswrong/cli/dist/index.js');
+  const check = () => execFileSync(process.execPath, [checker, archive, '--profile', 'esm-only', '--quiet']);
+  expect(check).not.toThrow();
+}, 120_000);
+
+it('exports by name each type that a public signature names', () => {
+  const { hidden, exported } = hiddenTypes(join(FOLDER, 'types'), ['index.d.ts', 'preset.d.ts', 'element/define.d.ts']);
+  expect(hidden).toEqual([]);
+  expect(exported).toBeGreaterThan(80);
+});
+
+it.each(['index', 'element', 'preset'])('can import %s without a DOM', (name) => {
+  const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
+  const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
+  const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
+  expect(Number(said)).toBeGreaterThan(0);
+});
+
+it('has a source map for each module, and no labels of the table in the code of widgets', () => {
+  const files = readdirSync(join(FOLDER, 'dist'));
+  // Code that the bundler adds has no sources.
+  const modules = files.filter((file) => file.endsWith('.js') && file !== 'rolldown-runtime.js');
+  expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
+  const isWordy = (code: string) => table.some(({ text }) => code.includes(text));
+  const wordy = modules.filter((file) => isWordy(readFileSync(join(FOLDER, 'dist', file), 'utf8')));
+  expect(wordy).toEqual(['preset.js']);
+});
+
+it('contains no fault injection', () => {
+  const faults = [...readFileSync(join(ROOT, 'src/device/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
+  expect(faults).toHaveLength(3);
+  const dist = join(FOLDER, 'dist');
+  const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
+  const knows = (file: string, name: string) => readFileSync(join(dist, file), 'utf8').includes(name);
+  expect(built.filter((file) => faults.some(([, name]) => knows(file, name)))).toEqual([]);
+});
+
+it('has the same ranges and defaults without labels and texts', async () => {
+  const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
+  const { withoutWords } = (await import(script)) as { withoutWords(): Plugin };
+  const build = await rolldown({ input: join(ROOT, 'src/preset/table.ts'), plugins: [withoutWords()] });
+  const { output } = await build.generate();
+  await build.close();
+  const module = `data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`;
+  const bare = (await import(module)) as Pick<typeof import('../../../src/preset/table.ts'), 'table' | 'findParameter'>;
+  expect(bare.table.map(({ key }) => key)).toEqual(table.map(({ key }) => key));
+  for (const whole of table) {
+    const row = bare.findParameter(whole.key)!;
+    const { options, ...rest } = { options: undefined, ...row };
+    expect(whole).toMatchObject(rest);
+    const values = (each?: readonly { value: unknown }[]) => each?.map(({ value }) => value);
+    expect(values(options)).toEqual(whole.kind === 'choice' ? values(whole.options) : undefined);
+    expect(row).not.toHaveProperty('text');
+  }
+});
+
+it('lists the bundled packages and linked crates with their licences', () => {
+  const text = readFileSync(join(FOLDER, 'dist/third-party-licenses.txt'), 'utf8');
+  for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen']) {
+    expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
+  }
+});
+
+it('has an element with the version of the package', () => {
+  const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
+  expect(CartoonSmokeElement.version).toBe(ofPackage);
+});
+
+it('has a manifest of the element with all parameters', () => {
+  const manifest = JSON.parse(readFileSync(join(FOLDER, 'custom-elements.json'), 'utf8'));
+  const attributes = new Set(manifest.modules[0].declarations[0].attributes.map(({ name }: { name: string }) => name));
+  const missing = names.filter(({ key, attribute }) => !/^\w+\.[1-7]\./.test(key) && !attributes.has(attribute));
+  expect(missing).toEqual([]);
+});

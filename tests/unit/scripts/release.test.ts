@@ -1,0 +1,166 @@
+/** The release workflow, as far as it runs without credentials: its own steps with its own commands. */
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, describe, expect, test } from 'vitest';
+import { parse } from 'yaml';
+import { Project } from '../../support/project.ts';
+import { script } from '../../support/server.ts';
+
+interface Step {
+  name?: string;
+  uses?: string;
+  run?: string;
+  with?: Record<string, unknown>;
+  env?: Record<string, string>;
+}
+interface Job {
+  needs?: string | string[];
+  permissions: Record<string, string>;
+  'timeout-minutes'?: number;
+  steps: Step[];
+}
+interface Workflow {
+  on: { push: { tags: string[]; branches?: string[] } };
+  permissions: Record<string, string>;
+  jobs: Record<string, Job>;
+}
+
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
+const BASE = 'https://example.org/some/where';
+const { on, permissions, jobs } = parse(readFileSync(join(ROOT, '.github/workflows/release.yml'), 'utf8')) as Workflow;
+
+const out = mkdtempSync(join(tmpdir(), 'cartoon-smoke-release-'));
+afterAll(() => rmSync(out, { recursive: true }));
+
+/** The command of a step; fails if the step is missing. */
+function commandOf(job: string, name: string): string {
+  const command = jobs[job].steps.find((step) => step.name === name)?.run;
+  if (command === undefined) throw new Error(`The job ${job} has no step ${name}.`);
+  return command;
+}
+
+describe('order and permissions of the jobs', () => {
+  test('only a tag publishes, and only after the tests', () => {
+    expect(on).toEqual({ push: { tags: ['v*'] } });
+    const steps = jobs.build.steps.map(({ name, uses }) => name ?? uses!.split('@')[0]);
+    const [checked, tested, built] = ['Check the tag', 'Test', 'Build the site'].map((name) => steps.indexOf(name));
+    expect(checked).toBeGreaterThan(steps.indexOf('actions/setup-node'));
+    expect(tested).toBeGreaterThan(checked);
+    expect(built).toBeGreaterThan(tested);
+    expect(steps.indexOf('actions/upload-pages-artifact')).toBeGreaterThan(built);
+    expect(commandOf('build', 'Test')).toBe('npm test');
+    expect(commandOf('build', 'Test in the engines')).toBe('npm run test:engines');
+    expect(steps.indexOf('Test in the engines')).toBeLessThan(built);
+  });
+
+  test('publishing jobs wait for the build and alone have write permissions', () => {
+    expect(Object.values(permissions)).not.toContain('write');
+    for (const [name, job] of Object.entries(jobs)) {
+      expect(job['timeout-minutes'], name).toBeGreaterThan(0);
+      if (name === 'build') expect(Object.values(job.permissions)).not.toContain('write');
+      else expect(job.needs, name).toBe('build');
+    }
+  });
+
+  test('actions have pinned versions', () => {
+    const used = Object.values(jobs).flatMap(({ steps }) => steps.flatMap(({ uses }) => uses ?? []));
+    expect(used.length).toBeGreaterThan(0);
+    for (const action of used) expect(action).toMatch(/^actions\/[\w-]+@v\d+$/);
+  });
+});
+
+describe('the tag', () => {
+  const run = (changelog: string, tag: string) => {
+    const project = new Project();
+    project.write('CHANGELOG.md', changelog);
+    project.write('package.json', JSON.stringify({ version: '1.2.3' }));
+    const command = commandOf('build', 'Check the tag');
+    expect(command).toBe('npm run release:check -- "$GITHUB_REF_NAME"');
+    const ending = project.run('release.mjs', [tag]);
+    project.dispose();
+    return ending;
+  };
+
+  test('matches the version, and the changelog has its entries', () => {
+    expect(run('# Changelog\n\n## 1.2.3\n\n- Rings.\n', 'v1.2.3')).toMatchObject({ status: 0, errors: [] });
+  });
+
+  test('of another version is rejected', () => {
+    expect(run('## 1.2.3\n\n- Rings.\n', 'v1.2.4').errors).toEqual([
+      'The tag is v1.2.4, but package.json has version 1.2.3: tag v1.2.3, or change the version.',
+    ]);
+  });
+
+  test.each(['## Unreleased\n\n- Rings.\n', '## 1.2.3\n\n## 1.2.2\n\n- Rings.\n', '## 1.2.30\n\n- Rings.\n'])(
+    'without entries in the changelog is rejected: %j',
+    (changelog) => {
+      expect(run(changelog, 'v1.2.3')).toMatchObject({
+        status: 1,
+        errors: ['CHANGELOG.md has no entries for 1.2.3: rename the heading Unreleased to 1.2.3.'],
+      });
+    },
+  );
+});
+
+describe('the site', () => {
+  test('an invalid address is rejected by name before anything is built', () => {
+    const project = new Project();
+    const { status, errors } = project.run('build.mjs', [], { CARTOON_SMOKE_BASE: 'somewhere' });
+    project.dispose();
+    expect(status).toBe(1);
+    expect(errors).toEqual([
+      "CARTOON_SMOKE_BASE is somewhere: give the whole address of the site's folder, such as https://example.org/smoke/.",
+    ]);
+  });
+
+  test('is built by the command of the workflow, with its public address', { timeout: 240_000 }, () => {
+    const step = jobs.build.steps.find(({ name }) => name === 'Build the site')!;
+    expect(Object.keys(step.env!)).toEqual(['CARTOON_SMOKE_BASE']);
+    const { status, stderr } = spawnSync(`${step.run!} -- --out "$OUT"`, {
+      cwd: ROOT,
+      shell: true,
+      encoding: 'utf8',
+      env: { ...process.env, CARTOON_SMOKE_BASE: BASE, OUT: out },
+    });
+    expect(status, stderr).toBe(0);
+    const page = readFileSync(join(out, 'index.html'), 'utf8');
+    expect(page).toContain(`<link rel="canonical" href="${BASE}/">`);
+    expect(readFileSync(join(out, 'paper.html'), 'utf8')).toContain(`href="${BASE}/paper.html"`);
+    expect(page).toMatch(/property="og:description" content="Cartoon smoke/);
+    const picture = /property="og:image" content="(.*?)"/.exec(page)![1];
+    expect(picture.startsWith(`${BASE}/`)).toBe(true);
+    expect(existsSync(join(out, picture.slice(BASE.length)))).toBe(true);
+    expect(readFileSync(join(out, 'oembed/lamp.json'), 'utf8')).toContain(`${BASE}/embed.html#v=1&amp;preset=lamp`);
+    // Relative URLs only, so that it works in any folder.
+    expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
+  });
+
+  test('the published folder is the built one', () => {
+    const upload = jobs.build.steps.find(({ uses }) => uses?.startsWith('actions/upload-pages-artifact'))!;
+    expect(upload.with).toEqual({ path: 'dist' });
+  });
+});
+
+describe('the package', () => {
+  test('has the same file name from the build to npm', () => {
+    expect(commandOf('build', 'Build the package')).toBe('npm run package');
+    const stepOf = (job: string, action: string) => jobs[job].steps.find(({ uses }) => uses?.startsWith(action))!;
+    const uploaded = stepOf('build', 'actions/upload-artifact').with;
+    expect(uploaded).toEqual({ name: 'package', path: 'package' });
+    expect(stepOf('npm', 'actions/download-artifact').with).toEqual(uploaded);
+  });
+
+  test('is accepted by npm with the command of the workflow', async () => {
+    const { manifest } = await script<{ manifest: object }>('package/manifest.mjs');
+    mkdirSync(join(out, 'package'));
+    writeFileSync(join(out, 'package/package.json'), JSON.stringify(manifest));
+    const command = `${commandOf('npm', 'Publish the package')} --dry-run --offline`;
+    const { status, stdout } = spawnSync(command, { cwd: out, shell: true, encoding: 'utf8' });
+    expect(status).toBe(0);
+    const { name, version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8')) as Record<string, string>;
+    expect(stdout).toContain(`+ ${name}@${version}`);
+  });
+});

@@ -1,0 +1,55 @@
+import { beforeAll, expect, test } from 'vitest';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
+import { LivePuffs } from '../../../src/smoke/livePuffs.ts';
+
+const ONE: Values = { ...presetValues(defaultPreset), 'puff.variations': 1 };
+/** A non-default value of each row that affects the shape of puffs. */
+const CHANGED: readonly (readonly [key: string, value: number])[] = [
+  ['puff.lumpiness', 0.2],
+  ['puff.flatness', 0.9],
+  ['puff.roughness', 0.1],
+  ['puff.lobes', 6],
+  ['puff.seed', 9],
+];
+
+const LOOKS: readonly Values[] = [{ 'puff.form': 'billboards' }, { 'style.renderer': 'selle' }];
+
+beforeAll(() => fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'receiver' }));
+
+function layersOf(values: Values) {
+  return new LivePuffs({ ...ONE, ...values }).finish()!.billboards.layers;
+}
+
+test.each(CHANGED)('billboards, and so the puffs of Selle, take their shapes from %s', (key, value) => {
+  const [before, after] = [layersOf({}), layersOf({ [key]: value })];
+  // Normals and heights inside, and the silhouette.
+  const changed = (name: 'normalDepth' | 'colorCoverage') =>
+    [...before[name]].filter((word, at) => word !== after[name][at]).length;
+  expect(changed('normalDepth')).toBeGreaterThan(5_000);
+  expect(changed('colorCoverage')).toBeGreaterThan(1_000);
+});
+
+test('there are as many billboards as variations, all different', () => {
+  const { count, normalDepth } = layersOf({ 'puff.variations': 5 });
+  expect(count).toBe(5);
+  const words = normalDepth.length / count;
+  const layers = Array.from({ length: count }, (_, layer) => normalDepth.subarray(layer * words, (layer + 1) * words));
+  expect(new Set(layers.map((layer) => layer.join())).size).toBe(5);
+});
+
+test.each(LOOKS)('they are baked in pieces if %o shows them, and only then', (look) => {
+  const pieces = (values: Values): number => {
+    const puffs = new LivePuffs({ ...ONE, ...values });
+    let count = 0;
+    while (!puffs.workFor(0)) count++;
+    return count;
+  };
+  const seed = look['puff.form'] ? 51 : 52;
+  const lobes = pieces({ 'puff.seed': seed });
+  expect(lobes).toBeGreaterThan(30);
+  // Lobes with this seed are cached; only billboards are missing.
+  expect(pieces({ 'puff.seed': seed, ...look })).toBeGreaterThan(30);
+  expect(pieces({ 'puff.seed': seed })).toBe(0);
+});

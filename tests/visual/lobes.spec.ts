@@ -1,8 +1,0 @@
-import { expect, test } from '../support/fixtures.ts';
-
-test('the form of puffs changes live, there and back', async ({ load }) => {
-  const cases = await load<typeof import('./cases/lobes.ts')>('/tests/visual/cases/lobes.ts');
-  const { there, back } = await cases.evaluate((module) => module.switchForms());
-  expect(there).toBeGreaterThan(500);
-  expect(back).toBe(0);
-});

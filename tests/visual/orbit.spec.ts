@@ -1,9 +1,0 @@
-import { test } from '../support/fixtures.ts';
-import { expectNoJump } from './orbitOf.ts';
-
-// In the cluster the camera sees nine puffs from different sides. The long test covers the full orbit.
-for (const what of ['puff', 'cluster'] as const) {
-  test(`nothing jumps while the camera goes a third of the way round a ${what}, degree by degree`, async ({ load }) => {
-    await expectNoJump(load, what, 120);
-  });
-}

@@ -1,0 +1,24 @@
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./ballShadows.cases.ts');
+const CASES = '/tests/visual/passes/ballShadows.cases.ts';
+
+/** reference.spec.ts compares the shadows of whole puffs. */
+test('a puff of one lobe casts the shadow of a ball for any light and camera', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const view of ['ordinary', 'backlit', 'besideEye', 'lamp', 'lampOrthographic'] as const) {
+    const report = await cases.evaluate((module, name) => module.compare(name), view);
+    expect.soft(report.receiver, view).toBeGreaterThan(20_000);
+    expect.soft(report.deepest, view).toBeGreaterThan(1);
+    expect.soft(report.differing / report.receiver, view).toBeLessThan(0.005);
+  }
+});
+
+test('all parts of a model count as one step of shadow, and puffs as the second', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { underModel, deep, wrongColors, wrongCounts } = await cases.evaluate((module) => module.stepsUnderParts());
+  expect.soft(underModel).toBeGreaterThan(500);
+  expect.soft(deep).toBeGreaterThan(100);
+  expect.soft(wrongCounts / underModel).toBeLessThan(0.01);
+  expect.soft(wrongColors / underModel).toBeLessThan(0.01);
+});

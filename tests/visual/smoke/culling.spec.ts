@@ -1,0 +1,32 @@
+import { expect, test } from '../../support/fixtures.ts';
+import { expectSame } from './sameness.ts';
+
+type Cases = typeof import('./culling.cases.ts');
+const CASES = '/tests/visual/smoke/culling.cases.ts';
+
+test('culling changes no pixel of the lamp', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  // Denser than the lamp preset, so that many particles are hidden.
+  const values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
+  const comparisons = await cases.evaluate(
+    (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),
+    values,
+  );
+  expect(comparisons).toHaveLength(3);
+  expectSame(comparisons);
+});
+
+for (const form of ['lobes', 'billboards'] as const) {
+  test(`culling changes no pixel of a dense plume of ${form}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const comparisons = await cases.evaluate(
+      (module, style) => module.comparePlume(1000, style, ['scene', 'inside', 'orthographic']),
+      { form },
+    );
+    expectSame(comparisons);
+    for (const { bodies, casters } of comparisons) {
+      expect(bodies[0]).toBeLessThan(0.8 * bodies[1]);
+      expect(casters[0]).toBeLessThan(0.8 * casters[1]);
+    }
+  });
+}

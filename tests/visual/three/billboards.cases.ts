@@ -1,0 +1,58 @@
+/** Smoke in the host's scene that changes to billboards before their code is loaded. */
+import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, type Host, type Pixels } from './scene.ts';
+
+export const BILLBOARDS: Values = { 'puff.form': 'billboards' };
+
+export interface Asked {
+  readonly host: Host;
+  readonly smoke: CartoonSmoke;
+  /** The picture before the change. */
+  readonly before: Pixels;
+  /** Notices since then. */
+  readonly notified: string[];
+}
+
+/** Smoke with lobes that changes to billboards. */
+export async function ask(): Promise<Asked> {
+  const host = emptyHost();
+  const smoke = await smokeIn(host);
+  const before = draw(host);
+  const notified: string[] = [];
+  smoke.addEventListener('error', ({ error }) => notified.push(`${error.name}: ${error.message}`));
+  smoke.set(BILLBOARDS);
+  return { host, smoke, before, notified };
+}
+
+/**
+ * Draws some frames of the host while a value changes.
+ * @returns pixels that differ between the last frame and the picture before
+ */
+export function frames({ host, smoke, before }: Asked): number {
+  const { 'style.outlineWidth': width } = smoke.get();
+  for (const changed of [1, 2, 3, Number(width)]) {
+    smoke.set({ 'style.outlineWidth': changed });
+    smoke.update(0);
+    host.renderer.render(host.scene, host.camera);
+  }
+  return changedPixels(before, draw(host));
+}
+
+/** Pixels that differ from the picture of smoke that has billboards from the start. */
+export async function fromStart({ host }: Asked): Promise<number> {
+  const other = emptyHost();
+  await smokeIn(other, { ...HANGING, ...BILLBOARDS });
+  const changed = changedPixels(draw(other), draw(host));
+  dispose(other.renderer);
+  return changed;
+}
+
+/** The error of smoke that has billboards from the start. */
+export function beginWith(): Promise<string> {
+  const host = emptyHost();
+  return smokeIn(host, { ...HANGING, ...BILLBOARDS }).then(
+    () => 'nothing',
+    (error: Error) => error.name,
+  );
+}

@@ -1,0 +1,158 @@
+/** Outputs of smoke (canvas, render targets, several viewports), and the renderer state after a frame. */
+import { Color, HalfFloatType, Vector4, WebGLRenderTarget, type Mesh, type MeshBasicMaterial } from 'three';
+import {
+  changedPixels,
+  dispose,
+  draw,
+  furnishedHost,
+  HEIGHT,
+  makeRenderer,
+  readCanvas,
+  smokeIn,
+  WIDTH,
+  type Host,
+  type Pixels,
+} from './scene.ts';
+
+const PARAMETERS = [
+  'VIEWPORT SCISSOR_BOX SCISSOR_TEST DEPTH_TEST DEPTH_FUNC DEPTH_WRITEMASK DEPTH_CLEAR_VALUE',
+  'STENCIL_TEST STENCIL_CLEAR_VALUE COLOR_CLEAR_VALUE COLOR_WRITEMASK BLEND CULL_FACE FRONT_FACE',
+  'POLYGON_OFFSET_FILL SAMPLE_ALPHA_TO_COVERAGE FRAMEBUFFER_BINDING READ_FRAMEBUFFER_BINDING',
+]
+  .join(' ')
+  .split(' ');
+
+/** State of a renderer and its WebGL context between two frames. */
+function stateOf({ renderer, scene, keyLight }: Host): Record<string, unknown> {
+  const gl = renderer.getContext() as unknown as Record<string, number> & WebGL2RenderingContext;
+  const held = PARAMETERS.map((name) => [name, String(gl.getParameter(gl[name]))]);
+  const { autoClear, autoClearStencil, sortObjects, toneMapping, outputColorSpace, localClippingEnabled } = renderer;
+  const { autoUpdate, needsUpdate } = renderer.shadowMap;
+  const materials: boolean[] = [];
+  scene.traverse((object) =>
+    'isMesh' in object ? materials.push(((object as Mesh).material as MeshBasicMaterial).visible) : 0,
+  );
+  return {
+    ...Object.fromEntries(held),
+    autoClear,
+    autoClearStencil,
+    sortObjects,
+    toneMapping,
+    outputColorSpace,
+    localClippingEnabled,
+    autoUpdate,
+    needsUpdate,
+    autoReset: renderer.info.autoReset,
+    target: renderer.getRenderTarget(),
+    clearColor: `${renderer.getClearColor(new Color()).getHexString()} ${renderer.getClearAlpha()}`,
+    viewport: renderer.getViewport(new Vector4()).toArray().join(),
+    background: (scene.background as Color).getHexString(),
+    worldAutoUpdate: scene.matrixWorldAutoUpdate,
+    intensity: keyLight.intensity,
+    materials: materials.join(),
+  };
+}
+
+/**
+ * The state after a frame without smoke and after one with it, and the difference of frames without smoke before and
+ * after.
+ */
+export async function stateAsFound(): Promise<{ before: object; after: object; changed: number; drawn: number }> {
+  const host = furnishedHost();
+  host.renderer.setClearColor('#123456', 0.5);
+  host.renderer.shadowMap.enabled = true;
+  host.keyLight.castShadow = true;
+  host.scene.traverse((object) => ('isMesh' in object ? (object.castShadow = object.receiveShadow = true) : false));
+  const untouched = draw(host);
+  const before = stateOf(host);
+  const smoke = await smokeIn(host);
+  const drawn = changedPixels(draw(host), untouched);
+  host.scene.remove(smoke);
+  const after = stateOf(host);
+  const changed = changedPixels(draw(host), untouched);
+  dispose(smoke, host.renderer);
+  return { before, after, changed, drawn };
+}
+
+/** Two cameras share a canvas: difference of each half from the picture of its camera alone. */
+export async function twoCameras(): Promise<{ left: number; right: number; between: number; sameState: boolean }> {
+  const size = [WIDTH / 2, HEIGHT] as const;
+  const [pair, single] = [furnishedHost(), furnishedHost(makeRenderer({}, [...size]))];
+  const cameras = [0.4, -2.5].map((x) => {
+    const camera = pair.camera.clone();
+    camera.aspect = size[0] / size[1];
+    camera.updateProjectionMatrix();
+    camera.position.x = x;
+    camera.lookAt(0, 0.8, 0);
+    return camera;
+  });
+  const smokes = [await smokeIn(pair), await smokeIn(single)];
+  const state = smokes[0].hash();
+  pair.renderer.setScissorTest(true);
+  cameras.forEach((camera, index) => {
+    pair.renderer.setViewport(index * size[0], 0, ...size);
+    pair.renderer.setScissor(index * size[0], 0, ...size);
+    pair.renderer.render(pair.scene, camera);
+  });
+  const both = readCanvas(pair.renderer);
+  const halves = [0, 1].map((half) => both.filter((_, at) => Math.floor(((at / 4) % WIDTH) / size[0]) === half));
+  const alone = cameras.map((camera) => draw({ ...single, camera }));
+  const sameState = smokes[0].hash() === state;
+  dispose(...smokes, pair.renderer, single.renderer);
+  const [left, right] = halves.map((half, index) => changedPixels(half, alone[index]));
+  return { left, right, between: changedPixels(halves[0], halves[1]), sameState };
+}
+
+/** The picture in a linear half-float target, encoded in the test, compared with the canvas. */
+export async function inTarget(samples: number): Promise<{ changed: number; smoke: number }> {
+  const host = furnishedHost(makeRenderer({ antialias: samples > 0 }));
+  const before = draw(host);
+  const smoke = await smokeIn(host);
+  const onCanvas = draw(host);
+  const target = new WebGLRenderTarget(WIDTH, HEIGHT, { type: HalfFloatType, stencilBuffer: true, samples });
+  host.renderer.setRenderTarget(target);
+  host.renderer.render(host.scene, host.camera);
+  const halves = new Uint16Array(4 * WIDTH * HEIGHT);
+  host.renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, halves);
+  smoke.update(0);
+  target.dispose();
+  dispose(smoke, host.renderer);
+  return { changed: changedPixels(encoded(halves), onCanvas, 2), smoke: changedPixels(onCanvas, before) };
+}
+
+const RENDERERS = {
+  outputBuffer: { outputBufferType: HalfFloatType },
+  reversedDepth: { reversedDepthBuffer: true },
+} as const;
+
+/** The canvas of a renderer with a half-float output buffer or a reversed depth buffer, compared with one without. */
+export async function otherRenderer(kind: keyof typeof RENDERERS): Promise<number> {
+  const pictures: Pixels[] = [];
+  for (const parameters of [{}, RENDERERS[kind]]) {
+    const host = furnishedHost(makeRenderer(parameters));
+    const smoke = await smokeIn(host);
+    pictures.push(draw(host));
+    smoke.update(0);
+    dispose(smoke, host.renderer);
+  }
+  return changedPixels(pictures[0], pictures[1], 2);
+}
+
+function encoded(halves: Uint16Array): Pixels {
+  const view = new DataView(new ArrayBuffer(2));
+  return Uint8Array.from(halves, (half, at) => {
+    view.setUint16(0, half);
+    const value = Math.min(
+      1,
+      (view as unknown as { getFloat16?: (at: number) => number }).getFloat16?.(0) ?? fromHalf(half),
+    );
+    const display = at % 4 === 3 ? value : value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+    return Math.round(255 * display);
+  });
+}
+
+function fromHalf(half: number): number {
+  const exponent = (half >> 10) & 31;
+  const fraction = half & 1023;
+  return exponent === 0 ? fraction * 2 ** -24 : (1 + fraction / 1024) * 2 ** (exponent - 15);
+}
