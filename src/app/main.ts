@@ -57,6 +57,7 @@ async function start(): Promise<void> {
   // Before anything follows the stage, so that the address keeps the moment until the first edit.
   if (moment) await goToMoment(stage, moment, notices, container);
   const editor = new Editor(stage, decoded.state.preset, {
+    nextFrame: () => new Promise(requestAnimationFrame),
     enter: (values) => enterScene(stage, values, container),
     notify: (message) => notices.notify(message),
   });
@@ -64,7 +65,7 @@ async function start(): Promise<void> {
     notifyAll(notices, read);
     const shared = momentOf(read);
     if (!shared) return;
-    await editor.arrival();
+    await editor.delivered();
     if (isNewest()) await goToMoment(stage, shared, notices, container);
   });
   const scrubber = new Scrubber(stage);

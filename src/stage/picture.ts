@@ -156,9 +156,9 @@ export class Picture {
     const { device } = this.presenter;
     if (!this.isVisible || !device.isUsable) return false;
     try {
-      const started = performance.now();
       this.smoke.bake(moment.isPlaying ? BAKING_MS : Infinity);
       this.eye.follow(secondsAt(moment.simulator.steps, moment.blend));
+      const started = performance.now();
       const canvas = { width: this.width, height: this.height };
       const drawn = scaled(canvas, moment.scale);
       const output = this.presenter.prepare(canvas, drawn);

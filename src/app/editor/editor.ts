@@ -18,6 +18,8 @@ export type EditListener = (state: State, changed: Changes) => void;
 
 /** The page around an editor. */
 interface Surroundings {
+  /** Resolves before the next frame of the page. */
+  nextFrame(): Promise<unknown>;
   /** Makes the stage enter the scene of the values. */
   enter(values: Values): Promise<void>;
   /** Reports what the stage rejected. */
@@ -26,25 +28,26 @@ interface Surroundings {
 
 /**
  * Edits the values of a stage, with undo. The stage owns the values. The editor keeps the history of states, a preset
- * with its values each; the present one is what the stage has, or is on its way to while it enters a scene. Values that
- * are set on the stage directly, for example from the console, enter the history, too.
+ * with its values each. What the present one has and the stage lacks are edits, which reach the stage once per frame.
+ * Values that are set on the stage directly, for example from the console, enter the history, too.
  */
 export class Editor {
   private readonly stage: Pick<Stage, 'get' | 'replace' | 'on'>;
   private readonly surroundings: Surroundings;
   private readonly history: History<State>;
   private readonly listeners: EditListener[] = [];
-  /** In progress while the stage enters a scene. */
-  private entry: Promise<void> | undefined;
+  /** The values that the stage had last, or was given. */
+  private seen: Values;
+  /** In progress while there are edits that the stage lacks. */
+  private delivery: Promise<void> | undefined;
 
   /** @param preset name of the preset that the stage's values come from */
   constructor(stage: Pick<Stage, 'get' | 'replace' | 'on'>, preset: string, surroundings: Surroundings) {
     this.stage = stage;
     this.surroundings = surroundings;
-    this.history = new History<State>({ preset, values: stage.get() });
-    stage.on('statechange', () => {
-      if (!this.entry) this.adopt();
-    });
+    this.seen = stage.get();
+    this.history = new History<State>({ preset, values: this.seen });
+    stage.on('statechange', () => this.follow());
   }
 
   get state(): State {
@@ -68,9 +71,9 @@ export class Editor {
     this.listeners.push(listener);
   }
 
-  /** Resolves when the stage has entered the scene of the present state. */
-  async arrival(): Promise<void> {
-    while (this.entry) await this.entry;
+  /** Resolves when the stage has all edits. Await it before changing the stage: later edits would overwrite the change. */
+  async delivered(): Promise<void> {
+    while (this.delivery) await this.delivery;
   }
 
   /** Sets one value. Changes with the same gesture are undone together, until `settle`. */
@@ -80,9 +83,7 @@ export class Editor {
 
   /** Sets several values, or removes optional ones, as one change. */
   changeAll(changes: Changes, gesture?: string): void {
-    const entries = Object.entries({ ...this.state.values, ...changes });
-    const values = Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
-    this.replace({ ...this.state, values }, gesture);
+    this.replace({ ...this.state, values: withChanges(this.state.values, changes) }, gesture);
   }
 
   /** Ends a gesture. */
@@ -124,44 +125,55 @@ export class Editor {
     this.go(() => this.history.record(next, gesture));
   }
 
-  /** Changes the present state, and then the stage. */
+  /** Changes the present state, and in the next frame the stage. */
   private go(move: () => void): void {
     this.show(move);
-    this.handOver();
+    this.delivery ??= this.deliver();
   }
 
-  /** Adopts the values of the stage. Consecutive calls are undone together. */
-  private adopt(): void {
+  /**
+   * Adopts what changed on the stage, and keeps the edits that it lacks. Until it has entered the scene of the present
+   * state, its values are those of another one.
+   */
+  private follow(): void {
     const values = this.stage.get();
+    if (this.delivery && values.scene !== this.state.values.scene) return;
+    const edits = differences(this.seen, this.state.values);
+    this.seen = values;
+    this.adopt(withChanges(values, edits));
+  }
+
+  /** Consecutive calls are undone together. */
+  private adopt(values: Values): void {
     if (isEmpty(differences(this.state.values, values))) return;
     this.show(() => this.history.record({ ...this.state, values }, 'stage'));
   }
 
-  /** Gives the stage the present values. While it enters a scene, it gets them when it has arrived. */
-  private handOver(): void {
-    const [{ values }, before] = [this.state, this.stage.get()];
-    if (this.entry || isEmpty(differences(before, values))) return;
-    if (values.scene === before.scene) this.attempt(() => this.stage.replace(values));
-    else this.entry = this.enter(values);
+  private async deliver(): Promise<void> {
+    await this.surroundings.nextFrame();
+    const { values } = this.state;
+    const isTaken = await this.give(values);
+    this.delivery = undefined;
+    if (isTaken) this.follow();
+    else this.adopt((this.seen = this.stage.get()));
+    if (!isEmpty(differences(this.seen, this.state.values))) this.delivery = this.deliver();
   }
 
-  private attempt(change: () => void): void {
+  /** @returns whether the stage took the values. It does not if it rejects them, or was sent to another scene */
+  private async give(values: Values): Promise<boolean> {
+    const isNew = !isEmpty(differences(this.seen, values));
+    this.seen = values;
     try {
-      change();
+      if (values.scene !== this.stage.get().scene) {
+        await this.surroundings.enter(values);
+        // The optional values of the scene itself are no change of the state.
+        this.notify({});
+      } else if (isNew) this.stage.replace(values);
     } catch (error) {
       this.surroundings.notify((error as Error).message);
-      this.adopt();
+      return false;
     }
-  }
-
-  private async enter(values: Values): Promise<void> {
-    await this.surroundings.enter(values).catch(({ message }: Error) => this.surroundings.notify(message));
-    this.entry = undefined;
-    // The stage is in another scene if it could not enter this one, or was sent elsewhere since.
-    if (this.stage.get().scene === values.scene) this.handOver();
-    else this.adopt();
-    // A scene has optional values of its own, which are no change of the state.
-    this.notify({});
+    return values.scene === this.stage.get().scene;
   }
 
   private show(move: () => void): void {
@@ -178,6 +190,11 @@ export class Editor {
 /** Those of the values that belong to the camera. */
 function eyeOf(values: Values): Values {
   return Object.fromEntries(Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera'));
+}
+
+function withChanges(values: Values, changes: Changes): Values {
+  const entries = Object.entries({ ...values, ...changes });
+  return Object.fromEntries(entries.filter((entry): entry is [string, Value] => entry[1] !== undefined));
 }
 
 /** Values of `after` that differ from `before`; undefined for keys that `after` lacks. */

@@ -72,7 +72,7 @@ export class SmokeFiles {
 
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
     // Edits that the stage applies later would count as input to the take.
-    await this.editor.arrival();
+    await this.editor.delivered();
     await goToMoment(this.stage, { take, seconds, state, isTrusted: true }, this.notices, this.container);
   }
 }

@@ -41,20 +41,28 @@ class FakeStage {
 function editing() {
   const stage = new FakeStage();
   const [notices, notified]: [string[], Changes[]] = [[], []];
+  const entered: Values[] = [];
   let arrive = (_error?: Error) => {};
-  const enter = () =>
-    new Promise<void>((resolve, reject) => (arrive = (error) => (error === undefined ? resolve() : reject(error))));
-  const editor = new Editor(stage, defaultState().preset, { enter, notify: (message) => notices.push(message) });
+  const enter = (values: Values) => {
+    entered.push(values);
+    return new Promise<void>(
+      (resolve, reject) => (arrive = (error) => (error === undefined ? resolve() : reject(error))),
+    );
+  };
+  const nextFrame = () => Promise.resolve();
+  const notify = (message: string) => notices.push(message);
+  const editor = new Editor(stage, defaultState().preset, { nextFrame, enter, notify });
   editor.listen((_state, changed) => notified.push(changed));
   return {
     editor,
     stage,
     notices,
     notified,
+    entered,
     rate: () => editor.state.values[RATE],
     arrive: async (error?: Error) => {
       arrive(error);
-      await editor.arrival();
+      await editor.delivered();
     },
   };
 }
@@ -151,19 +159,32 @@ describe('Editor', () => {
 });
 
 describe('Editor and stage', () => {
-  it('the stage gets each change at once, and undo as well', () => {
+  it('the stage gets all changes of a frame together, and undo as well', async () => {
     const { editor, stage } = editing();
     const before = editor.state.values;
     editor.change(RATE, 200);
-    expect(stage.values[RATE]).toBe(200);
     editor.change('camera.distance', 5);
+    expect(stage.given).toEqual([]);
+    await editor.delivered();
+    expect(stage.given).toEqual([{ ...before, [RATE]: 200, 'camera.distance': 5 }]);
     editor.undo();
     editor.undo();
+    await editor.delivered();
     expect(stage.values).toEqual(before);
-    expect(stage.given).toHaveLength(4);
+    expect(stage.given).toHaveLength(2);
   });
 
-  it('what is set on the stage is known to the editor, is undone together, and does not go back to the stage', () => {
+  it('an edit that waits for the next frame and a change of the stage meanwhile both last', async () => {
+    const { editor, stage } = editing();
+    editor.change(RATE, 200);
+    stage.change({ ...stage.values, 'camera.azimuth': 30 });
+    await editor.delivered();
+    for (const values of [stage.values, editor.state.values]) {
+      expect([values[RATE], values['camera.azimuth']]).toEqual([200, 30]);
+    }
+  });
+
+  it('what is set on the stage is known to the editor, is undone together, and does not go back to the stage', async () => {
     const { editor, stage, notified, rate } = editing();
     const before = rate();
     for (const value of [200, 210]) stage.change({ ...stage.values, [RATE]: value });
@@ -171,22 +192,25 @@ describe('Editor and stage', () => {
     stage.change({ ...stage.values });
     expect(notified).toHaveLength(2);
     editor.undo();
+    await editor.delivered();
     expect([rate(), stage.values[RATE], editor.canUndo]).toEqual([before, before, false]);
   });
 
-  it('a change that the stage rejects is reported and taken back', () => {
+  it('a change that the stage rejects is reported and taken back', async () => {
     const { editor, stage, notices, rate } = editing();
     stage.rejects = true;
     editor.change(RATE, 200);
+    await editor.delivered();
     expect(notices).toEqual(['too many']);
     expect(rate()).toBe(stage.values[RATE]);
   });
 
   it('what is edited while a scene is entered reaches the stage when it has arrived', async () => {
-    const { editor, stage, arrive } = editing();
+    const { editor, stage, arrive, entered } = editing();
     const before = stage.values;
     editor.choose('train');
     const train = editor.state.values;
+    await Promise.resolve();
     editor.change(RATE, 200);
     // The scene before goes on, which is no edit.
     stage.change({ ...before, [RATE]: 7 });
@@ -194,6 +218,7 @@ describe('Editor and stage', () => {
     expect(stage.given).toEqual([]);
     stage.change(train);
     await arrive();
+    expect(entered).toEqual([train]);
     expect(stage.given).toEqual([{ ...train, [RATE]: 200 }]);
     expect(stage.values).toBe(stage.given[0]);
   });
@@ -201,6 +226,7 @@ describe('Editor and stage', () => {
   it('returns to the scene that the stage has if it cannot enter another one', async () => {
     const { editor, stage, arrive, notices } = editing();
     editor.choose('train');
+    await Promise.resolve();
     await arrive(new Error('no network'));
     expect(notices).toEqual(['no network']);
     expect(editor.state.values).toBe(stage.values);
@@ -210,6 +236,7 @@ describe('Editor and stage', () => {
   it('follows the stage where it was sent while the editor waited for another scene', async () => {
     const { editor, stage, arrive } = editing();
     editor.choose('train');
+    await Promise.resolve();
     stage.change({ ...stage.values, scene: 'rocket' });
     await arrive();
     expect(editor.state.values.scene).toBe('rocket');
