@@ -102,3 +102,6 @@ export function accepted(parameter: Parameter): string {
     }
   }
 }
+
+/** A row with the literal type of its key and its reader. */
+export type Keyed<Row, Key extends string, By extends Reader> = Row & { readonly key: Key; readonly reader: By };

@@ -1,9 +1,6 @@
 /** Factories for rows of the parameter table. */
 import singles from '../singles.json' with { type: 'json' };
-import type { ChoiceParameter, NumberParameter, Parameter, Reader } from '../parameter.ts';
-
-/** A row with the literal type of its key and its reader. */
-export type Keyed<Row, Key extends string, By extends Reader> = Row & { readonly key: Key; readonly reader: By };
+import type { ChoiceParameter, Keyed, NumberParameter, Parameter, Reader } from '../parameter.ts';
 
 type Named = Pick<Parameter, 'label' | 'text'>;
 export type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;

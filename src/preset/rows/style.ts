@@ -1,5 +1,12 @@
-import type { ColorParameter, NumberParameter, Parameter, RampParameter, ToggleParameter } from '../parameter.ts';
-import { choice, quantity, simulated, type Keyed } from './row.ts';
+import type {
+  ColorParameter,
+  Keyed,
+  NumberParameter,
+  Parameter,
+  RampParameter,
+  ToggleParameter,
+} from '../parameter.ts';
+import { choice, quantity, simulated } from './row.ts';
 
 /** Shadows, tones, colours and ink. The types keep the keys: the fields of `Style` follow from them. */
 export const styleRows = [

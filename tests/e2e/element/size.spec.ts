@@ -35,7 +35,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await openPage('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 60, goal: 60 },
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 62, goal: 62 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 107 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
