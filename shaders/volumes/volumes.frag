@@ -13,7 +13,6 @@ uniform sampler2D receiverDepth;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
-flat in vec3 back;
 flat in vec3 discs[LOBES];
 
 #include ../lib/depth.glsl
@@ -29,6 +28,7 @@ void main() {
   float z = viewZOf(clipFromView, texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r);
   vec3 receiver = vec3(viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, z), z);
   // The receiver in the frame of the volume, and its projection from the light onto the plane of the discs.
+  vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
   vec3 place = eyeAndGrowth.xyz + receiver.x * rightAndLength.xyz + receiver.y * upAndScale.xyz + receiver.z * back;
   vec2 point = place.xy / (upAndScale.w + eyeAndGrowth.w * place.z);
   float inside = 0.0;

@@ -35,8 +35,6 @@ in uvec2 attributes;
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
-// The third axis of view space in the frame.
-flat out vec3 back;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
 
@@ -140,7 +138,6 @@ void main() {
   rightAndLength = vec4(frameFromView[0] / place.w, extent);
   upAndScale = vec4(frameFromView[1] / place.w, scale);
   eyeAndGrowth = vec4(frameFromView * -start / place.w, growth);
-  back = frameFromView[2] / place.w;
   vec3 end = start + extent * place.w * axis;
   vec4 startBall = vec4(start, place.w * widest * scale);
   vec4 endBall = vec4(end, startBall.w + place.w * widest * growth * extent);
