@@ -72,9 +72,9 @@ test.describe('with all pixels', () => {
     });
     await ask(page, async (stage) => {
       // All renderers are loaded together when the first one is requested; after that each change is immediate.
-      stage.set({ 'style.renderer': 'selle' });
+      stage.set({ 'style.renderer': 'selle', 'style.volumes': 'counted' });
       await stage.complete();
-      stage.set({ 'style.renderer': 'nailboards' });
+      stage.set({ 'style.renderer': 'nailboards', 'style.volumes': 'receiver' });
     });
     expect(await withoutEffectOnPicture(page, singleTrials('style', 'light', 'camera'))).toEqual([]);
   });

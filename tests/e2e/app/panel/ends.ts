@@ -13,6 +13,8 @@ export interface Trial {
 /** Additional values that a row needs to have a visible effect. */
 const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.(shadowDepth|deepShadow)$/, { 'style.shadowSteps': 2, 'style.shadowDepth': 2 }],
+  // Both ways to count agree, except in the gaps between lobes that a low light shows from the side.
+  [/^style\.volumes$/, { 'light.elevation': 5, 'style.shadowSteps': 2, 'style.shadowDepth': 2 }],
   [/^style\.rampBlend$/, { 'style.ramp': '0:000000,1:ffffff' }],
   [/^style\.rimColor$/, { 'style.rim': 1 }],
   [/^style\.washColor$/, { 'style.wash': 1 }],

@@ -103,7 +103,7 @@ test('a take too long for a link becomes a file, which restores the moment', asy
   const hash = await ask(page, (stage) => stage.hash());
   await page.getByRole('button', { name: 'Share' }).click();
   await sheet(page).getByRole('radio', { name: 'This moment' }).check();
-  await expect(sheet(page).getByRole('status')).toContainText('chats cut links over 8000');
+  await expect(sheet(page).getByRole('status')).toContainText('chat programs cut links over 8000');
   await expect(sheet(page).getByRole('button', { name: 'Copy link' })).toBeDisabled();
   const file = await saved(page, () => sheet(page).getByRole('button', { name: 'Save as file' }).click());
   expect(file.name).toBe('lamp.take.json');
