@@ -1,10 +1,13 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DataTexture,
   DynamicDrawUsage,
+  FloatType,
   Matrix4,
+  RGBAFormat,
   Vector3,
-  type Vector4,
+  Vector4,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
@@ -15,10 +18,34 @@ import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude, inOne, writeVolume, type Extrusion } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import type { SurfaceDescription } from './surfaces.ts';
-import { TransformTexture } from './transformTexture.ts';
 import { SHADOW_INSET } from '../constants.ts';
 
 export const memoizedExtrusion = memoize(extrude);
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+/** World transforms of surfaces for the vertex shader: one row of four texels for each. */
+class TransformTexture {
+  readonly texture: DataTexture;
+  private readonly elements: Float32Array;
+
+  /** @param count number of surfaces, at most the maximum height of a texture */
+  constructor(count: number) {
+    this.elements = new Float32Array(16 * Math.max(1, count));
+    for (let first = 0; first < this.elements.length; first += 16) this.elements.set(IDENTITY, first);
+    this.texture = new DataTexture(this.elements, 4, Math.max(1, count), RGBAFormat, FloatType);
+    this.texture.needsUpdate = true;
+  }
+
+  set(surface: number, worldFromModel: Matrix4): void {
+    this.elements.set(worldFromModel.elements, 16 * surface);
+    this.texture.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.texture.dispose();
+  }
+}
 
 /** A mesh that casts shadow. */
 interface Caster {
@@ -28,8 +55,8 @@ interface Caster {
   readonly facesLight: Uint8Array;
   readonly worldFromModel: Matrix4;
   isVisible: boolean;
-  /** The light of `facesLight` in the frame of the model; NaN at first. */
-  readonly light: Vector3;
+  /** The light of `facesLight` in the frame of the model, and whether it is a lamp (w); NaN at first. */
+  readonly light: Vector4;
 }
 
 /**
@@ -81,7 +108,7 @@ export class MeshVolumesPass {
   place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
     const caster = this.casters.get(surface);
     if (!caster) return;
-    this.transforms.set(surface, worldFromModel);
+    if (!caster.worldFromModel.equals(worldFromModel)) this.transforms.set(surface, worldFromModel);
     caster.worldFromModel.copy(worldFromModel);
     if (caster.isVisible !== isVisible) this.isStale = true;
     caster.isVisible = isVisible;
@@ -127,7 +154,7 @@ function casterOf(mesh: Extrusion, first: number): Caster {
     facesLight: new Uint8Array(mesh.corners.length / 3),
     worldFromModel: new Matrix4(),
     isVisible: true,
-    light: new Vector3(NaN, NaN, NaN),
+    light: new Vector4(NaN, NaN, NaN, NaN),
   };
 }
 
@@ -147,6 +174,7 @@ function geometryOf(casters: ReadonlyMap<number, Caster>, indices: Uint32Array):
 }
 
 const light = new Vector3();
+const seen = new Vector4();
 const point = new Vector3();
 const stretch = new Matrix4();
 
@@ -161,8 +189,9 @@ function followLight(caster: Caster, { x, y, z, w }: Vector4): boolean {
   // light travels along p - L towards a point p, and along -L for a sun.
   light.set(w * e[12] - x, w * e[13] - y, w * e[14] - z);
   const [lightX, lightY, lightZ] = [0, 4, 8].map((at) => e[at] * light.x + e[at + 1] * light.y + e[at + 2] * light.z);
-  if (caster.light.x === lightX && caster.light.y === lightY && caster.light.z === lightZ) return false;
-  caster.light.set(lightX, lightY, lightZ);
+  seen.set(lightX, lightY, lightZ, w);
+  if (caster.light.equals(seen)) return false;
+  caster.light.copy(seen);
   stretch.copy(worldFromModel).setPosition(0, 0, 0).transpose().multiply(worldFromModel).setPosition(0, 0, 0);
   const { corners, normals, positions } = mesh;
   for (let face = 0; face < facesLight.length; ++face) {

@@ -22,7 +22,7 @@ export interface ViewSources {
   readonly boxes: readonly Box3[];
   /** Least distance behind a puff's centre at which volumes start, in radii. */
   readonly minCap: number;
-  /** Whether puffs are drawn without depth, and their shadows as prisms. */
+  /** Whether puffs are drawn as discs. */
   readonly isFlat: boolean;
 }
 
