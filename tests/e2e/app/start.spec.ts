@@ -1,4 +1,5 @@
 /** Load on the visitor's machine after the start. */
+import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, test } from '../../support/fixtures.ts';
 import { slowness, TASK_CATEGORIES, tasksAfter } from '../../support/longTasks.ts';
 
@@ -21,11 +22,8 @@ test('at default settings no task takes longer than 200 ms once smoke plays', as
 });
 
 test('nothing is written to the console', async ({ page }) => {
-  const lines: string[] = [];
-  page.on('console', (message) => lines.push(message.text()));
+  const lines = watchConsole(page);
   await page.goto('/');
   await page.waitForFunction(() => (window.cartoonSmoke?.stats.bodiesDrawn ?? 0) > 0);
-  // Ignore messages of Chromium's driver and of the test tools.
-  const own = lines.filter((line) => !/GPU stall due to ReadPixels|Service Worker registration blocked/.test(line));
-  expect(own).toEqual([]);
+  expect(lines).toEqual([]);
 });

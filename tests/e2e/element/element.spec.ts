@@ -1,4 +1,5 @@
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
+import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, scrollPage, stands, test, WISP } from '../../support/embed.ts';
 
 declare global {
@@ -85,8 +86,7 @@ test('rejects calls with values out of range, and changes nothing', async ({ pag
 });
 
 test('uses the default for invalid values, with a notice and no console output', async ({ page, openPage }) => {
-  const lines: string[] = [];
-  page.on('console', (message) => lines.push(message.text()));
+  const lines = watchConsole(page);
   await openPage(`<cartoon-smoke preset="fog" scene="wisp" emission-rate="plenty" emission-lifetime="1000" thread="main"
     simulation-max-particles="300" loading="soon" start="dusk" style="height: 200px"></cartoon-smoke>${LISTEN}`);
   await stands(page);

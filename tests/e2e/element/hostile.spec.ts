@@ -1,4 +1,5 @@
 import { names } from '../../../src/element/attributes/names.ts';
+import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, MODULES, stands, test, WISP } from '../../support/embed.ts';
 
 const OWN = [
@@ -24,8 +25,7 @@ test('5,000 hostile attributes change nothing outside the element, and the smoke
   page,
   openPage,
 }) => {
-  const lines: string[] = [];
-  page.on('console', (message) => lines.push(message.text()));
+  const lines = watchConsole(page);
   await openPage(`<p id="neighbour">Somebody's text</p>
     <cartoon-smoke ${WISP} paused style="width: 64px; height: 48px"></cartoon-smoke>`);
   await stands(page);

@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, MODULES, stands, test } from '../../support/embed.ts';
 
 const OTHER = '9.8.7';
@@ -20,12 +21,6 @@ async function serveOther(page: Page): Promise<void> {
     if (!route.request().url().endsWith('.js')) return route.fulfill({ contentType: 'application/wasm', body: file });
     return route.fulfill({ contentType: 'text/javascript', body: file.toString().replaceAll(version, OTHER) });
   });
-}
-
-function watchConsole(page: Page): string[] {
-  const lines: string[] = [];
-  page.on('console', (message) => lines.push(message.text()));
-  return lines;
 }
 
 test('the second version leaves the element to the first, with a notice', async ({ page, openPage }) => {
