@@ -34,6 +34,9 @@ export const FADE_WIDTHS = [0.5, 1] as const;
 /** Radius of a puff, in line widths, from which its line is visible, and from which it is opaque. */
 export const FADE_RADII = [1.5, 3] as const;
 
+/** Side of the square tiles in which the resolve pass looks for edges, pixels. */
+export const EDGE_TILE = 8;
+
 /** Distance of a lifted ring of ink in front of the surface, in steps of a 24-bit depth buffer. */
 export const LIFT_STEPS = 3;
 /**

@@ -2,23 +2,17 @@ precision highp float;
 
 // Smooths edges between flat tones in screen space, after Reshetnikov, 'Morphological Antialiasing' (2009). Where two
 // tones meet along a nearly straight line, each pixel next to the line is blended with the other tone by the area that
-// the line covers between its two ends. Flat pixels stay bit-exact, and corners stay sharp.
+// the line covers between its two ends. Flat pixels stay bit-exact, and corners stay sharp. Drawn over the tiles that
+// contain an edge.
 // GPUs run pixels in groups, and a group takes each branch that one of its pixels takes: a branch saves little, but a
 // loop that ends early does. Code for several directions is therefore written once, in a loop over them.
 // Input: chosen tones of tones.frag. Output: premultiplied display-encoded colour.
-uniform sampler2D tones;
-
 out vec4 pixel;
 
 #include ../lib/srgb.glsl
+#include ../lib/tones.glsl
 
-// Half a step of an 8-bit channel would be noise; every visible edge is far above this threshold.
-const float EDGE = 0.04;
 const int LONGEST = 12;
-
-vec4 toneAt(ivec2 at) {
-  return texelFetch(tones, clamp(at, ivec2(0), textureSize(tones, 0) - 1), 0);
-}
 
 float difference(vec4 a, vec4 b) {
   vec4 gap = abs(a - b);

@@ -1,7 +1,12 @@
 import { type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import copyShader from '../../shaders/resolve/copy.frag';
 import edgesShader from '../../shaders/resolve/edges.frag';
+import edgesVertexShader from '../../shaders/resolve/edges.vert';
+import tilesShader from '../../shaders/resolve/tiles.frag';
 import tonesShader from '../../shaders/resolve/tones.frag';
+import { EDGE_TILE } from '../constants.ts';
 import type { FrameView } from '../device/frameView.ts';
+import { DrawnPoints } from '../device/drawnPoints.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
 import type { Targets } from './targets.ts';
@@ -11,7 +16,8 @@ export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>
 
 /**
  * Chooses lit or unlit by the mask, smooths edges, and writes premultiplied colour to the canvas or to a render target.
- * Edge smoothing is a second draw call, because it reads many neighbours of a pixel and each must be chosen only once.
+ * Edge smoothing takes more draw calls, because it reads many neighbours of a pixel and each must be chosen only once.
+ * Its shader is expensive, so it runs only in tiles that contain an edge. The others are copied.
  */
 export class ResolvePass {
   smoothEdges = true;
@@ -23,11 +29,17 @@ export class ResolvePass {
   };
   private readonly chosen = pictureTarget();
   private readonly tones: FullScreen;
-  private readonly edges: FullScreen;
+  private readonly marks = pictureTarget();
+  private readonly tiles: FullScreen;
+  private readonly copy: FullScreen;
+  private readonly edges: DrawnPoints;
 
   constructor(eye: FrameView) {
     this.tones = new FullScreen(tonesShader, { ...eye.uniforms, ...this.uniforms });
-    this.edges = new FullScreen(edgesShader, { ...eye.uniforms, tones: { value: this.chosen.texture } });
+    const smoothing = { tones: { value: this.chosen.texture }, tiles: { value: this.marks.texture } };
+    this.tiles = new FullScreen(tilesShader, smoothing);
+    this.copy = new FullScreen(copyShader, smoothing);
+    this.edges = new DrawnPoints(edgesVertexShader, edgesShader, smoothing);
   }
 
   /**
@@ -45,16 +57,24 @@ export class ResolvePass {
     this.uniforms.unlit.value = unlit;
     this.uniforms.lit.value = lit;
     this.uniforms.isLast.value = !this.smoothEdges;
-    if (this.smoothEdges) {
-      this.chosen.setSize(width, height);
-      renderer.setRenderTarget(this.chosen);
+    if (!this.smoothEdges) {
+      renderer.setRenderTarget(output);
       this.tones.draw(renderer);
+      return;
     }
+    this.chosen.setSize(width, height);
+    renderer.setRenderTarget(this.chosen);
+    this.tones.draw(renderer);
+    const [columns, rows] = [Math.ceil(width / EDGE_TILE), Math.ceil(height / EDGE_TILE)];
+    this.marks.setSize(columns, rows);
+    renderer.setRenderTarget(this.marks);
+    this.tiles.draw(renderer);
     renderer.setRenderTarget(output);
-    (this.smoothEdges ? this.edges : this.tones).draw(renderer);
+    this.copy.draw(renderer);
+    this.edges.draw(renderer, columns * rows);
   }
 
   dispose(): void {
-    for (const part of [this.tones, this.edges, this.chosen]) part.dispose();
+    for (const part of [this.tones, this.tiles, this.copy, this.edges, this.chosen, this.marks]) part.dispose();
   }
 }

@@ -11,8 +11,10 @@ import {
   WebGLRenderTarget,
   type Texture,
 } from 'three';
+import edgesShader from '../../../shaders/resolve/edges.frag';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { createDevice, type Device } from '../../../src/device/device.ts';
+import { FullScreen } from '../../../src/device/fullScreen.ts';
 import { FrameView } from '../../../src/device/frameView.ts';
 import { ResolvePass } from '../../../src/passes/resolve.ts';
 import { styleUniforms } from '../../../src/smoke/style.ts';
@@ -286,6 +288,54 @@ export function corner(): number {
   const [raw, smooth] = [false, true].map((smoothEdges) => filter.draw(pixelAt, smoothEdges));
   filter.dispose();
   return raw.filter((value, index) => value !== smooth[index]).length;
+}
+
+/**
+ * Pixels that differ between the resolve pass and the edge filter over the whole picture, and pixels that the filter
+ * changes, for a picture of slanted bands.
+ * @param width, height pixels
+ */
+export function tiled(width: number, height: number): { different: number; filtered: number } {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const pass = new ResolvePass(new FrameView(styleUniforms()));
+  const [unlit, lit] = [bands(width, height, 255), bands(width, height, 0)];
+  const draw = (drawInto: (target: WebGLRenderTarget) => void) => {
+    const target = new WebGLRenderTarget(width, height, { depthBuffer: false, magFilter: NearestFilter });
+    drawInto(target);
+    const pixels = new Uint8Array(4 * width * height);
+    device.renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
+    return { target, pixels: new Uint32Array(pixels.buffer) };
+  };
+  const resolved = (smoothEdges: boolean) =>
+    draw((target) => {
+      pass.smoothEdges = smoothEdges;
+      pass.draw(device.renderer, { unlit, lit, width, height }, target);
+    });
+  const tones = resolved(false);
+  const filter = new FullScreen(edgesShader, { tones: { value: tones.target.texture } });
+  const expected = draw((target) => {
+    device.renderer.setRenderTarget(target);
+    filter.draw(device.renderer);
+  });
+  const actual = resolved(true);
+  const differences = (other: Uint32Array) => expected.pixels.filter((pixel, at) => pixel !== other[at]).length;
+  const report = { different: differences(actual.pixels), filtered: differences(tones.pixels) };
+  for (const part of [unlit, lit, tones.target, expected.target, actual.target, filter, pass, device]) part.dispose();
+  return report;
+}
+
+/** Slanted bands, whose edges follow the borders of tiles and bend there. */
+function bands(width: number, height: number, alpha: number): Texture {
+  const data = new Uint8Array(4 * width * height);
+  for (let y = 0; y < height; ++y) {
+    for (let x = 0; x < width; ++x) {
+      const band = Math.floor((y + Math.floor(x / 8)) / 8);
+      data.set([60 * (band % 4), 120 * (band % 2), 90, alpha], 4 * (y * width + x));
+    }
+  }
+  const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
+  texture.needsUpdate = true;
+  return texture;
 }
 
 const PAGE = KINDS.silhouette[1];

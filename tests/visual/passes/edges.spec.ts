@@ -46,6 +46,23 @@ test('the corner of a square stays sharp', async ({ load }) => {
   expect(await cases.evaluate((module) => module.corner())).toBe(0);
 });
 
+for (const [width, height] of [
+  [64, 64],
+  [67, 45],
+  [9, 8],
+  [5, 3],
+] as const) {
+  test(`the filter skips tiles without an edge and no others, ${width} x ${height}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { different, filtered } = await cases.evaluate((module, size) => module.tiled(...size), [
+      width,
+      height,
+    ] as const);
+    expect(different).toBe(0);
+    if (width > 9) expect(filtered).toBeGreaterThan(0);
+  });
+}
+
 for (const grey of [0, 128, 255]) {
   test(`an outline has the same coverage on a transparent page as on an opaque one: ${grey}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);

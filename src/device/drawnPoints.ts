@@ -1,0 +1,43 @@
+import {
+  BufferGeometry,
+  GLSL3,
+  NoBlending,
+  Points,
+  RawShaderMaterial,
+  Scene,
+  type IUniform,
+  type WebGLRenderer,
+} from 'three';
+import { PassCamera } from './passCamera.ts';
+
+/** Points without attributes: the vertex shader places each by `gl_VertexID`. They neither test nor write depth. */
+export class DrawnPoints {
+  private readonly points: Points<BufferGeometry, RawShaderMaterial>;
+  private readonly scene = new Scene();
+  private readonly camera = new PassCamera();
+
+  constructor(vertexShader: string, fragmentShader: string, uniforms: Record<string, IUniform>) {
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms,
+      depthTest: false,
+      depthWrite: false,
+      blending: NoBlending,
+    });
+    this.points = new Points(new BufferGeometry(), material);
+    this.points.frustumCulled = false;
+    this.scene.add(this.points);
+  }
+
+  draw(renderer: WebGLRenderer, count: number): void {
+    this.points.geometry.setDrawRange(0, count);
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.points.geometry.dispose();
+    this.points.material.dispose();
+  }
+}
