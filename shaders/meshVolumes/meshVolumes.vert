@@ -1,5 +1,4 @@
 precision highp float;
-precision highp sampler2D;
 
 // The shadow volumes of closed meshes. Each vertex exists twice: at the start of its volume, and moved along the light
 // to the end. src/passes/meshVolumes.ts chooses the triangles. Positions are in model space, extrusion is in world space.
@@ -11,8 +10,6 @@ uniform vec3 receiversMax;
 uniform float inset;
 // Number of the first vertex at the end of a volume.
 uniform int firstFar;
-// World transforms of the surfaces, a row of four texels for each.
-uniform sampler2D transforms;
 
 in vec3 position;
 // Index of the surface, and the length of its longest edge.
@@ -20,6 +17,7 @@ in vec2 surfaceAndEdge;
 
 #include ../lib/box.glsl
 #include ../lib/light.glsl
+#include ../lib/transforms.glsl
 
 // Margin of the box, metres: the distance out of a box can be larger between two vertices than at both. Triangles are
 // small enough for this margin.
@@ -27,15 +25,6 @@ const float MARGIN = 0.1;
 
 // Rays of a lamp diverge by the length of an edge per distance from the lamp. Limit of that growth.
 const float WIDEST = 0.5;
-
-mat4 worldFromModel(int surface) {
-  return mat4(
-    texelFetch(transforms, ivec2(0, surface), 0),
-    texelFetch(transforms, ivec2(1, surface), 0),
-    texelFetch(transforms, ivec2(2, surface), 0),
-    texelFetch(transforms, ivec2(3, surface), 0)
-  );
-}
 
 float extentOf(vec3 world, vec3 travel) {
   float growth = lightInWorld.w * min(WIDEST, surfaceAndEdge.y / max(length(world - lightInWorld.xyz), 1e-6));

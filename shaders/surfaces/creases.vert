@@ -2,22 +2,19 @@ precision highp float;
 
 // A sharp edge of a surface, or a seam of two surfaces, as a ribbon of constant width in pixels. An edge with a face
 // that looks away belongs to the silhouette, which the hull draws, and is skipped. The normals of a seam are zero.
-// Inputs are in model space; the ribbon is widened in clip space.
-uniform mat4 modelMatrix;
+// Edges are in model space; the ribbon is widened in clip space. Four vertices make a ribbon: instances of one quad would
+// be a draw call each on some GPUs.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
 uniform float near;
 uniform float inkPixels;
 
-// x: 0 at the start, 1 at the end; y: -1 and 1 on the two sides.
-in vec2 corner;
-in vec3 start;
-in vec3 end;
-in vec3 oneNormal;
-in vec3 otherNormal;
+// Four texels for each edge: start and index of the surface, end, normals of both faces.
+uniform highp sampler2D edges;
 
 #include ../lib/pixel.glsl
+#include ../lib/transforms.glsl
 
 // Distance of a ribbon in front of its surface: line widths, and the upper limit in metres. A seam is in a hollow and
 // needs a larger distance.
@@ -40,10 +37,23 @@ vec3 clipped(vec3 place, vec3 other) {
   return depth >= near ? place : mix(place, other, clamp((near - depth) / (-other.z - depth), 0.0, 1.0));
 }
 
+vec4 texelOf(int edge, int texel) {
+  int perRow = textureSize(edges, 0).x / 4;
+  return texelFetch(edges, ivec2(4 * (edge % perRow) + texel, edge / perRow), 0);
+}
+
 void main() {
-  mat4 viewFromModel = viewFromWorld * modelMatrix;
-  vec3 from = (viewFromModel * vec4(start, 1.0)).xyz;
-  vec3 to = (viewFromModel * vec4(end, 1.0)).xyz;
+  int edge = gl_VertexID / 4;
+  // x: 0 at the start, 1 at the end; y: -1 and 1 on the two sides.
+  int number = gl_VertexID % 4;
+  vec2 corner = vec2(number == 1 || number == 2, number < 2 ? -1.0 : 1.0);
+  vec4 startAndSurface = texelOf(edge, 0);
+  vec3 oneNormal = texelOf(edge, 2).xyz;
+  vec3 otherNormal = texelOf(edge, 3).xyz;
+  // An invisible surface has a transform of zeros, and all its edges are at the camera, before the near plane.
+  mat4 viewFromModel = viewFromWorld * worldFromModel(int(startAndSurface.w));
+  vec3 from = (viewFromModel * vec4(startAndSurface.xyz, 1.0)).xyz;
+  vec3 to = (viewFromModel * vec4(texelOf(edge, 1).xyz, 1.0)).xyz;
   mat3 rotation = mat3(viewFromModel);
   vec3 towardsEye = clipFromView[2][3] != 0.0 ? -from : vec3(0.0, 0.0, 1.0);
   bool isHidden = max(-from.z, -to.z) < near;

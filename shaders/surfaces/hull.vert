@@ -2,7 +2,6 @@ precision highp float;
 
 // The outline of a surface: its back faces, moved outwards in clip space by the width of the line (inverted hull). The
 // width in pixels is the same at any distance, for perspective and orthographic cameras.
-uniform mat4 modelMatrix;
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -13,10 +12,12 @@ uniform bool isRaised;
 
 in vec3 position;
 in vec3 hullNormal;
+in float surface;
 
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
 #include ../lib/light.glsl
+#include ../lib/transforms.glsl
 
 // Distance by which the raised hull is nearer, so that its line does not sink into the ground: line widths, and the
 // limit in metres, so that a line that is wide in the world does not cover protruding parts of its own surface.
@@ -29,7 +30,12 @@ float raisedClipZ(float viewZ, float clipW, float nearer) {
 }
 
 void main() {
-  mat4 viewFromModel = viewFromWorld * modelMatrix;
+  mat4 transform = worldFromModel(int(surface));
+  if (!isVisible(transform)) {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+    return;
+  }
+  mat4 viewFromModel = viewFromWorld * transform;
   vec4 inView = viewFromModel * vec4(position, 1.0);
   vec4 clip = clipFromView * inView;
   vec2 outward = vec2(clipFromView[0][0], clipFromView[1][1]) * (mat3(viewFromModel) * hullNormal).xy * viewport;

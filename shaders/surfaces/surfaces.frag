@@ -1,13 +1,13 @@
 precision highp float;
 
-// A mesh of the scene, shaded by its own rows of the ramp texture. Inputs are in world space. Outputs the
+// The meshes of the scene, each shaded by its own rows of the ramp texture. Inputs are in world space. Outputs the
 // display-encoded unlit and lit colour.
 uniform sampler2D ramps;
-uniform float material;
 uniform vec4 lightInWorld;
 
 in vec3 worldNormal;
 in vec3 worldPlace;
+flat in float material;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;

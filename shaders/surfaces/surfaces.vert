@@ -1,18 +1,27 @@
 precision highp float;
 
-// A mesh of the scene. Inputs are in model space; outputs are the normal and the position in world space.
-uniform mat4 modelMatrix;
+// The meshes of the scene. Inputs are in model space; outputs are the normal and the position in world space, and the
+// ramp index.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
+// Ramp index of the first surface; the others follow in order.
+uniform float firstMaterial;
 
 in vec3 position;
 in vec3 normal;
+in float surface;
 
 out vec3 worldNormal;
 out vec3 worldPlace;
+flat out float material;
+
+#include ../lib/transforms.glsl
 
 void main() {
-  worldNormal = mat3(modelMatrix) * normal;
-  worldPlace = (modelMatrix * vec4(position, 1.0)).xyz;
-  gl_Position = clipFromView * viewFromWorld * modelMatrix * vec4(position, 1.0);
+  mat4 transform = worldFromModel(int(surface));
+  worldNormal = mat3(transform) * normal;
+  worldPlace = (transform * vec4(position, 1.0)).xyz;
+  material = firstMaterial + surface;
+  vec4 clip = clipFromView * viewFromWorld * transform * vec4(position, 1.0);
+  gl_Position = isVisible(transform) ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -1,76 +1,71 @@
 import {
-  DoubleSide,
-  GLSL3,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
   BufferAttribute,
-  Mesh,
+  BufferGeometry,
+  DataTexture,
+  DoubleSide,
+  FloatType,
+  GLSL3,
   RawShaderMaterial,
-  Scene,
-  type Matrix4,
+  RGBAFormat,
   type WebGLRenderer,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
 import creasesVertexShader from '../../shaders/surfaces/creases.vert';
 import fragmentShader from '../../shaders/surfaces/hull.frag';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { inOne, type TriangleMesh } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
 import type { SurfaceDescription } from './surfaces.ts';
+import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SHARP_ANGLE } from '../constants.ts';
+
+/** Edges in a row of the texture, four texels each. */
+const EDGES_PER_ROW = 256;
 
 /**
  * Draws the sharp edges of inked surfaces, and the seams between surfaces of the same rigid, as ribbons with the width
- * of the outlines. The depth test hides the covered ones.
+ * of the outlines, in one draw call. The depth test hides the covered ones.
  */
 export class CreasesPass {
-  private readonly scene = new Scene();
-  private readonly camera = new PassCamera();
-  private readonly meshes = new Map<number, Mesh<InstancedBufferGeometry, RawShaderMaterial>>();
   private readonly eye: FrameView;
-  private readonly material: RawShaderMaterial;
+  private readonly count: number;
+  private readonly edges: DataTexture;
+  private readonly ribbons: DrawnMesh;
 
-  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[]) {
+  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
     this.eye = eye;
-    this.material = new RawShaderMaterial({
+    const { count, texels, indices } = ribbonsOf(surfaces);
+    this.count = count;
+    this.edges = new DataTexture(
+      texels,
+      4 * EDGES_PER_ROW,
+      texels.length / (16 * EDGES_PER_ROW),
+      RGBAFormat,
+      FloatType,
+    );
+    this.edges.needsUpdate = true;
+    const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: creasesVertexShader,
       fragmentShader,
-      uniforms: eye.uniforms,
+      uniforms: { ...eye.uniforms, edges: { value: this.edges }, transforms: { value: transforms.texture } },
       side: DoubleSide,
     });
-    edgesOf(surfaces).forEach((edges, index) => this.add(index, edges));
-  }
-
-  /** Sets the world transform and the visibility of a surface. */
-  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
-    const ribbons = this.meshes.get(surface);
-    if (!ribbons) return;
-    ribbons.matrixWorld.copy(worldFromModel);
-    ribbons.visible = isVisible;
+    this.ribbons = new DrawnMesh(material, new BufferGeometry().setIndex(new BufferAttribute(indices, 1)));
   }
 
   draw(renderer: WebGLRenderer): void {
     const { creases, inkPixels } = this.eye.uniforms;
     const isInked = creases.value && inkPixels.value > 0;
-    if (this.meshes.size > 0 && isInked) renderer.render(this.scene, this.camera);
+    if (this.count > 0 && isInked) this.ribbons.draw(renderer);
   }
 
   dispose(): void {
-    this.material.dispose();
-    for (const { geometry } of this.meshes.values()) geometry.dispose();
-  }
-
-  private add(index: number, edges: CreaseEdges): void {
-    if (edges.count === 0) return;
-    const ribbons = new Mesh(ribbonsOf(edges), this.material);
-    ribbons.frustumCulled = false;
-    ribbons.matrixAutoUpdate = false;
-    ribbons.matrixWorldAutoUpdate = false;
-    this.meshes.set(index, ribbons);
-    this.scene.add(ribbons);
+    this.edges.dispose();
+    this.ribbons.material.dispose();
+    this.ribbons.mesh.geometry.dispose();
   }
 }
 
@@ -109,20 +104,23 @@ function joined(edges: readonly CreaseEdges[]): CreaseEdges {
   };
 }
 
-/** An instanced geometry with one quad for each edge. */
-function ribbonsOf({ count, ends, faceNormals }: CreaseEdges): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  const everyOther = (numbers: Float32Array, first: number): InstancedBufferAttribute =>
-    new InstancedBufferAttribute(
-      numbers.filter((_, at) => at % 6 >= first && at % 6 < first + 3),
-      3,
-    );
-  geometry.setAttribute('corner', new BufferAttribute(new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]), 2));
-  geometry.setAttribute('start', everyOther(ends, 0));
-  geometry.setAttribute('end', everyOther(ends, 3));
-  geometry.setAttribute('oneNormal', everyOther(faceNormals, 0));
-  geometry.setAttribute('otherNormal', everyOther(faceNormals, 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  geometry.instanceCount = count;
-  return geometry;
-}
+/** The edges of all surfaces as texels, and two triangles for each; the texture has at least one row. */
+const ribbonsOf = memoize((surfaces: readonly SurfaceDescription[]) => {
+  const all = edgesOf(surfaces);
+  const count = all.reduce((sum, edges) => sum + edges.count, 0);
+  const texels = new Float32Array(16 * EDGES_PER_ROW * Math.max(1, Math.ceil(count / EDGES_PER_ROW)));
+  let at = 0;
+  all.forEach(({ count: own, ends, faceNormals }, surface) => {
+    for (let first = 0; first < 6 * own; first += 6) {
+      texels.set(ends.subarray(first, first + 3), at);
+      texels[at + 3] = surface;
+      texels.set(ends.subarray(first + 3, first + 6), at + 4);
+      texels.set(faceNormals.subarray(first, first + 3), at + 8);
+      texels.set(faceNormals.subarray(first + 3, first + 6), at + 12);
+      at += 16;
+    }
+  });
+  const corners = [0, 1, 2, 0, 2, 3];
+  const indices = Uint32Array.from({ length: 6 * count }, (_, index) => 4 * Math.floor(index / 6) + corners[index % 6]);
+  return { count, texels, indices };
+});

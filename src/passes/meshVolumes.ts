@@ -1,11 +1,8 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  DataTexture,
   DynamicDrawUsage,
-  FloatType,
   Matrix4,
-  RGBAFormat,
   Vector3,
   Vector4,
   type WebGLRenderer,
@@ -18,34 +15,10 @@ import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude, inOne, writeVolume, type Extrusion } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import type { SurfaceDescription } from './surfaces.ts';
+import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SHADOW_INSET } from '../constants.ts';
 
 export const memoizedExtrusion = memoize(extrude);
-
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
-/** World transforms of surfaces for the vertex shader: one row of four texels for each. */
-class TransformTexture {
-  readonly texture: DataTexture;
-  private readonly elements: Float32Array;
-
-  /** @param count number of surfaces, at most the maximum height of a texture */
-  constructor(count: number) {
-    this.elements = new Float32Array(16 * Math.max(1, count));
-    for (let first = 0; first < this.elements.length; first += 16) this.elements.set(IDENTITY, first);
-    this.texture = new DataTexture(this.elements, 4, Math.max(1, count), RGBAFormat, FloatType);
-    this.texture.needsUpdate = true;
-  }
-
-  set(surface: number, worldFromModel: Matrix4): void {
-    this.elements.set(worldFromModel.elements, 16 * surface);
-    this.texture.needsUpdate = true;
-  }
-
-  dispose(): void {
-    this.texture.dispose();
-  }
-}
 
 /** A mesh that casts shadow. */
 interface Caster {
@@ -53,7 +26,7 @@ interface Caster {
   /** Number of its first vertex among those of all casters. */
   readonly first: number;
   readonly facesLight: Uint8Array;
-  readonly worldFromModel: Matrix4;
+  /** As in the triangles that were written last. */
   isVisible: boolean;
   /** The light of `facesLight` in the frame of the model, and whether it is a lamp (w); NaN at first. */
   readonly light: Vector4;
@@ -68,15 +41,13 @@ export class MeshVolumesPass {
   private readonly eye: FrameView;
   /** The casters by the index of their surface. */
   private readonly casters = new Map<number, Caster>();
-  private readonly transforms: TransformTexture;
+  private readonly transforms: SurfaceTransforms;
   private readonly volumes: DrawnMesh;
   private readonly indices: Uint32Array;
-  /** Whether the visibility of a caster has changed since the last draw. */
-  private isStale = true;
 
-  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[]) {
+  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
     this.eye = eye;
-    this.transforms = new TransformTexture(surfaces.length);
+    this.transforms = transforms;
     let [vertices, capacity] = [0, 0];
     surfaces.forEach((surface, index) => {
       if (!surface.casts) return;
@@ -91,7 +62,7 @@ export class MeshVolumesPass {
       fragmentShader,
       uniforms: {
         ...eye.uniforms,
-        transforms: { value: this.transforms.texture },
+        transforms: { value: transforms.texture },
         firstFar: { value: vertices },
         inset: { value: SHADOW_INSET },
       },
@@ -104,16 +75,6 @@ export class MeshVolumesPass {
     );
   }
 
-  /** Sets the world transform and the visibility of a surface. */
-  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
-    const caster = this.casters.get(surface);
-    if (!caster) return;
-    if (!caster.worldFromModel.equals(worldFromModel)) this.transforms.set(surface, worldFromModel);
-    caster.worldFromModel.copy(worldFromModel);
-    if (caster.isVisible !== isVisible) this.isStale = true;
-    caster.isVisible = isVisible;
-  }
-
   draw(renderer: WebGLRenderer): void {
     if (this.casters.size === 0) return;
     this.follow(this.eye.uniforms.lightInWorld.value);
@@ -123,16 +84,18 @@ export class MeshVolumesPass {
   dispose(): void {
     this.volumes.mesh.geometry.dispose();
     this.volumes.material.dispose();
-    this.transforms.dispose();
   }
 
   /** Writes the triangles again if a caster has turned in the light, or if one appeared or disappeared. */
   private follow(light: Vector4): void {
-    for (const caster of this.casters.values()) {
-      if (caster.isVisible && followLight(caster, light)) this.isStale = true;
+    let isStale = false;
+    for (const [surface, caster] of this.casters) {
+      const isVisible = this.transforms.isVisible(surface);
+      const hasTurned = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
+      isStale ||= hasTurned || caster.isVisible !== isVisible;
+      caster.isVisible = isVisible;
     }
-    if (!this.isStale) return;
-    this.isStale = false;
+    if (!isStale) return;
     const { geometry } = this.volumes.mesh;
     const vertices = geometry.getAttribute('position').count / 2;
     let end = 0;
@@ -152,8 +115,7 @@ function casterOf(mesh: Extrusion, first: number): Caster {
     mesh,
     first,
     facesLight: new Uint8Array(mesh.corners.length / 3),
-    worldFromModel: new Matrix4(),
-    isVisible: true,
+    isVisible: false,
     light: new Vector4(NaN, NaN, NaN, NaN),
   };
 }
@@ -182,8 +144,8 @@ const stretch = new Matrix4();
  * Finds the faces of a caster that face the light.
  * @returns false if they are known: the light has not moved in the frame of the model
  */
-function followLight(caster: Caster, { x, y, z, w }: Vector4): boolean {
-  const { mesh, worldFromModel, facesLight } = caster;
+function followLight(caster: Caster, worldFromModel: Matrix4, { x, y, z, w }: Vector4): boolean {
+  const { mesh, facesLight } = caster;
   const e = worldFromModel.elements;
   // A normal n of the model is M n in the world. Its product with a world direction d is that of n with M^T d. The
   // light travels along p - L towards a point p, and along -L for a sun.

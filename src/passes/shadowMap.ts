@@ -27,6 +27,7 @@ import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import { withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
+import { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
 import { Targets } from './targets.ts';
 
@@ -79,6 +80,7 @@ export class ShadowMapPass {
   private readonly billboards: BodiesPass;
   private hasBillboards = false;
   private readonly surfaces: SurfacesPass;
+  private readonly transforms: SurfaceTransforms;
   /** Indices of the surfaces that cast shadows. */
   private readonly casting: readonly number[];
   private readonly shadowed: WebGLRenderTarget;
@@ -93,7 +95,8 @@ export class ShadowMapPass {
     this.lobes = new LobeDepths(this.lightEye, puffs);
     this.billboards = new BodiesPass(this.lightEye, puffs, ramps);
     const casting = this.casting.map((surface) => surfaces[surface]);
-    this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting);
+    this.transforms = new SurfaceTransforms(casting.length);
+    this.surfaces = new SurfacesPass(this.lightEye, ramps, firstSurface, casting, this.transforms);
     this.shadowed = pictureTarget();
     this.uniforms = {
       clipFromView: eye.uniforms.clipFromView,
@@ -115,10 +118,10 @@ export class ShadowMapPass {
     this.billboards.setForm(billboards);
   }
 
-  /** @see SurfacesPass.place */
+  /** @see SurfaceTransforms.place */
   place(surface: number, worldFromModel: Matrix4, isVisible: boolean): void {
     const index = this.casting.indexOf(surface);
-    if (index >= 0) this.surfaces.place(index, worldFromModel, isVisible);
+    if (index >= 0) this.transforms.place(index, worldFromModel, isVisible);
   }
 
   /** Draws the map of the casters and then adds the mask to the targets, which stay bound. */
@@ -136,7 +139,7 @@ export class ShadowMapPass {
 
   dispose(): void {
     for (const part of [this.lobes, this.billboards, this.surfaces, this.map]) part.dispose();
-    for (const part of [this.shadowed, this.measure, this.apply]) part.dispose();
+    for (const part of [this.transforms, this.shadowed, this.measure, this.apply]) part.dispose();
   }
 
   /** Draws the map with one camera of the light, then evaluates the shadow of the pixels that this camera covers. */

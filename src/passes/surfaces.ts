@@ -1,26 +1,22 @@
 import {
   BackSide,
   Box3,
-  BufferAttribute,
-  BufferGeometry,
   GLSL3,
-  Mesh,
   NotEqualStencilFunc,
   RawShaderMaterial,
   ReplaceStencilOp,
-  Scene,
-  type Matrix4,
+  type IUniform,
   type WebGLRenderer,
 } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
 import hullFragmentShader from '../../shaders/surfaces/hull.frag';
 import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { FrameView } from '../device/frameView.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { hullNormals, type TriangleMesh } from './extrusion.ts';
-import { memoize } from './memoize.ts';
+import type { TriangleMesh } from './extrusion.ts';
+import { groupOf, isMoving, SurfaceGeometry, type SurfaceRuns } from './surfaceRuns.ts';
+import type { SurfaceTransforms } from './surfaceTransforms.ts';
 
 /** A triangle mesh of the scene. */
 export interface SurfaceDescription {
@@ -46,125 +42,106 @@ export interface SurfaceDescription {
  * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has
  * two hulls. One is at the surface's own depth and draws the lines in front of other parts of the surface. The raised
  * one closes the outline where the surface touches another that may move away; the stencil test keeps it off the
- * surface's own pixels. The stencil is zero before and after.
+ * surface's own pixels. The stencil is zero before and after. Surfaces with the same stencil number are one draw call.
  */
 export class SurfacesPass {
-  private readonly fills = new Scene();
-  private readonly hulls = new Scene();
-  private readonly camera = new PassCamera();
-  private readonly materials: RawShaderMaterial[] = [];
-  private readonly geometries: BufferGeometry[] = [];
-  private readonly placed: Mesh[][] = [];
-  /** The raised hulls of static surfaces. */
-  private readonly closing: Mesh[] = [];
-  private readonly groups = new Map<string, number>();
+  private readonly fill: RawShaderMaterial;
+  private readonly hull: RawShaderMaterial;
+  private readonly raisedHull: RawShaderMaterial;
+  private readonly hulls: SurfaceRuns;
+  /** The creases pass draws the seams of static surfaces, which then need no raised hull. */
+  private readonly withCreases: NumberedRuns;
+  private readonly withoutCreases: NumberedRuns;
   private readonly boxes: Box3[];
   private readonly eye: FrameView;
+  private readonly transforms: SurfaceTransforms;
 
   /** @param firstMaterial ramp index of the first surface; the other surfaces follow in order */
-  constructor(eye: FrameView, ramps: RampTexture, firstMaterial: number, surfaces: readonly SurfaceDescription[]) {
+  constructor(
+    eye: FrameView,
+    ramps: RampTexture,
+    firstMaterial: number,
+    surfaces: readonly SurfaceDescription[],
+    transforms: SurfaceTransforms,
+  ) {
     this.eye = eye;
-    surfaces.forEach((surface, index) => this.add(surface, ramps, firstMaterial + index));
-    this.boxes = surfaces.map((surface) => boxOf(surface.mesh));
-  }
-
-  /** Sets the world transform and the visibility of a surface. */
-  place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
-    for (const mesh of this.placed[surface]) {
-      mesh.matrixWorld.copy(worldFromModel);
-      mesh.visible = isVisible;
-    }
+    this.transforms = transforms;
+    const placed = { ...eye.uniforms, transforms: { value: transforms.texture } };
+    this.fill = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      uniforms: { ...placed, ramps: { value: ramps.texture }, firstMaterial: { value: firstMaterial } },
+      stencilWrite: true,
+      stencilZPass: ReplaceStencilOp,
+    });
+    this.hull = hullMaterial(placed, false);
+    this.raisedHull = hullMaterial(placed, true);
+    const geometry = new SurfaceGeometry(surfaces);
+    const isInked = surfaces.map(({ inked }) => inked);
+    this.hulls = geometry.runs(this.hull, (surface) => (isInked[surface] ? 0 : undefined));
+    const runsOf = (hasCreases: boolean): NumberedRuns => {
+      const isRaised = surfaces.map((surface) => surface.inked && (isMoving(surface) || !hasCreases));
+      const numbers = stencilNumbers(surfaces, isRaised);
+      return {
+        fills: geometry.runs(this.fill, (surface) => numbers[surface]),
+        raised: geometry.runs(this.raisedHull, (surface) => (isRaised[surface] ? numbers[surface] : undefined)),
+      };
+    };
+    this.withCreases = runsOf(true);
+    this.withoutCreases = runsOf(false);
+    this.boxes = surfaces.map(({ mesh }) => new Box3().setFromArray(mesh.positions));
   }
 
   /** The world-space bounding box of each visible surface. */
   worldBoxes(): Box3[] {
-    return this.boxes.flatMap((local, surface) => {
-      const [{ visible, matrixWorld }] = this.placed[surface];
-      return visible ? [local.clone().applyMatrix4(matrixWorld)] : [];
-    });
+    return this.boxes.flatMap((local, surface) =>
+      this.transforms.isVisible(surface) ? [local.clone().applyMatrix4(this.transforms.worldFromModel(surface))] : [],
+    );
   }
 
   draw(renderer: WebGLRenderer): void {
     const { creases, inkPixels } = this.eye.uniforms;
-    // The creases pass draws the seams of static surfaces, which then need no raised hull.
-    for (const hull of this.closing) hull.visible = !creases.value;
-    renderer.render(this.fills, this.camera);
-    if (inkPixels.value > 0) renderer.render(this.hulls, this.camera);
+    const { fills, raised } = creases.value ? this.withCreases : this.withoutCreases;
+    fills.draw(renderer);
+    if (inkPixels.value > 0) {
+      this.hulls.draw(renderer);
+      raised.draw(renderer);
+    }
     renderer.clearStencil();
   }
 
   dispose(): void {
-    for (const material of this.materials) material.dispose();
-    for (const geometry of this.geometries) geometry.dispose();
-  }
-
-  private add(surface: SurfaceDescription, ramps: RampTexture, ramp: number): void {
-    const ownPixels = this.stencilNumber(surface);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(surface.mesh.positions, 3));
-    geometry.setAttribute('normal', new BufferAttribute(surface.mesh.normals, 3));
-    geometry.setAttribute('hullNormal', new BufferAttribute(memoizedHullNormals(surface.mesh), 3));
-    geometry.setIndex(new BufferAttribute(surface.mesh.indices, 1));
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms: {
-        ...this.eye.uniforms,
-        ramps: { value: ramps.texture },
-        material: { value: ramp },
-      },
-      stencilWrite: true,
-      stencilRef: ownPixels,
-      stencilZPass: ReplaceStencilOp,
-    });
-    this.geometries.push(geometry);
-    const meshes = [this.mesh(this.fills, geometry, material)];
-    if (surface.inked) {
-      meshes.push(this.mesh(this.hulls, geometry, this.hull(0)));
-      const raised = this.mesh(this.hulls, geometry, this.hull(ownPixels));
-      if (surface.rigid === undefined && surface.part === undefined) this.closing.push(raised);
-      meshes.push(raised);
-    }
-    this.placed.push(meshes);
-  }
-
-  /**
-   * The stencil value 1..255 of a surface or of its group. Values repeat after 255 groups, so two groups may share one.
-   */
-  private stencilNumber({ group, name }: SurfaceDescription): number {
-    const key = group ?? `${name} ${this.placed.length}`;
-    if (!this.groups.has(key)) this.groups.set(key, 1 + (this.groups.size % 255));
-    return this.groups.get(key)!;
-  }
-
-  /** @param ownPixels the stencil value that the line must not cover; 0 for the hull that is not raised */
-  private hull(ownPixels: number): RawShaderMaterial {
-    return new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: hullVertexShader,
-      fragmentShader: hullFragmentShader,
-      uniforms: { ...this.eye.uniforms, isRaised: { value: ownPixels > 0 } },
-      side: BackSide,
-      stencilWrite: ownPixels > 0,
-      stencilRef: ownPixels,
-      stencilFunc: NotEqualStencilFunc,
-    });
-  }
-
-  private mesh(scene: Scene, geometry: BufferGeometry, material: RawShaderMaterial): Mesh {
-    this.materials.push(material);
-    const mesh = new Mesh(geometry, material);
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
-    mesh.matrixWorldAutoUpdate = false;
-    scene.add(mesh);
-    return mesh;
+    const { withCreases, withoutCreases } = this;
+    for (const { fills, raised } of [withCreases, withoutCreases]) for (const runs of [fills, raised]) runs.dispose();
+    for (const part of [this.hulls, this.fill, this.hull, this.raisedHull]) part.dispose();
   }
 }
 
-export const memoizedHullNormals = memoize(hullNormals);
+/** Fills, which write the stencil number of their surface, and raised hulls, which avoid it. */
+interface NumberedRuns {
+  readonly fills: SurfaceRuns;
+  readonly raised: SurfaceRuns;
+}
 
-function boxOf(mesh: TriangleMesh): Box3 {
-  return new Box3().setFromArray(mesh.positions);
+/**
+ * The stencil number of each surface: 1..255 for its group if that has a raised hull, else 0. Numbers repeat after 255
+ * groups, so two groups may share one.
+ */
+function stencilNumbers(surfaces: readonly SurfaceDescription[], isRaised: readonly boolean[]): number[] {
+  const groups = surfaces.map(groupOf);
+  const numbered = [...new Set(groups.filter((_, surface) => isRaised[surface]))];
+  return groups.map((group) => (numbered.includes(group) ? 1 + (numbered.indexOf(group) % 255) : 0));
+}
+
+function hullMaterial(uniforms: Record<string, IUniform>, isRaised: boolean): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader: hullVertexShader,
+    fragmentShader: hullFragmentShader,
+    uniforms: { ...uniforms, isRaised: { value: isRaised } },
+    side: BackSide,
+    stencilWrite: isRaised,
+    stencilFunc: NotEqualStencilFunc,
+  });
 }

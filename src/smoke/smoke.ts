@@ -9,6 +9,7 @@ import { CreasesPass } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
+import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
@@ -68,10 +69,8 @@ export class SmokeRenderer {
     const isFlat = !device.writesDepth;
     const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new CasterInstances(capacity, ONE_QUAD);
-    const surfacesPass = new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces);
+    const transforms = new SurfaceTransforms(surfaces.length);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
-    const creases = new CreasesPass(eye, surfaces);
-    const meshVolumes = new MeshVolumesPass(eye, surfaces);
     this.passes = {
       renderer: device.renderer,
       eye,
@@ -80,11 +79,11 @@ export class SmokeRenderer {
       casters,
       shadowEnds: new ShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
-      surfaces: surfacesPass,
-      creases,
+      surfaces: new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces, transforms),
+      creases: new CreasesPass(eye, surfaces, transforms),
       surfaceDepth,
       body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
-      meshVolumes,
+      meshVolumes: new MeshVolumesPass(eye, surfaces, transforms),
       volumes: new VolumesPass(eye, this.puffs, isFlat),
       isFlat,
       mask: new MaskPass(),
@@ -96,14 +95,15 @@ export class SmokeRenderer {
         firstSurface: FIRST_SURFACE_RAMP,
         surfaces,
       }),
+      transforms,
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
-      placeSurfaces: (rigids, parts, drawing = [surfacesPass, creases, meshVolumes]) =>
+      placeSurfaces: (rigids, parts, placed = [transforms]) =>
         surfaces.forEach(({ rigid, part }, surface) => {
           if (rigid === undefined && part === undefined) return;
           const transform = part === undefined ? rigids[rigid!] : parts[part];
           const isVisible = transform.elements[13] > OUT_OF_SIGHT;
-          for (const pass of drawing) pass.place(surface, transform, isVisible);
+          for (const each of placed) each.place(surface, transform, isVisible);
         }),
     };
     // Released on the loss, not on the restoration: three.js would delete resources of the lost context in the restored
@@ -142,7 +142,7 @@ export class SmokeRenderer {
     const { passes } = this;
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();
-    passes.creases.dispose();
+    for (const part of [passes.creases, passes.transforms]) part.dispose();
     passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.extras.dispose();

@@ -13,6 +13,7 @@ import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
 import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import type { SurfacesPass } from '../passes/surfaces.ts';
+import type { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import type { Targets } from '../passes/targets.ts';
 import type { VolumesPass } from '../passes/volumes.ts';
 import type { CoverageGrid } from '../sim/view.ts';
@@ -43,8 +44,10 @@ export interface SmokePasses {
   readonly hasBackdrop: boolean;
   /** Bounds of the puffs of a form and of their shadows. */
   extentsOf(form: PuffForm): PuffExtents;
-  /** @param drawing the passes to place surfaces in; defaults to those of every frame */
-  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], drawing?: readonly DrawsSurfaces[]): void;
+  /** World transforms of the surfaces, which all passes of a frame read. */
+  readonly transforms: SurfaceTransforms;
+  /** @param placed what takes the transforms; defaults to `transforms` */
+  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], placed?: readonly PlacesSurfaces[]): void;
 }
 
 /** A frame before its first draw call: the instance buffers that it draws. */
@@ -59,7 +62,7 @@ export interface ArrangedFrame {
   readonly arrangeMs: number;
 }
 
-type DrawsSurfaces = Pick<SurfacesPass, 'place'>;
+type PlacesSurfaces = Pick<SurfaceTransforms, 'place'>;
 
 /** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {

@@ -12,6 +12,7 @@ import {
 import type { Device } from '../device/device.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
+import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
 import { BallVolumes } from './ballVolumes.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
@@ -24,6 +25,7 @@ const UNSCALED = new Vector3(1, 1, 1);
 /** A closed rigid mesh and its shadow volume. */
 interface MeshCaster {
   mesh: Mesh;
+  transforms: SurfaceTransforms;
   volume: MeshVolumesPass;
 }
 
@@ -57,10 +59,10 @@ export class HostCasters {
    */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
     const pose: Pose = poseScratch;
-    for (const { mesh, volume } of this.meshes) {
+    for (const { mesh, transforms, volume } of this.meshes) {
       if (!isShown(mesh, scene)) continue;
       poseOf(mesh.matrixWorld, pose);
-      volume.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
+      transforms.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
       volume.draw(renderer);
     }
     this.balls.draw(renderer, scene);
@@ -68,7 +70,7 @@ export class HostCasters {
 
   /** Frees the GPU resources. The next draw recreates them. */
   release(): void {
-    for (const { volume } of this.meshes) volume.dispose();
+    for (const { transforms, volume } of this.meshes) for (const part of [transforms, volume]) part.dispose();
     this.balls.release();
   }
 
@@ -83,7 +85,8 @@ export class HostCasters {
     const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld));
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
-      this.meshes.push({ mesh, volume: new MeshVolumesPass(this.eye, [surface]) });
+      const transforms = new SurfaceTransforms(1);
+      this.meshes.push({ mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms) });
     } catch (error) {
       if (error instanceof RangeError) throw openMesh(mesh);
       throw error;

@@ -1,0 +1,16 @@
+// World transforms of the surfaces, a row of four texels for each: src/passes/surfaceTransforms.ts.
+uniform highp sampler2D transforms;
+
+mat4 worldFromModel(int surface) {
+  return mat4(
+    texelFetch(transforms, ivec2(0, surface), 0),
+    texelFetch(transforms, ivec2(1, surface), 0),
+    texelFetch(transforms, ivec2(2, surface), 0),
+    texelFetch(transforms, ivec2(3, surface), 0)
+  );
+}
+
+// Whether a surface is drawn. The transform of an invisible one is zero.
+bool isVisible(mat4 transform) {
+  return transform[3][3] != 0.0;
+}
