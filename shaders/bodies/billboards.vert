@@ -17,10 +17,6 @@ uniform vec3 gradientWeights;
 uniform sampler2D ramps;
 uniform sampler2DArray normalDepth;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 out vec2 puffPoint;
 out float gradientPosition;
 flat out int variation;
@@ -33,6 +29,7 @@ flat out float ringDrop;
 flat out float material;
 flat out vec3 towardsLight;
 
+#include ../lib/rows.glsl
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
@@ -40,6 +37,7 @@ flat out vec3 towardsLight;
 #include ../lib/material.glsl
 
 void main() {
+  readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);

@@ -18,10 +18,6 @@ uniform sampler2D ramps;
 // One row for each variation: LOBES lobes (xyz, radius), then the mean of their centres, weighted by volume.
 uniform sampler2D lobeTable;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 // Three vectors besides the lobes are passed to the fragment shader; every WebGL2 device has at least fifteen.
 out vec4 pointAndGradient;
 flat out vec4 middleAndInkReach;
@@ -29,6 +25,7 @@ flat out vec4 middleAndInkReach;
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
+#include ../lib/rows.glsl
 #include ../lib/pixel.glsl
 #include ../lib/depth.glsl
 #include ../lib/ink.glsl
@@ -37,6 +34,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/orientation.glsl
 
 void main() {
+  readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
   float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
@@ -64,7 +62,7 @@ void main() {
   middleAndInkReach = vec4(middle, inkReach);
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef FLAT
-  float drop = gl_VertexID > 3 ? depthsAndRamp.z : 0.0;
+  float drop = gl_VertexID % 8 > 3 ? depthsAndRamp.z : 0.0;
   clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
 #else
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.

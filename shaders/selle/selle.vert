@@ -9,18 +9,16 @@ uniform mat4 clipFromView;
 uniform sampler2D ramps;
 uniform sampler2DArray colorCoverage;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 out vec2 puffPoint;
 flat out int variation;
 flat out float material;
 
+#include ../lib/rows.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
+  readRow();
   vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
   puffPoint = vec2(rotation.x * corner.x + rotation.y * corner.y, rotation.x * corner.y - rotation.y * corner.x);
   variation = variationOf(attributes) % textureSize(colorCoverage, 0).z;

@@ -9,16 +9,14 @@ uniform float reach;
 // See bodies/lobes.vert.
 uniform sampler2D lobeTable;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 flat out vec4 lobes[LOBES];
 
+#include ../lib/rows.glsl
 #include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
 
 void main() {
+  readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   mat3 viewFromPuff = place.w * mat3(viewFromWorld) * worldFromPuff(attributes);
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;

@@ -7,18 +7,16 @@ uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform sampler2D ramps;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 out vec2 puffPoint;
 flat out vec3 depthRadiusFade;
 flat out float material;
 
+#include ../lib/rows.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
+  readRow();
   puffPoint = corner;
   material = materialOf(attributes, ramps);
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;

@@ -23,10 +23,6 @@ uniform sampler2D casterTable;
 // Radius of the bounding sphere of a puff, in puff radii.
 uniform float reach;
 
-in vec2 corner;
-in vec4 place;
-in uvec2 attributes;
-
 // The transform from view space to the frame of the volume, whose origin is the middle of the volume's start: two axes
 // perpendicular to the light, then the direction of the light's travel, in puff radii. The xyz components are the first
 // two axes and the origin. The w components are the length of the volume, its scale at the start, and the growth of the
@@ -38,6 +34,7 @@ flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
 
+#include ../lib/rows.glsl
 #include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
 #include ../lib/box.glsl
@@ -118,6 +115,7 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 }
 
 void main() {
+  readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   mat3 viewFromPuff = viewFromPuffOf(attributes);

@@ -1,4 +1,5 @@
 import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
+import { rowUniforms, type RowUniforms } from './drawnRows.ts';
 
 /** Uniforms of the parameters of the style, by their names. */
 export interface StyleUniforms extends Record<string, IUniform> {
@@ -6,8 +7,8 @@ export interface StyleUniforms extends Record<string, IUniform> {
   inkPixels: IUniform<number>;
 }
 
-/** Uniforms of the style, the camera, the light and the target. All passes of a smoke share one object. */
-export interface ViewUniforms extends StyleUniforms {
+/** Uniforms of the style, the camera, the light, the target and the drawn rows. All passes of a smoke share one object. */
+export interface ViewUniforms extends StyleUniforms, RowUniforms {
   viewFromWorld: IUniform<Matrix4>;
   clipFromView: IUniform<Matrix4>;
   /** Size of the target in pixels. */
@@ -39,6 +40,7 @@ export class FrameView {
     this.style = style;
     this.uniforms = {
       ...style,
+      ...rowUniforms(),
       viewFromWorld: { value: new Matrix4() },
       clipFromView: { value: new Matrix4() },
       viewport: { value: new Vector2(1, 1) },

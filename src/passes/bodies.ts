@@ -4,14 +4,13 @@ import {
   RawShaderMaterial,
   Vector2,
   Vector3,
-  type BufferGeometry,
   type IUniform,
   type Texture,
   type WebGLRenderer,
 } from 'three';
 import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
@@ -24,7 +23,7 @@ export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
-  private readonly rows: DrawnMesh;
+  private readonly rows: DrawnRows;
   /** Materials by lobe count, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
@@ -63,7 +62,7 @@ export class BodiesPass {
       ramps: { value: ramps.texture },
       ...this.puffUniforms,
     };
-    this.rows = new DrawnMesh(this.lobesMaterial());
+    this.rows = new DrawnRows(this.lobesMaterial());
   }
 
   /**
@@ -93,10 +92,10 @@ export class BodiesPass {
   }
 
   /**
-   * @param rows instance buffer with one quad, or with two (front and back) if the puffs are flat
+   * @param rows one quad for each row, or two (front and back) if the puffs are flat
    * @param surfaces depth of the surfaces that puffs may touch; without it puffs have no contact lines
    */
-  draw(renderer: WebGLRenderer, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+  draw(renderer: WebGLRenderer, rows: RowGeometry, surfaces?: SurfaceDepth): void {
     this.touch(surfaces);
     this.rows.draw(renderer, rows);
   }
@@ -107,7 +106,7 @@ export class BodiesPass {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry, surfaces?: SurfaceDepth): void {
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: RowGeometry, surfaces?: SurfaceDepth): void {
     this.touch(surfaces);
     this.rows.drawAs(renderer, material, rows);
   }

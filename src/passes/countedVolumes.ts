@@ -1,7 +1,7 @@
-import { InstancedBufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import type { RawShaderMaterial, WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/countedVolumes/countedVolumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, FRONT_AND_BACK, RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
@@ -16,13 +16,13 @@ import { ParticleVolumes } from './volumes.ts';
  * and then its back face in one draw call, so the running count is exact, and a saturated count can only stay dark.
  */
 export class CountedVolumesPass extends ParticleVolumes {
-  protected readonly quads: DrawnMesh;
-  /** The geometry with two quads for each caster, by the geometry with one. */
-  private readonly doubled = new Map<InstancedBufferGeometry, InstancedBufferGeometry>();
+  protected readonly quads: DrawnRows;
+  /** The geometry with the front and the back of each quad, by the geometry with the front. */
+  private readonly doubled = new Map<RowGeometry, RowGeometry>();
 
   constructor(eye: FrameView, puffs: PuffTextures) {
     super(eye, puffs);
-    this.quads = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
+    this.quads = new DrawnRows(this.materialFor('lobes', FIRST_BORDER));
     countFaces(
       this.quads.mesh,
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },
@@ -31,10 +31,9 @@ export class CountedVolumesPass extends ParticleVolumes {
   }
 
   /** @param rows one quad for each caster */
-  draw(renderer: WebGLRenderer, rows: InstancedBufferGeometry): void {
-    const geometry = this.doubled.get(rows) ?? frontAndBack(rows);
+  draw(renderer: WebGLRenderer, rows: RowGeometry): void {
+    const geometry = this.doubled.get(rows) ?? new RowGeometry(rows.rows, FRONT_AND_BACK);
     this.doubled.set(rows, geometry);
-    geometry.instanceCount = rows.instanceCount;
     this.quads.draw(renderer, geometry);
   }
 
@@ -51,13 +50,4 @@ export class CountedVolumesPass extends ParticleVolumes {
       uniforms: this.uniforms,
     });
   }
-}
-
-/** A geometry of the same rows, with the triangles of each once more in the opposite winding. */
-function frontAndBack(rows: InstancedBufferGeometry): InstancedBufferGeometry {
-  const front = [...rows.index!.array];
-  const geometry = new InstancedBufferGeometry();
-  geometry.setIndex([...front, ...front.toReversed()]);
-  for (const [name, attribute] of Object.entries(rows.attributes)) geometry.setAttribute(name, attribute);
-  return geometry;
 }

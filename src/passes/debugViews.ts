@@ -6,7 +6,6 @@ import {
   RawShaderMaterial,
   Vector2,
   Vector3,
-  type InstancedBufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
@@ -16,6 +15,7 @@ import colorsFragmentShader from '../../shaders/debugViews/colors.frag';
 import coverageFragmentShader from '../../shaders/debugViews/coverage.frag';
 import countsFragmentShader from '../../shaders/debugViews/counts.frag';
 import depthFragmentShader from '../../shaders/debugViews/depth.frag';
+import type { RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import type { DebugView } from '../preset/quality.ts';
@@ -28,7 +28,7 @@ import type { VolumesPass } from './volumes.ts';
 /** A draw call that can be repeated with another material. */
 interface Redrawn {
   readonly pass: Pick<VolumesPass, 'material' | 'drawAs'>;
-  readonly rows: InstancedBufferGeometry;
+  readonly rows: RowGeometry;
 }
 
 /** Shows intermediate results of the passes instead of the picture. Shaders are compiled when a view is first drawn. */
@@ -52,12 +52,7 @@ export class DebugViewsPass {
   }
 
   /** Draws puffs with their normals as colours into the targets. */
-  drawNormals(
-    renderer: WebGLRenderer,
-    body: BodiesPass,
-    rows: InstancedBufferGeometry,
-    surfaces: SurfaceDepth | undefined,
-  ): void {
+  drawNormals(renderer: WebGLRenderer, body: BodiesPass, rows: RowGeometry, surfaces: SurfaceDepth | undefined): void {
     body.drawAs(renderer, this.variantOf(body.material, 'NORMALS'), rows, surfaces);
   }
 

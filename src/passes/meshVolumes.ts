@@ -91,8 +91,8 @@ export class MeshVolumesPass {
     let isStale = false;
     for (const [surface, caster] of this.casters) {
       const isVisible = this.transforms.isVisible(surface);
-      const hasTurned = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
-      isStale ||= hasTurned || caster.isVisible !== isVisible;
+      const hasMoved = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
+      isStale ||= hasMoved || caster.isVisible !== isVisible;
       caster.isVisible = isVisible;
     }
     if (!isStale) return;

@@ -2,7 +2,6 @@ import {
   Color as ThreeColor,
   GLSL3,
   RawShaderMaterial,
-  type BufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
@@ -10,7 +9,7 @@ import {
 import linesFragmentShader from '../../shaders/selle/lines.frag';
 import fragmentShader from '../../shaders/selle/selle.frag';
 import vertexShader from '../../shaders/selle/selle.vert';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
@@ -26,7 +25,7 @@ export class SellePass {
   private readonly common;
   private readonly lineUniforms;
   private readonly lines: FullScreen;
-  private readonly rows: DrawnMesh;
+  private readonly rows: DrawnRows;
 
   constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture) {
     this.puffs = puffs;
@@ -50,7 +49,7 @@ export class SellePass {
       fragmentShader,
       uniforms: this.common,
     });
-    this.rows = new DrawnMesh(material);
+    this.rows = new DrawnRows(material);
     this.lines = new FullScreen(linesFragmentShader, this.lineUniforms);
   }
 
@@ -61,7 +60,7 @@ export class SellePass {
   }
 
   /** Draws the puffs into the targets. */
-  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
+  draw(renderer: WebGLRenderer, rows: RowGeometry): void {
     // Read on each draw: billboards are baked on first access, and the puffs may have changed.
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;

@@ -9,7 +9,6 @@ import {
   Sphere,
   Vector3,
   type WebGLRenderTarget,
-  type BufferGeometry,
   type Camera,
   type Texture,
   type WebGLRenderer,
@@ -18,7 +17,7 @@ import applyFragmentShader from '../../shaders/shadowMap/apply.frag';
 import lobesFragmentShader from '../../shaders/shadowMap/lobes.frag';
 import lobesVertexShader from '../../shaders/shadowMap/lobes.vert';
 import shadowedFragmentShader from '../../shaders/shadowMap/shadowed.frag';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import { FrameView } from '../device/frameView.ts';
 import { ADDS, FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
@@ -125,7 +124,7 @@ export class ShadowMapPass {
   }
 
   /** Draws the map of the casters and then adds the mask to the targets, which stay bound. */
-  draw(renderer: WebGLRenderer, targets: Targets, casters: BufferGeometry): void {
+  draw(renderer: WebGLRenderer, targets: Targets, casters: RowGeometry): void {
     this.map.resize(SIZE, SIZE);
     this.uniforms.depth.value = targets.depth;
     this.shadowed.setSize(targets.width, targets.height);
@@ -143,7 +142,7 @@ export class ShadowMapPass {
   }
 
   /** Draws the map with one camera of the light, then evaluates the shadow of the pixels that this camera covers. */
-  private drawBy(camera: Camera, renderer: WebGLRenderer, casters: BufferGeometry): void {
+  private drawBy(camera: Camera, renderer: WebGLRenderer, casters: RowGeometry): void {
     const { viewFromWorld, lightInWorld } = this.eye.uniforms;
     this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
@@ -194,7 +193,7 @@ export class ShadowMapPass {
 class LobeDepths {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
-  private readonly rows: DrawnMesh;
+  private readonly rows: DrawnRows;
   /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
@@ -205,10 +204,10 @@ class LobeDepths {
       lobeTable: { value: null as Texture | null },
       reach: { value: 1 },
     };
-    this.rows = new DrawnMesh(this.material());
+    this.rows = new DrawnRows(this.material());
   }
 
-  draw(renderer: WebGLRenderer, rows: BufferGeometry): void {
+  draw(renderer: WebGLRenderer, rows: RowGeometry): void {
     this.rows.material = this.material();
     this.rows.draw(renderer, rows);
   }

@@ -4,14 +4,13 @@ import {
   OneFactor,
   OneMinusSrcAlphaFactor,
   RawShaderMaterial,
-  type BufferGeometry,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
 import fragmentShader from '../../shaders/sprites/sprites.frag';
 import vertexShader from '../../shaders/sprites/sprites.vert';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Targets } from './targets.ts';
@@ -21,7 +20,7 @@ import type { Targets } from './targets.ts';
  * be sorted back to front.
  */
 export class SpritesPass {
-  private readonly rows: DrawnMesh;
+  private readonly rows: DrawnRows;
   private readonly depth = { value: null as Texture | null };
 
   constructor(eye: FrameView, ramps: RampTexture) {
@@ -40,13 +39,13 @@ export class SpritesPass {
       blendSrc: OneFactor,
       blendDst: OneMinusSrcAlphaFactor,
     });
-    this.rows = new DrawnMesh(material);
+    this.rows = new DrawnRows(material);
   }
 
   /** Blends over the resolved picture in `output`, with the surface depth of the targets. */
   draw(
     renderer: WebGLRenderer,
-    rows: BufferGeometry,
+    rows: RowGeometry,
     { depth }: Pick<Targets, 'depth'>,
     output: WebGLRenderTarget | null,
   ): void {

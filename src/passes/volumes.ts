@@ -4,7 +4,6 @@ import {
   GreaterStencilFunc,
   IncrementStencilOp,
   RawShaderMaterial,
-  type BufferGeometry,
   type DepthTexture,
   type IUniform,
   type Texture,
@@ -12,7 +11,7 @@ import {
 } from 'three';
 import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
-import { DrawnMesh } from '../device/drawnMesh.ts';
+import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
@@ -64,7 +63,7 @@ export abstract class ParticleVolumes {
   }
 
   /** Draws once with a variant of the material. */
-  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: BufferGeometry): void {
+  drawAs(renderer: WebGLRenderer, material: RawShaderMaterial, rows: RowGeometry): void {
     this.quads.drawAs(renderer, material, rows);
   }
 
@@ -72,7 +71,7 @@ export abstract class ParticleVolumes {
     for (const material of this.materials.values()) material.dispose();
   }
 
-  protected abstract readonly quads: DrawnMesh;
+  protected abstract readonly quads: DrawnRows;
 
   protected abstract materialWith(lobes: number): RawShaderMaterial;
 
@@ -98,13 +97,13 @@ export abstract class ParticleVolumes {
  * the limit. Each pixel must have one depth; `CountedVolumesPass` draws into multisampled buffers.
  */
 export class VolumesPass extends ParticleVolumes {
-  protected readonly quads: DrawnMesh;
+  protected readonly quads: DrawnRows;
   private readonly receiverDepth = { value: null as DepthTexture | null };
 
   constructor(eye: FrameView, puffs: PuffTextures, isFlat = false) {
     super(eye, puffs, isFlat);
     this.uniforms.receiverDepth = this.receiverDepth;
-    this.quads = new DrawnMesh(this.materialFor('lobes', FIRST_BORDER));
+    this.quads = new DrawnRows(this.materialFor('lobes', FIRST_BORDER));
   }
 
   /**
@@ -112,7 +111,7 @@ export class VolumesPass extends ParticleVolumes {
    * @param depth a copy of the depth buffer of the bound target
    * @param limit count at which a pixel is dark enough, 1..255
    */
-  draw(renderer: WebGLRenderer, rows: BufferGeometry, depth: DepthTexture, limit: number): void {
+  draw(renderer: WebGLRenderer, rows: RowGeometry, depth: DepthTexture, limit: number): void {
     this.receiverDepth.value = depth;
     this.material.stencilRef = limit;
     this.quads.draw(renderer, rows);

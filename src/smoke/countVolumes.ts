@@ -1,4 +1,4 @@
-import type { InstancedBufferGeometry } from 'three';
+import type { RowGeometry } from '../device/drawnRows.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import type { Style } from './style.ts';
 
@@ -9,12 +9,7 @@ export const MAX_COUNT = 255;
  * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
  * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
  */
-export function countVolumes(
-  passes: SmokePasses,
-  { volumes }: Style,
-  casters: InstancedBufferGeometry,
-  limit: number,
-): void {
+export function countVolumes(passes: SmokePasses, { volumes }: Style, casters: RowGeometry, limit: number): void {
   const { renderer, targets, extras } = passes;
   passes.meshVolumes.draw(renderer);
   passes.mask.countOnce(renderer);

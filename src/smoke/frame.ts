@@ -14,7 +14,7 @@ export const DRAWINGS_PER_SECOND = 12;
 /**
  * Draws a frame. Until the code that it needs is loaded, it is drawn with lobe nailboards. What the steps write:
  *
- *     arrangeFrame                   bodies, casters: instance buffers
+ *     arrangeFrame                   bodies, casters: row textures
  *     backdrop, surfaces, creases    unlit, lit, depth
  *     surfaceDepth                   a copy of the depth
  *     body                           unlit, lit, depth
@@ -54,7 +54,7 @@ const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters 
 };
 
 /**
- * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> instance buffers.
+ * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> row textures.
  * @param input as `SmokeRenderer.prepare` returns it
  */
 export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFrame {

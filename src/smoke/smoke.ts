@@ -2,7 +2,8 @@ import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { PuffTextures, type BakedPuffs } from '../device/puffTextures.ts';
 import { RampTexture, type Color } from '../device/ramps.ts';
-import { CasterInstances, Instances, ONE_QUAD, TWO_QUADS } from '../instances/instances.ts';
+import { ONE_QUAD, TWO_QUADS } from '../device/drawnRows.ts';
+import { CasterRows, PuffRows } from '../rows/puffRows.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
 import { CreasesPass } from '../passes/creases.ts';
@@ -67,8 +68,8 @@ export class SmokeRenderer {
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
     const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
-    const bodies = new Instances(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new CasterInstances(capacity, ONE_QUAD);
+    const bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
+    const casters = new CasterRows(capacity, ONE_QUAD);
     const transforms = new SurfaceTransforms(surfaces.length);
     const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
     this.passes = {

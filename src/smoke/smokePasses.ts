@@ -3,7 +3,7 @@ import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
-import type { CasterInstances, Instances } from '../instances/instances.ts';
+import type { CasterRows, PuffRows } from '../rows/puffRows.ts';
 import type { BackdropPass } from '../passes/backdrop.ts';
 import type { BodiesPass } from '../passes/bodies.ts';
 import type { CreasesPass } from '../passes/creases.ts';
@@ -25,8 +25,8 @@ export interface SmokePasses {
   readonly renderer: WebGLRenderer;
   readonly eye: FrameView;
   readonly targets: Targets;
-  readonly bodies: Instances;
-  readonly casters: CasterInstances;
+  readonly bodies: PuffRows;
+  readonly casters: CasterRows;
   readonly shadowEnds: ShadowEnds;
   readonly backdrop: BackdropPass;
   readonly surfaces: SurfacesPass;
@@ -50,12 +50,12 @@ export interface SmokePasses {
   placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], placed?: readonly PlacesSurfaces[]): void;
 }
 
-/** A frame before its first draw call: the instance buffers that it draws. */
+/** A frame before its first draw call: the rows that it draws. */
 export interface ArrangedFrame {
   /** Puffs that the camera can see. */
-  readonly bodies: Instances;
+  readonly bodies: PuffRows;
   /** Puffs whose shadows the camera can see; undefined if the style has no shadows. */
-  readonly casters: CasterInstances | undefined;
+  readonly casters: CasterRows | undefined;
   /** Grid of the occlusion culling, for the view `coverage` only. */
   readonly grid: CoverageGrid | undefined;
   /** Time spent in the simulator's arrange, milliseconds. */

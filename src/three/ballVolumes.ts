@@ -1,8 +1,9 @@
 import type { Object3D, WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
+import { ONE_QUAD } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { PuffTextures } from '../device/puffTextures.ts';
-import { Instances, ONE_QUAD } from '../instances/instances.ts';
+import { PuffRows } from '../rows/puffRows.ts';
 import { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
@@ -30,7 +31,7 @@ export class BallVolumes {
   private readonly groups: BallsOf[] = [];
   private count = 0;
   private readonly puffs: PuffTextures;
-  private readonly rows = new Instances(MAX_BALLS, ONE_QUAD);
+  private readonly rows = new PuffRows(MAX_BALLS, ONE_QUAD);
   private readonly volumes: CountedVolumesPass;
   private readonly place = new Float32Array(4 * MAX_BALLS);
   // The shadows may fall on any surface of the host's scene.

@@ -101,8 +101,7 @@ export class RenderBench {
   /** x, y, z and radius of every puff, without culling. */
   places(): Float32Array {
     this.draw(false);
-    const { geometry, count } = this.smoke.passes.bodies;
-    return (geometry.getAttribute('place').array as Float32Array).slice(0, 4 * count);
+    return this.smoke.passes.bodies.places.slice();
   }
 
   /** The picture of the last frame: RGBA bytes. */

@@ -10,9 +10,9 @@ import {
   RawShaderMaterial,
   Scene,
   WebGLRenderTarget,
-  type InstancedBufferGeometry,
   type WebGLRenderer,
 } from 'three';
+import type { RowGeometry } from '../../../src/device/drawnRows.ts';
 
 /** The fragments of a pass. */
 export interface Fragments {
@@ -28,7 +28,7 @@ export interface Fragments {
  */
 export function countFragments(
   renderer: WebGLRenderer,
-  geometry: InstancedBufferGeometry,
+  geometry: RowGeometry,
   material: RawShaderMaterial,
   width: number,
   height: number,
@@ -67,7 +67,7 @@ function counting(material: RawShaderMaterial, fragmentShader: string): RawShade
 
 function sumOf(
   renderer: WebGLRenderer,
-  geometry: InstancedBufferGeometry,
+  geometry: RowGeometry,
   material: RawShaderMaterial,
   width: number,
   height: number,
@@ -82,6 +82,7 @@ function sumOf(
     magFilter: NearestFilter,
     depthBuffer: false,
   });
+  geometry.bind(material);
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
   renderer.setRenderTarget(target);

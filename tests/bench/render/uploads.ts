@@ -20,17 +20,20 @@ export async function measureUploads(): Promise<Figure[]> {
     rounds.push(watch.bytes / (bodiesDrawn + castersDrawn));
   }
   bench.dispose();
-  const note = 'bytes of all bufferData and bufferSubData in a frame, a body or caster';
+  const note = 'bytes of all buffers and of textures with 16 bytes a texel in a frame, a body or caster';
   return [
     figure('memory.upload', 'B', rounds, `${note}; target <= 32`),
     figure('render.upload', 'B', rounds, `${note}; goal <= 24`),
   ];
 }
 
-/** Counts the bytes of buffer uploads of a context from here on; uniforms and textures do not count. */
+/**
+ * Counts the bytes of buffers and of textures with 16 bytes a texel that a context uploads from here on. Uniforms do not
+ * count.
+ */
 export function watchUploads(gl: WebGL2RenderingContext): { bytes: number } {
   const watch = { bytes: 0 };
-  const { bufferData, bufferSubData } = gl;
+  const { bufferData, bufferSubData, texSubImage2D } = gl;
   gl.bufferData = (...parameters: unknown[]) => {
     watch.bytes += bytesOf(parameters[1], parameters[3], parameters[4]);
     Reflect.apply(bufferData, gl, parameters);
@@ -38,6 +41,13 @@ export function watchUploads(gl: WebGL2RenderingContext): { bytes: number } {
   gl.bufferSubData = (...parameters: unknown[]) => {
     watch.bytes += bytesOf(parameters[2], parameters[3], parameters[4]);
     Reflect.apply(bufferSubData, gl, parameters);
+  };
+  gl.texSubImage2D = (...parameters: unknown[]) => {
+    const [, , , , width, height, format, , source] = parameters;
+    const isWide = source instanceof Float32Array || source instanceof Uint32Array;
+    if (isWide && (format === gl.RGBA || format === gl.RGBA_INTEGER))
+      watch.bytes += 16 * Number(width) * Number(height);
+    Reflect.apply(texSubImage2D, gl, parameters);
   };
   return watch;
 }

@@ -7,8 +7,9 @@ import { Project } from '../../support/project.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const CONFIG = '.oxlintrc.arrows.json';
-const FOLDERS =
-  'app element iframe page remote stage three scenes smoke passes instances puffs sim device preset'.split(' ');
+const FOLDERS = 'app element iframe page remote stage three scenes smoke passes rows puffs sim device preset'.split(
+  ' ',
+);
 
 let project: Project;
 beforeEach(() => {
@@ -40,16 +41,16 @@ function lintLine(folder: string, code: string): string[] {
 
 const right: Record<string, string> = {
   app: '',
-  iframe: 'element remote stage scenes smoke passes instances puffs sim device preset',
-  element: 'page remote stage scenes smoke passes instances puffs sim device preset',
+  iframe: 'element remote stage scenes smoke passes rows puffs sim device preset',
+  element: 'page remote stage scenes smoke passes rows puffs sim device preset',
   page: 'stage sim preset',
-  remote: 'stage scenes smoke passes instances puffs sim device preset',
-  stage: 'scenes smoke passes instances puffs sim device preset',
-  three: 'smoke passes instances puffs sim device preset',
-  scenes: 'passes instances puffs sim device preset',
-  smoke: 'passes instances puffs sim device preset',
+  remote: 'stage scenes smoke passes rows puffs sim device preset',
+  stage: 'scenes smoke passes rows puffs sim device preset',
+  three: 'smoke passes rows puffs sim device preset',
+  scenes: 'passes rows puffs sim device preset',
+  smoke: 'passes rows puffs sim device preset',
   passes: 'device preset',
-  instances: 'device preset',
+  rows: 'device preset',
   puffs: 'device preset',
   sim: 'device preset',
   device: '',
@@ -98,8 +99,8 @@ test.each([
   ['sim', `import type { Vector3 } from 'three/webgpu'; export type Own = Vector3;`, 1],
   ['preset', `import { Color } from 'three'; export const own = new Color();`, 1],
   ['passes', `import { Color } from 'three'; export const own = new Color();`, 0],
-  ['instances', `import type { Type } from '../sim/thing.ts'; export type Own = Type;`, 0],
-  ['instances', `export { value } from '../sim/thing.ts';`, 1],
+  ['rows', `import type { Type } from '../sim/thing.ts'; export type Own = Type;`, 0],
+  ['rows', `export { value } from '../sim/thing.ts';`, 1],
   ['device', `import type { Type } from '../puffs/thing.ts'; export type Own = Type;`, 0],
   ['device', `export { value } from '../puffs/thing.ts';`, 1],
   ['device', `import { Problem } from '../preset/errors.ts'; export const own = new Problem();`, 0],

@@ -52,7 +52,7 @@ const NAMES: readonly (readonly [old: RegExp, use: string])[] = [
 /** In TypeScript and GLSL no name for a rotation is a turn, not even as a part. */
 const ROTATION = /^turn(s|ed|ing)?$/;
 /** Two packed words of a row of the simulator. */
-const PACKED = /^(src\/(sim|instances)|shaders|sim-wasm\/(bindings|reference|sim\/src\/(arrange|rows)))\b/;
+const PACKED = /^(src\/(sim|rows)|shaders|sim-wasm\/(bindings|reference|sim\/src\/(arrange|rows)))\b/;
 const FOLDER_NAMES: Readonly<Record<string, string>> = {
   'src/host/': 'src/three',
   'src/frame/': 'src/iframe',

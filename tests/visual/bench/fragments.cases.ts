@@ -43,11 +43,13 @@ export function quadPixels(form: PuffForm): number {
   return across(0) * across(1);
 }
 
-/** Bytes counted for uploads of 100, 40, 32 and 12 bytes. */
+/** Bytes counted for uploads of 100, 40, 32 and 12 bytes to a buffer, and of 96 bytes to a texture. */
 export function uploads(): number[] {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const gl = device.renderer.getContext() as WebGL2RenderingContext;
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 4, 4);
   const watch = watchUploads(gl);
   const floats = new Float32Array(10);
   const seen = [
@@ -55,6 +57,7 @@ export function uploads(): number[] {
     () => gl.bufferSubData(gl.ARRAY_BUFFER, 0, floats),
     () => gl.bufferSubData(gl.ARRAY_BUFFER, 8, floats, 2),
     () => gl.bufferSubData(gl.ARRAY_BUFFER, 8, floats, 2, 3),
+    () => gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 3, 2, gl.RGBA, gl.FLOAT, new Float32Array(24)),
   ].map((upload) => {
     watch.bytes = 0;
     upload();

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
-import { CasterInstances, ONE_QUAD } from '../../../src/instances/instances.ts';
-import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, END_STEPS, NO_END, PLACE_FLOATS } from '../../../src/sim/layout.ts';
+import { ONE_QUAD } from '../../../src/device/drawnRows.ts';
+import { CasterRows } from '../../../src/rows/puffRows.ts';
+import { ATTRIBUTE_BITS, END_STEPS, NO_END, PLACE_FLOATS } from '../../../src/sim/layout.ts';
 import type { Rows } from '../../../src/sim/rows.ts';
 
 const { shift, max } = ATTRIBUTE_BITS.end;
@@ -22,9 +23,9 @@ function ending(end: number): number {
 
 /** @param shortened ends in metres */
 function wordsOf(ends: number[], shortened: number[]): number[] {
-  const casters = new CasterInstances(8, ONE_QUAD);
+  const casters = new CasterRows(8, ONE_QUAD);
   casters.fill(rowsEnding(ends), Float32Array.from(shortened));
-  return Array.from(casters.geometry.getAttribute('attributes').array.slice(0, ATTRIBUTE_WORDS * casters.count));
+  return Array.from(casters.attributeWords);
 }
 
 test('a shadow ends at the given distance in metres, rounded up to the precision of a row', () => {

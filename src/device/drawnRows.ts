@@ -1,0 +1,143 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  FloatType,
+  RGBAFormat,
+  RGBAIntegerFormat,
+  UnsignedIntType,
+  type IUniform,
+  type RawShaderMaterial,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import { DrawnMesh } from './drawnMesh.ts';
+
+/** Rows in a row of texels. Even, because a texel holds the attributes of two rows. */
+const ROWS_PER_LINE = 1024;
+/** Components of a texel. */
+const TEXEL = 4;
+/** Floats of a row's place, a texel. */
+export const PLACE_FLOATS = 4;
+/** Packed words per row; see shaders/lib/attributes.glsl. */
+export const ATTRIBUTE_WORDS = 2;
+
+/** Uniforms of shaders/lib/rows.glsl. */
+export interface RowUniforms extends Record<string, IUniform> {
+  rowPlaces: IUniform<Texture | null>;
+  rowAttributes: IUniform<Texture | null>;
+  rowVertices: IUniform<number>;
+}
+
+export function rowUniforms(): RowUniforms {
+  return { rowPlaces: { value: null }, rowAttributes: { value: null }, rowVertices: { value: 4 } };
+}
+
+/** Vertices of a row, and three of them for each of its triangles. Vertices n and n + 4 are at the same corner. */
+export interface RowLayout {
+  vertices: 4 | 8;
+  index: readonly number[];
+}
+
+/** One front-facing quad. */
+export const ONE_QUAD: RowLayout = { vertices: 4, index: [0, 1, 2, 0, 2, 3] };
+/** The front of a quad, then its back. */
+export const FRONT_AND_BACK: RowLayout = { vertices: 4, index: [...ONE_QUAD.index, ...ONE_QUAD.index.toReversed()] };
+/** Two coincident quads with opposite winding and separate vertices, so that gl_VertexID distinguishes them. */
+export const TWO_QUADS: RowLayout = { vertices: 8, index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6] };
+
+/**
+ * Rows of the simulator in two textures: `place` (world x, y, z, radius) and `attributes` (two packed words), 24 bytes per
+ * row. The arrays are allocated in JavaScript, because growing WASM memory detaches views on it.
+ */
+export class RowTextures {
+  readonly places: DataTexture;
+  readonly attributes: DataTexture;
+  readonly capacity: number;
+  count = 0;
+
+  /** @param capacity maximum number of rows; the textures are never reallocated */
+  constructor(capacity: number) {
+    this.capacity = capacity;
+    const lines = Math.max(1, Math.ceil(capacity / ROWS_PER_LINE));
+    const rows = lines * ROWS_PER_LINE;
+    this.places = new DataTexture(new Float32Array(PLACE_FLOATS * rows), ROWS_PER_LINE, lines, RGBAFormat, FloatType);
+    this.attributes = new DataTexture(
+      new Uint32Array(ATTRIBUTE_WORDS * rows),
+      (ROWS_PER_LINE * ATTRIBUTE_WORDS) / TEXEL,
+      lines,
+      RGBAIntegerFormat,
+      UnsignedIntType,
+    );
+  }
+
+  get placeArray(): Float32Array {
+    return this.places.image.data as Float32Array;
+  }
+
+  get attributeWords(): Uint32Array {
+    return this.attributes.image.data as unknown as Uint32Array;
+  }
+
+  /** Uploads the first `count` rows at the next draw. */
+  update(count: number): void {
+    this.count = count;
+    markPrefix(this.places, PLACE_FLOATS, count);
+    markPrefix(this.attributes, ATTRIBUTE_WORDS, count);
+  }
+
+  dispose(): void {
+    this.places.dispose();
+    this.attributes.dispose();
+  }
+}
+
+/** @param components of a row */
+function markPrefix(texture: DataTexture, components: number, rows: number): void {
+  if (rows === 0) return;
+  texture.clearUpdateRanges();
+  for (let row = 0; row < rows; row += ROWS_PER_LINE) {
+    const length = components * Math.min(ROWS_PER_LINE, rows - row);
+    // three.js uploads whole texels, and one line of the texture for each range.
+    texture.addUpdateRange(components * row, TEXEL * Math.ceil(length / TEXEL));
+  }
+  texture.needsUpdate = true;
+}
+
+/**
+ * The triangles of rows, without vertex attributes: shaders find the row of a vertex by gl_VertexID. Instances of a quad
+ * would be less code, but some GPUs draw each instance on its own; SwiftShader takes longer for that than for its pixels.
+ */
+export class RowGeometry extends BufferGeometry {
+  readonly rows: RowTextures;
+  readonly layout: RowLayout;
+
+  constructor(rows: RowTextures, layout: RowLayout) {
+    super();
+    this.rows = rows;
+    this.layout = layout;
+    const { index, vertices } = layout;
+    const indices = new Uint32Array(index.length * rows.capacity);
+    for (let row = 0; row < rows.capacity; row++) {
+      for (let at = 0; at < index.length; at++) indices[row * index.length + at] = row * vertices + index[at];
+    }
+    this.setIndex(new BufferAttribute(indices, 1));
+  }
+
+  /** Selects the current rows for the next draw call with a material. */
+  bind({ uniforms }: RawShaderMaterial): void {
+    const { rows, layout } = this;
+    this.setDrawRange(0, layout.index.length * rows.count);
+    uniforms.rowPlaces.value = rows.places;
+    uniforms.rowAttributes.value = rows.attributes;
+    uniforms.rowVertices.value = layout.vertices;
+  }
+}
+
+/** A mesh whose vertices are those of rows. Its material has the uniforms of rows. */
+export class DrawnRows extends DrawnMesh<RowGeometry> {
+  override draw(renderer: WebGLRenderer, geometry: RowGeometry): void {
+    geometry.bind(this.material);
+    super.draw(renderer, geometry);
+  }
+}
