@@ -137,6 +137,8 @@ export class RowGeometry extends BufferGeometry {
 /** A mesh whose vertices are those of rows. Its material has the uniforms of rows. */
 export class DrawnRows extends DrawnMesh<RowGeometry> {
   override draw(renderer: WebGLRenderer, geometry: RowGeometry): void {
+    // Textures that were never filled do not match their samplers.
+    if (geometry.rows.count === 0) return;
     geometry.bind(this.material);
     super.draw(renderer, geometry);
   }
