@@ -1,4 +1,4 @@
-/** A scene of the demo with its simulator, drawn for any camera without the edge filter, so that colours are flat. */
+/** A scene of the demo with its simulator, drawn for any camera, by default without the edge filter: colours are flat. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
@@ -26,6 +26,8 @@ export interface SceneChoice {
   values?: Values;
   /** Stops self-rotating parts at their initial angle. */
   holdsRotations?: boolean;
+  /** Draws with the edge filter. */
+  smoothEdges?: boolean;
 }
 
 export interface FrameOptions {
@@ -59,7 +61,8 @@ export class SceneLab {
   private readonly smoke: SmokeRenderer;
   private readonly style: Style;
 
-  private constructor(scene: Scene, simulation: Simulation, values: Values, { width, height }: SceneChoice) {
+  private constructor(scene: Scene, simulation: Simulation, values: Values, choice: SceneChoice) {
+    const { width, height, smoothEdges = false } = choice;
     this.scene = scene;
     this.simulation = simulation;
     this.values = values;
@@ -67,7 +70,7 @@ export class SceneLab {
     [this.width, this.height] = [width, height];
     this.device.renderer.setSize(width, height, false);
     this.smoke = new SmokeRenderer(this.device, { ...scene, capacity: values['simulation.maxParticles'] as number });
-    this.smoke.passes.resolve.smoothEdges = false;
+    this.smoke.passes.resolve.smoothEdges = smoothEdges;
   }
 
   /** @param preset name of a preset; a scene has the name of its first preset */
@@ -116,6 +119,12 @@ export class SceneLab {
     const { renderTarget } = this.smoke.passes.targets;
     const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
     return { width, height, pixels, counts };
+  }
+
+  /** Draw calls and triangles of the latest picture. */
+  drawn(): { calls: number; triangles: number } {
+    const { calls, triangles } = this.device.renderer.info.render;
+    return { calls, triangles };
   }
 
   /** What a picture is drawn from. */

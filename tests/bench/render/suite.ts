@@ -4,6 +4,7 @@ import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
+import { measureSmall } from './small.ts';
 import { measureVisible } from './visible.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
@@ -18,6 +19,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureAgainstComparisons(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),
+    ...(await measureSmall(quick)),
     ...(await measureUploads()),
     ...(await measureMemory()),
   ];

@@ -1,0 +1,38 @@
+/**
+ * render.small: a widget's frame, whose cost hardly depends on pixels. render.triangles and render.calls: the geometry of
+ * the scene with the most models.
+ */
+import { SceneLab } from '../../visual/sceneLab.ts';
+import { demand, figure, say, time, type Figure } from '../support/figures.ts';
+
+const STEPS = 240;
+
+export async function measureSmall(quick: boolean): Promise<Figure[]> {
+  await say('render.small');
+  const wisp = await labOf('wisp', 64, 48);
+  const { calls } = wisp.drawn();
+  const times: number[] = [];
+  const frames = quick ? 20 : 60;
+  for (let frame = 0; frame < frames; frame++) times.push(time(() => wisp.draw()));
+  demand((wisp.report?.bodiesDrawn ?? 0) > 20, 'the wisp has no smoke');
+  wisp.dispose();
+  await say('render.triangles');
+  const train = await Promise.all([labOf('train', 1280, 720), labOf('train', 160, 96)]);
+  const [large, little] = train.map((lab) => lab.drawn());
+  for (const lab of train) lab.dispose();
+  return [
+    figure('render.small', 'ms', times, 'the wisp at 64 x 48, a frame; goal <= 6'),
+    figure('render.small.calls', '', [calls], 'draw calls of that frame; goal <= 12'),
+    figure('render.triangles', '', [large.triangles], 'the train at 1280 x 720; goal <= 120000'),
+    figure('render.triangles.small', '', [little.triangles], 'the train at 160 x 96; goal <= 25000'),
+    figure('render.triangles.calls', '', [large.calls], 'draw calls of the train; goal <= 20'),
+  ];
+}
+
+/** A scene with smoke, drawn once, which compiles the programs. */
+async function labOf(preset: string, width: number, height: number): Promise<SceneLab> {
+  const lab = await SceneLab.create(preset, { width, height, smoothEdges: true });
+  lab.step(STEPS);
+  lab.draw();
+  return lab;
+}
