@@ -35,7 +35,7 @@ export async function writeOembed(folder, base = '../') {
  * @param {string} base
  * @param {ReturnType<typeof oembedOf>} answer
  */
-function pageOf({ name, label }, base, { title, thumbnail_url: picture }) {
+function pageOf({ name, label, text }, base, { title, thumbnail_url: picture }) {
   const { width, height } = PICTURE;
   return `<!doctype html>
 <html lang="en">
@@ -43,6 +43,7 @@ function pageOf({ name, label }, base, { title, thumbnail_url: picture }) {
     <meta charset="utf-8" />
     <meta name="viewport" content="width=device-width, initial-scale=1" />
     <title>${title}</title>
+    <meta name="description" content="${text} Play with it in the browser and share the result." />
     <link rel="alternate" type="application/json+oembed" href="${base}oembed/${name}.json" title="${title}" />
     <meta property="og:title" content="${title}" />
     <meta property="og:image" content="${picture}" />

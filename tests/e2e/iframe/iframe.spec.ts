@@ -228,6 +228,7 @@ test('each preset of the gallery has an oEmbed response and a page that links to
   const link = /<link rel="alternate" type="application\/json\+oembed" href="([^"]*)"/.exec(page)![1];
   expect(new URL(link, 'https://example.org/gallery/wisp.html').pathname).toBe('/oembed/wisp.json');
   expect(page).toContain('href="../#v=1&amp;preset=wisp"');
+  expect(page).toMatch(/<meta name="description" content="[^"]{40,160}" \/>/);
   const answer = JSON.parse(readFileSync(new URL('../../../dist/oembed/wisp.json', import.meta.url), 'utf8')) as object;
   expect(answer).toMatchObject({ version: '1.0', type: 'rich', width: 640, height: 360 });
   expect(answer).toHaveProperty(
