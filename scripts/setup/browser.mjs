@@ -36,11 +36,7 @@ const OFF_FOR_PLAYWRIGHT = [
 // Pages behind the address bar, which are never visible and load in each window: a third of the cost of a test page.
 const ADDRESS_FIELD = ['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'];
 
-/** Render with SwiftShader, so that pictures are the same on every machine, and disable background activity. */
-export const CHROMIUM_FLAGS = [
-  '--use-gl=angle',
-  '--use-angle=swiftshader',
-  '--enable-unsafe-swiftshader',
+const COMMON_FLAGS = [
   // Contexts share compiled shaders. Compilation is most of the time of a small picture.
   '--enable-angle-features=preferGlobalPipelineCache',
   '--disable-background-networking',
@@ -51,6 +47,20 @@ export const CHROMIUM_FLAGS = [
   // Chromium's sandbox does not run as root, the default user in containers.
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
 ];
+
+/** Render with SwiftShader, so that pictures are the same on every machine, and disable background activity. */
+export const CHROMIUM_FLAGS = graphicsFlags();
+
+/**
+ * Chromium's flags for a backend of ANGLE.
+ *
+ * @param {string} [backend] swiftshader, vulkan, gl, metal or d3d11
+ */
+export function graphicsFlags(backend = 'swiftshader') {
+  const own = backend === 'swiftshader' ? ['--enable-unsafe-swiftshader'] : ['--ignore-gpu-blocklist', '--enable-gpu'];
+  const vulkan = backend === 'vulkan' ? ['--enable-features=Vulkan', '--disable-vulkan-surface'] : [];
+  return ['--use-gl=angle', `--use-angle=${backend}`, ...own, ...vulkan, ...COMMON_FLAGS];
+}
 
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
 const APPLICATIONS = [

@@ -1,4 +1,5 @@
 import { MathUtils, Vector2, type Matrix4 } from 'three';
+import { GpuTimer } from '../device/gpuTimer.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -40,6 +41,7 @@ export class Picture {
   renderMs = 0;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
   private readonly presenter: Presenter;
+  private readonly timer: GpuTimer;
   private camera: OrbitCamera;
   private shown: ShownSmoke;
   private width = 0;
@@ -50,6 +52,7 @@ export class Picture {
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
+    this.timer = new GpuTimer(presenter.device);
     this.camera = new OrbitCamera(scene, values);
     this.shown = new ShownSmoke(presenter.device, scene, values);
   }
@@ -104,6 +107,10 @@ export class Picture {
 
   get drawCalls(): number {
     return this.presenter.device.renderer.info.render.calls;
+  }
+
+  get gpuMs(): number | undefined {
+    return this.timer.milliseconds;
   }
 
   get writesDepth(): boolean {
@@ -162,7 +169,7 @@ export class Picture {
       const canvas = { width: this.width, height: this.height };
       const drawn = scaled(canvas, moment.scale);
       const output = this.presenter.prepare(canvas, drawn);
-      this.report = drawFrame(this.smoke.renderer, this.inputOf(moment, drawn, output));
+      this.timer.time(() => (this.report = drawFrame(this.smoke.renderer, this.inputOf(moment, drawn, output))));
       this.presenter.present();
       this.scale = moment.scale;
       this.renderMs = performance.now() - started;
@@ -181,6 +188,7 @@ export class Picture {
   /** Also disposes the device if the stage owns it. */
   dispose(): void {
     this.smoke.dispose();
+    this.timer.dispose();
     this.presenter.dispose();
   }
 

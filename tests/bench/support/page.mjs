@@ -1,4 +1,4 @@
-/** Runs a suite in a page of a headless Chromium with SwiftShader. */
+/** Runs a suite in a page of a headless Chromium, by default with SwiftShader. */
 
 import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
@@ -25,25 +25,27 @@ const MEASURING_FLAGS = ['--enable-precise-memory-info', '--js-flags=--expose-gc
  * @param {`/${string}`} path
  * @param {Choice} choice
  * @param {import('vite').Plugin[]} [plugins] added to the server of the page
+ * @param {string[]} [flags] of Chromium
  * @returns {Promise<Figure[]>}
  */
-export async function measureInPage(path, { quick, say }, plugins = []) {
+export async function measureInPage(path, { quick, say }, plugins = [], flags = CHROMIUM_FLAGS) {
   const measure = `import(${JSON.stringify(path)}).then((suite) => suite.measure(${quick}))`;
-  return /** @type {Figure[]} */ (await evaluateInPage(measure, say, plugins));
+  return /** @type {Figure[]} */ (await evaluateInPage(measure, say, plugins, flags));
 }
 
 /**
  * @param {string} expression evaluated in a page without product code, except for the server's modules
  * @param {(line: string) => void} say the page's `sayProgress`
  * @param {import('vite').Plugin[]} [plugins] added to the server of the page
+ * @param {string[]} [flags] of Chromium
  * @returns {Promise<unknown>}
  */
-export async function evaluateInPage(expression, say, plugins = []) {
+export async function evaluateInPage(expression, say, plugins = [], flags = CHROMIUM_FLAGS) {
   const configFile = inRoot('tests/bench/vite.config.ts');
   const server = await createServer({ configFile, plugins, logLevel: 'error' });
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
-    args: [...CHROMIUM_FLAGS, ...MEASURING_FLAGS],
+    args: [...flags, ...MEASURING_FLAGS],
   });
   try {
     await server.listen();

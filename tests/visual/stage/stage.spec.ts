@@ -29,6 +29,13 @@ for (const seconds of [1, 3, 6]) {
   });
 }
 
+test('statistics have the GPU time of a frame, where the browser can time it', async ({ load }) => {
+  const cases = await load<Pictures>(PICTURES);
+  const [timed, untimed] = await cases.evaluate((module) => module.gpuTimes(50));
+  expect(timed).toBeGreaterThan(0);
+  expect(untimed).toBeUndefined();
+});
+
 test('two stages share a device and draw their own pictures', async ({ load }) => {
   const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.shareDevice());
