@@ -114,11 +114,15 @@ export class SceneLab {
     const { width, height } = this;
     this.report = drawFrame(this.smoke, this.frame(options));
     const pixels = new Uint8Array(4 * width * height);
-    const gl = this.device.renderer.getContext();
+    const gl = this.context;
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     const { renderTarget } = this.smoke.passes.targets;
     const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
     return { width, height, pixels, counts };
+  }
+
+  get context(): WebGL2RenderingContext {
+    return this.device.renderer.getContext() as WebGL2RenderingContext;
   }
 
   /** Draw calls and triangles of the latest picture. */

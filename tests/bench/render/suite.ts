@@ -5,6 +5,7 @@ import { measureForms } from './forms.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
 import { measureSmall } from './small.ts';
+import { measureTargets } from './targets.ts';
 import { measureVisible } from './visible.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
@@ -21,6 +22,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureVisible(quick)),
     ...(await measureSmall(quick)),
     ...(await measureUploads()),
+    ...(await measureTargets()),
     ...(await measureMemory()),
   ];
 }
