@@ -74,7 +74,13 @@ export class ResolvePass {
     this.edges.draw(renderer, columns * rows);
   }
 
+  /** Releases the render targets until the next draw. */
+  rest(): void {
+    for (const target of [this.chosen, this.marks]) target.dispose();
+  }
+
   dispose(): void {
-    for (const part of [this.tones, this.tiles, this.copy, this.edges, this.chosen, this.marks]) part.dispose();
+    for (const part of [this.tones, this.tiles, this.copy, this.edges]) part.dispose();
+    this.rest();
   }
 }

@@ -131,6 +131,12 @@ export class SmokeRenderer {
     this.style = undefined;
   }
 
+  /** Releases the render targets until the next frame. */
+  rest(): void {
+    this.passes.targets.dispose();
+    this.passes.resolve.rest();
+  }
+
   /** Releases all resources on the device, but not the device. */
   dispose(): void {
     this.stopListening();

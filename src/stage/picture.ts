@@ -180,6 +180,11 @@ export class Picture {
     }
   }
 
+  /** Releases the render targets until the next picture. The canvas keeps the latest one. */
+  rest(): void {
+    this.smoke.renderer.rest();
+  }
+
   /** Encodes the picture just drawn as a PNG. Must be called in the task that drew it. */
   encode(): Promise<Blob> {
     return this.presenter.encode();

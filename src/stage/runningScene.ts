@@ -238,11 +238,12 @@ export class RunningScene implements FrameTasks {
   }
 
   /**
-   * Whether the canvas is visible. While it is not, nothing is drawn; the latest picture is drawn when it becomes
-   * visible.
+   * Whether the canvas is visible. While it is not, nothing is drawn and the render targets are released; the latest
+   * picture is drawn when it becomes visible.
    */
   set isSeen(isSeen: boolean) {
     this.loop.isSeen = isSeen;
+    if (!isSeen) this.picture.rest();
     if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
   }
 

@@ -1,5 +1,5 @@
 /** Stages as a page creates them, and the pixels of their canvases. Shared by all cases of stages. */
-import type { Device } from '../../../src/device/device.ts';
+import { createDevice, type Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
@@ -66,6 +66,26 @@ export async function picturesDrawn(): Promise<number[]> {
   act(() => stage.resize(WIDTH / 2, HEIGHT, 1));
   stage.dispose();
   return counts;
+}
+
+/** Textures of a device whose stage is visible, hidden, and visible again, and pixels that differ from never hidden. */
+export async function hiddenStage(): Promise<{ textures: number[]; differing: number }> {
+  const device = createDevice(new OffscreenCanvas(1, 1));
+  const stage = await lampStage(new OffscreenCanvas(WIDTH, HEIGHT), device);
+  const { memory } = device.renderer.info;
+  stage.step(60);
+  const before = await stage.picture();
+  const textures = [memory.textures];
+  stage.visible = false;
+  textures.push(memory.textures);
+  stage.visible = true;
+  stage.step(1);
+  await stage.seek(1);
+  textures.push(memory.textures);
+  const after = await stage.picture();
+  stage.dispose();
+  device.dispose();
+  return { textures, differing: differing(await pixelsOf(before), await pixelsOf(after)) };
 }
 
 /** The GPU time in the statistics after at most `frames` frames, with and without the extension for timer queries. */

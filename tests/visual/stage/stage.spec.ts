@@ -29,6 +29,15 @@ for (const seconds of [1, 3, 6]) {
   });
 }
 
+test('a hidden stage has no render targets, and its next picture is the same', async ({ load }) => {
+  const cases = await load<Pictures>(PICTURES);
+  const { textures, differing } = await cases.evaluate((module) => module.hiddenStage());
+  const [visible, hidden, again] = textures;
+  expect(visible - hidden).toBeGreaterThan(4);
+  expect(again).toBe(visible);
+  expect(differing).toBe(0);
+});
+
 test('statistics have the GPU time of a frame, where the browser can time it', async ({ load }) => {
   const cases = await load<Pictures>(PICTURES);
   const [timed, untimed] = await cases.evaluate((module) => module.gpuTimes(50));
