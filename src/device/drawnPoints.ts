@@ -2,7 +2,7 @@ import {
   BufferGeometry,
   GLSL3,
   NoBlending,
-  Points,
+  Object3D,
   RawShaderMaterial,
   Scene,
   type IUniform,
@@ -10,9 +10,22 @@ import {
 } from 'three';
 import { PassCamera } from './passCamera.ts';
 
+/** What three.js draws as points. Its class for them would bring another material into the package. */
+class PointsWithoutAttributes extends Object3D {
+  readonly isPoints = true;
+  readonly geometry = new BufferGeometry();
+  readonly material: RawShaderMaterial;
+
+  constructor(material: RawShaderMaterial) {
+    super();
+    this.material = material;
+    this.frustumCulled = false;
+  }
+}
+
 /** Points without attributes: the vertex shader places each by `gl_VertexID`. They neither test nor write depth. */
 export class DrawnPoints {
-  private readonly points: Points<BufferGeometry, RawShaderMaterial>;
+  private readonly points: PointsWithoutAttributes;
   private readonly scene = new Scene();
   private readonly camera = new PassCamera();
 
@@ -26,8 +39,7 @@ export class DrawnPoints {
       depthWrite: false,
       blending: NoBlending,
     });
-    this.points = new Points(new BufferGeometry(), material);
-    this.points.frustumCulled = false;
+    this.points = new PointsWithoutAttributes(material);
     this.scene.add(this.points);
   }
 

@@ -41,8 +41,6 @@ export interface RowLayout {
 
 /** One front-facing quad. */
 export const ONE_QUAD: RowLayout = { vertices: 4, index: [0, 1, 2, 0, 2, 3] };
-/** The front of a quad, then its back. */
-export const FRONT_AND_BACK: RowLayout = { vertices: 4, index: [...ONE_QUAD.index, ...ONE_QUAD.index.toReversed()] };
 /** Two coincident quads with opposite winding and separate vertices, so that gl_VertexID distinguishes them. */
 export const TWO_QUADS: RowLayout = { vertices: 8, index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6] };
 

@@ -1,13 +1,16 @@
 import type { RawShaderMaterial, WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/countedVolumes/countedVolumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
-import { DrawnRows, FRONT_AND_BACK, RowGeometry } from '../device/drawnRows.ts';
+import { DrawnRows, ONE_QUAD, RowGeometry, type RowLayout } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { withLobes } from '../device/unroll.ts';
 import { ParticleVolumes } from './volumes.ts';
+
+/** The front of a quad, then its back. */
+const FRONT_AND_BACK: RowLayout = { vertices: 4, index: [...ONE_QUAD.index, ...ONE_QUAD.index.toReversed()] };
 
 /**
  * Counts the shadow volumes of particles in the stencil buffer by depth pass, as McGuire and Fein do ('Real-Time

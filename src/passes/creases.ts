@@ -17,7 +17,7 @@ import { creaseEdges, type CreaseEdges } from './creaseEdges.ts';
 import { inOne, type TriangleMesh } from './extrusion.ts';
 import { memoize } from './memoize.ts';
 import { seamEdges } from './seamEdges.ts';
-import type { SurfaceDescription } from './surfaces.ts';
+import type { SurfaceDescription } from './surface.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SHARP_ANGLE } from '../constants.ts';
 

@@ -14,7 +14,7 @@ import type { FrameView } from '../device/frameView.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude, inOne, writeVolume, type Extrusion } from './extrusion.ts';
 import { memoize } from './memoize.ts';
-import type { SurfaceDescription } from './surfaces.ts';
+import type { SurfaceDescription } from './surface.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SHADOW_INSET } from '../constants.ts';
 

@@ -27,7 +27,8 @@ import type { Shaders } from '../device/programsAhead.ts';
 import { withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
 import { SurfaceTransforms } from './surfaceTransforms.ts';
-import { SurfacesPass, type SurfaceDescription } from './surfaces.ts';
+import type { SurfaceDescription } from './surface.ts';
+import { SurfacesPass } from './surfaces.ts';
 import { Targets } from './targets.ts';
 
 /** Width and height of the depth map, texels. */

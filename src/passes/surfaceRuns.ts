@@ -10,7 +10,7 @@ import {
 import { PassCamera } from '../device/passCamera.ts';
 import { hullNormals, inOne } from './extrusion.ts';
 import { memoize } from './memoize.ts';
-import type { SurfaceDescription } from './surfaces.ts';
+import { groupOf, isMoving, type SurfaceDescription } from './surface.ts';
 
 export const memoizedHullNormals = memoize(hullNormals);
 
@@ -25,11 +25,11 @@ export class SurfaceGeometry {
   constructor(surfaces: readonly SurfaceDescription[]) {
     this.surfaces = surfaces;
     this.order = orderOf(surfaces);
-    const { positions, normals, hullNormals, surfaces: numbers, indices } = arraysOf(surfaces);
+    const { positions, normals, outward, surfaces: numbers, indices } = arraysOf(surfaces);
     this.attributes = {
       position: new BufferAttribute(positions, 3),
       normal: new BufferAttribute(normals, 3),
-      hullNormal: new BufferAttribute(hullNormals, 3),
+      hullNormal: new BufferAttribute(outward, 3),
       surface: new BufferAttribute(numbers, 1),
     };
     this.index = new BufferAttribute(indices, 1);
@@ -105,16 +105,6 @@ function orderOf(surfaces: readonly SurfaceDescription[]): number[] {
     .sort((a, b) => keys[a][0] - keys[b][0] || keys[a][1] - keys[b][1] || keys[a][2] - keys[b][2] || a - b);
 }
 
-/** Whether a surface can move relative to the others. */
-export function isMoving({ rigid, part }: SurfaceDescription): boolean {
-  return rigid !== undefined || part !== undefined;
-}
-
-/** Surfaces with equal keys have no line between them. */
-export function groupOf({ group, name }: SurfaceDescription, surface: number): string {
-  return group ?? `${name} ${surface}`;
-}
-
 /** Vertices in the order of the surfaces, triangles in drawing order. */
 const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
   const meshes = surfaces.map(({ mesh }) => mesh);
@@ -128,7 +118,7 @@ const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),
     normals: inOne(meshes.map(({ normals }) => normals)),
-    hullNormals: inOne(meshes.map(memoizedHullNormals)),
+    outward: inOne(meshes.map(memoizedHullNormals)),
     surfaces: inOne(meshes.map(({ positions }, surface) => new Float32Array(positions.length / 3).fill(surface))),
     indices,
   };

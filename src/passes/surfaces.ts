@@ -13,30 +13,10 @@ import hullVertexShader from '../../shaders/surfaces/hull.vert';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
 import type { FrameView } from '../device/frameView.ts';
-import type { Color, RampTexture } from '../device/ramps.ts';
-import type { TriangleMesh } from './extrusion.ts';
-import { groupOf, isMoving, SurfaceGeometry, type SurfaceRuns } from './surfaceRuns.ts';
+import type { RampTexture } from '../device/ramps.ts';
+import { groupOf, isMoving, type SurfaceDescription } from './surface.ts';
+import { SurfaceGeometry, type SurfaceRuns } from './surfaceRuns.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
-
-/** A triangle mesh of the scene. */
-export interface SurfaceDescription {
-  name: string;
-  mesh: TriangleMesh;
-  /** Colour in full light. */
-  color: Color;
-  /** Whether it casts shadows. The mesh must be closed then. */
-  casts: boolean;
-  /** Whether it has outlines. */
-  inked: boolean;
-  /**
-   * Surfaces of the same group have no line between them. A surface without a group has outlines against all others.
-   */
-  group?: string;
-  /** Index of the rigid that it is attached to; static if absent. */
-  rigid?: number;
-  /** Index of the scene part whose transform it has, instead of a rigid. */
-  part?: number;
-}
 
 /**
  * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has

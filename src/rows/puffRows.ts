@@ -26,14 +26,6 @@ export class PuffRows {
     return this.rows.attributeWords.subarray(0, ATTRIBUTE_WORDS * this.count);
   }
 
-  /** Mean radius in metres; 0 if there are no rows. */
-  get meanRadius(): number {
-    const { places, count } = this;
-    let sum = 0;
-    for (let row = 0; row < count; row++) sum += places[PLACE_FLOATS * row + 3];
-    return sum / Math.max(1, count);
-  }
-
   /** Copies the rows and marks only the copied range for upload. */
   fill({ place, attributes, count }: Rows): void {
     this.rows.placeArray.set(place.subarray(0, PLACE_FLOATS * count));

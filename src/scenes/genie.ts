@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { Color } from '../device/ramps.ts';
-import type { SurfaceDescription } from '../passes/surfaces.ts';
+import type { SurfaceDescription } from '../passes/surface.ts';
 import { exp } from '../sim/exact/power.ts';
 import { slerp } from '../sim/exact/quaternion.ts';
 import { sin } from '../sim/exact/sine.ts';

@@ -1,5 +1,5 @@
 import type { Color } from '../device/ramps.ts';
-import type { SurfaceDescription } from '../passes/surfaces.ts';
+import type { SurfaceDescription } from '../passes/surface.ts';
 import { cos } from '../sim/exact/sine.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
 import { ballMesh } from './models/ball.ts';

@@ -1,6 +1,6 @@
 import type { Color } from '../device/ramps.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
-import type { SurfaceDescription } from '../passes/surfaces.ts';
+import type { SurfaceDescription } from '../passes/surface.ts';
 import type { Quaternion } from '../sim/exact/rotation.ts';
 import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
 

@@ -45,13 +45,20 @@ export class ComparisonRenderers {
   }
 }
 
+/** Mean radius of rows in metres; 0 without rows. */
+function meanRadiusOf(places: Float32Array): number {
+  let sum = 0;
+  for (let at = 3; at < places.length; at += 4) sum += places[at];
+  return sum / Math.max(1, places.length / 4);
+}
+
 type DrawWith = (comparisons: ComparisonRenderers, ...frame: Parameters<DrawSmoke>) => void;
 
 /** How each comparison renderer draws a frame after the surfaces. */
 const ways: Readonly<Record<ComparisonRenderer, DrawWith>> = {
   selle(comparisons, { renderer, targets }, { style, output }, { bodies }) {
     const { outlines, innerLine, inkColor } = style;
-    comparisons.selle.setLines(inkColor, outlines ? innerLine * bodies.meanRadius : Infinity);
+    comparisons.selle.setLines(inkColor, outlines ? innerLine * meanRadiusOf(bodies.places) : Infinity);
     comparisons.selle.draw(renderer, bodies.geometry);
     comparisons.selle.drawLines(renderer, targets, output);
   },

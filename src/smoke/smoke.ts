@@ -11,7 +11,8 @@ import { MaskPass } from '../passes/mask.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
-import { SurfacesPass, type SurfaceDescription } from '../passes/surfaces.ts';
+import type { SurfaceDescription } from '../passes/surface.ts';
+import { SurfacesPass } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
@@ -29,8 +30,6 @@ export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
   capacity: number;
   surfaces: readonly SurfaceDescription[];
-  /** Whether the smoke is drawn into the scene of a host. */
-  isGuest?: boolean;
   /** Display-encoded colours at the top and the bottom of the background; transparent if absent. */
   backdrop?: { top: Color; bottom: Color };
   /** The shapes of the puffs, such as `bakedPuffs(shapes)`; defaults to the built-in puffs. */
@@ -60,7 +59,7 @@ export class SmokeRenderer {
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
 
-  constructor(device: Device, { capacity, surfaces, isGuest = false, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
+  constructor(device: Device, { capacity, surfaces, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
     this.surfaces = surfaces;
     this.backdrop = backdrop;
@@ -71,7 +70,7 @@ export class SmokeRenderer {
     const bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new CasterRows(capacity, ONE_QUAD);
     const transforms = new SurfaceTransforms(surfaces.length);
-    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0 || isGuest);
+    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
     this.passes = {
       renderer: device.renderer,
       eye,
@@ -150,7 +149,6 @@ export class SmokeRenderer {
     for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
       part.dispose();
     for (const part of [passes.creases, passes.transforms]) part.dispose();
-    passes.surfaceDepth.dispose();
     for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
     passes.extras.dispose();
     this.ramps.dispose();

@@ -1,5 +1,5 @@
 import { MathUtils, Vector2, type Matrix4 } from 'three';
-import { GpuTimer } from '../device/gpuTimer.ts';
+import type { GpuTimer } from '../device/gpuTimer.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -41,7 +41,9 @@ export class Picture {
   renderMs = 0;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
   private readonly presenter: Presenter;
-  private readonly timer: GpuTimer;
+  private timer: GpuTimer | undefined;
+  private isTimerAsked = false;
+  private isDisposed = false;
   private camera: OrbitCamera;
   private shown: ShownSmoke;
   private width = 0;
@@ -52,7 +54,6 @@ export class Picture {
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
-    this.timer = new GpuTimer(presenter.device);
     this.camera = new OrbitCamera(scene, values);
     this.shown = new ShownSmoke(presenter.device, scene, values);
   }
@@ -109,8 +110,10 @@ export class Picture {
     return this.presenter.device.renderer.info.render.calls;
   }
 
+  /** The first call loads the code that measures, so the first values are undefined. */
   get gpuMs(): number | undefined {
-    return this.timer.milliseconds;
+    if (!this.isTimerAsked) void this.loadTimer();
+    return this.timer?.milliseconds;
   }
 
   get writesDepth(): boolean {
@@ -169,7 +172,10 @@ export class Picture {
       const canvas = { width: this.width, height: this.height };
       const drawn = scaled(canvas, moment.scale);
       const output = this.presenter.prepare(canvas, drawn);
-      this.timer.time(() => (this.report = drawFrame(this.smoke.renderer, this.inputOf(moment, drawn, output))));
+      const input = this.inputOf(moment, drawn, output);
+      const drawNow = () => (this.report = drawFrame(this.smoke.renderer, input));
+      if (this.timer) this.timer.time(drawNow);
+      else drawNow();
       this.presenter.present();
       this.scale = moment.scale;
       this.renderMs = performance.now() - started;
@@ -193,8 +199,16 @@ export class Picture {
   /** Also disposes the device if the stage owns it. */
   dispose(): void {
     this.smoke.dispose();
-    this.timer.dispose();
+    this.timer?.dispose();
+    this.isDisposed = true;
     this.presenter.dispose();
+  }
+
+  private async loadTimer(): Promise<void> {
+    this.isTimerAsked = true;
+    // Statistics work without it.
+    const loaded = await import('../device/gpuTimer.ts').catch(() => undefined);
+    if (loaded && !this.isDisposed) this.timer = new loaded.GpuTimer(this.presenter.device);
   }
 
   private inputOf(

@@ -27,9 +27,9 @@ export interface HostView {
  * Unlit smoke follows, as the first blended object.
  */
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
-  const { smoke, pictures, insert } = passes;
+  const { smoke, pictures, insert, depth } = passes;
   const { renderer } = view;
-  const { body, eye, mask, resolve, surfaceDepth, targets, extras } = smoke.passes;
+  const { body, eye, mask, resolve, targets, extras } = smoke.passes;
   const { style } = input;
   const hasDeep = style.shadows && style.shadowSteps === 2;
   const isLinear = isLinearPicture(renderer);
@@ -40,7 +40,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     const { bodies, casters } = arranged;
     const size = new Vector2(input.width, input.height);
     eye.uniforms.viewportOrigin.value.copy(view.origin);
-    const hostDepth = surfaceDepth.takeFromHost(renderer, view.origin, size, style.outlines);
+    const hostDepth = depth.take(renderer, view.origin, size, style.outlines);
     targets.begin(renderer);
     body.draw(renderer, bodies.geometry, hostDepth);
     pictures.take(renderer, targets, resolve, hasDeep);

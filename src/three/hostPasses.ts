@@ -3,6 +3,7 @@ import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
+import { HostDepth } from './hostDepth.ts';
 import type { WebGLRenderer } from 'three';
 
 /** Passes for a frame in the host's scene. */
@@ -11,10 +12,11 @@ export class HostPasses {
   readonly casters: HostCasters;
   readonly insert: InsertPass;
   readonly pictures = new SmokePictures();
+  readonly depth = new HostDepth();
 
   /** @param capacity maximum number of particles */
   constructor(device: Device, capacity: number) {
-    this.smoke = new SmokeRenderer(device, { capacity, surfaces: [], isGuest: true });
+    this.smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
     const { eye } = this.smoke.passes;
     this.casters = new HostCasters(device, eye);
     this.insert = new InsertPass(eye);
@@ -24,6 +26,7 @@ export class HostPasses {
   release(): void {
     this.insert.dispose();
     this.pictures.dispose();
+    this.depth.dispose();
     this.casters.release();
   }
 

@@ -1,7 +1,7 @@
 /** A frame in the format of the renderer in sim-wasm/reference. Runs inside a page. The names are those of scene.rs. */
 import { Matrix4 } from 'three';
 import type { Color, Ramp } from '../../src/device/ramps.ts';
-import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
+import type { SurfaceDescription } from '../../src/passes/surface.ts';
 import type { TriangleMesh } from '../../src/passes/extrusion.ts';
 import { fromHalf } from '../../src/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/sim/rows.ts';

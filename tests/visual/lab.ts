@@ -16,7 +16,7 @@ import { createDevice, Device } from '../../src/device/device.ts';
 import { ADDS, FullScreen } from '../../src/device/fullScreen.ts';
 import type { Color } from '../../src/device/ramps.ts';
 import type { DebugView } from '../../src/preset/quality.ts';
-import type { SurfaceDescription } from '../../src/passes/surfaces.ts';
+import type { SurfaceDescription } from '../../src/passes/surface.ts';
 import type { PuffShape } from '../../src/puffs/shapes.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/sim/layout.ts';
 import type { Rows } from '../../src/sim/rows.ts';

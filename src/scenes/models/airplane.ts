@@ -1,7 +1,7 @@
 /** A small round biplane with a pilot: the nose points along +x, the right wing along +z. Metres, about its centre. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import { sin } from '../../sim/exact/sine.ts';
 import type { RigidPart, RigidShape } from '../../sim/rigid.ts';
 import type { Vector } from '../scene.ts';

@@ -1,7 +1,7 @@
 /** A clearing at night: a ring of stones with logs, a tent, a seat, and a marshmallow over the fire. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import { acos, atan2 } from '../../sim/exact/arc.ts';
 import { cos, hypot, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';

@@ -1,7 +1,7 @@
 /** A round piece of desert with rocks and cacti. Metres; the sand is at height 0. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
 import type { RigidDescription } from '../../sim/rigid.ts';
 import type { Vector } from '../scene.ts';

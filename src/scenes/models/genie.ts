@@ -1,7 +1,7 @@
 /** The solid parts of the genie: head, turban and hands. Metres, about the centre of the chest, which faces +z. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';

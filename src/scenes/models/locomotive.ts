@@ -1,7 +1,7 @@
 /** A smiling steam locomotive: it faces +x, and y = 0 is the top of the rails. Metres. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import type { RigidShape } from '../../sim/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';

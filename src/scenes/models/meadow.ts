@@ -1,7 +1,7 @@
 /** A meadow under the sky: hills, a windmill, sheep, and a sun with a face. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';

@@ -1,7 +1,7 @@
 /** A smiling toy rocket that stands on y = 0 with its nose up, and its launch pad. Metres. */
 import type { Color } from '../../device/ramps.ts';
 import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surfaces.ts';
+import type { SurfaceDescription } from '../../passes/surface.ts';
 import type { RigidShape } from '../../sim/rigid.ts';
 import { friendlyFace } from './face.ts';
 import { lathe } from './lathe.ts';

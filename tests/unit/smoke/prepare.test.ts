@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { memoizedCreases, memoizedSeams } from '../../../src/passes/creases.ts';
 import { memoizedExtrusion } from '../../../src/passes/meshVolumes.ts';
-import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
+import type { SurfaceDescription } from '../../../src/passes/surface.ts';
 import { preparingSurfaces } from '../../../src/smoke/prepare.ts';
 import { box, ground } from '../../visual/solids.ts';
 

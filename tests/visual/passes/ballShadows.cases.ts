@@ -12,7 +12,7 @@ import {
   type Camera,
 } from 'three';
 import type { Color } from '../../../src/device/ramps.ts';
-import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
+import type { SurfaceDescription } from '../../../src/passes/surface.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import { orientationOf, rotatedLobes } from '../../../src/puffs/orientation.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';

@@ -1,7 +1,7 @@
 /** Lines of puffs that touch surfaces: closed on a floor, hidden behind a wall. */
 import { PerspectiveCamera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import type { SurfaceDescription } from '../../../src/passes/surfaces.ts';
+import type { SurfaceDescription } from '../../../src/passes/surface.ts';
 import { Lab, PLAIN_STYLE, type LabPicture, type LabPuff } from '../lab.ts';
 import { box, ground } from '../solids.ts';
 
