@@ -61,8 +61,6 @@ export interface StageStats {
   simMs: number;
   arrangeMs: number;
   renderMs: number;
-  /** Time of a recent frame on the GPU; undefined where the browser has no EXT_disjoint_timer_query_webgl2. */
-  gpuMs: number | undefined;
   drawCalls: number;
   /**
    * False where the GPU does not store the depth that fragments write. Puffs are then flat and intersect in straight

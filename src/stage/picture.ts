@@ -1,5 +1,4 @@
 import { MathUtils, Vector2, type Matrix4 } from 'three';
-import type { GpuTimer } from '../device/gpuTimer.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -41,9 +40,6 @@ export class Picture {
   renderMs = 0;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
   private readonly presenter: Presenter;
-  private timer: GpuTimer | undefined;
-  private isTimerAsked = false;
-  private isDisposed = false;
   private camera: OrbitCamera;
   private shown: ShownSmoke;
   private width = 0;
@@ -110,12 +106,6 @@ export class Picture {
     return this.presenter.device.renderer.info.render.calls;
   }
 
-  /** The first call loads the code that measures, so the first values are undefined. */
-  get gpuMs(): number | undefined {
-    if (!this.isTimerAsked) void this.loadTimer();
-    return this.timer?.milliseconds;
-  }
-
   get writesDepth(): boolean {
     return this.presenter.device.writesDepth;
   }
@@ -172,10 +162,7 @@ export class Picture {
       const canvas = { width: this.width, height: this.height };
       const drawn = scaled(canvas, moment.scale);
       const output = this.presenter.prepare(canvas, drawn);
-      const input = this.inputOf(moment, drawn, output);
-      const drawNow = () => (this.report = drawFrame(this.smoke.renderer, input));
-      if (this.timer) this.timer.time(drawNow);
-      else drawNow();
+      this.report = drawFrame(this.smoke.renderer, this.inputOf(moment, drawn, output));
       this.presenter.present();
       this.scale = moment.scale;
       this.renderMs = performance.now() - started;
@@ -199,16 +186,7 @@ export class Picture {
   /** Also disposes the device if the stage owns it. */
   dispose(): void {
     this.smoke.dispose();
-    this.timer?.dispose();
-    this.isDisposed = true;
     this.presenter.dispose();
-  }
-
-  private async loadTimer(): Promise<void> {
-    this.isTimerAsked = true;
-    // Statistics work without it.
-    const loaded = await import('../device/gpuTimer.ts').catch(() => undefined);
-    if (loaded && !this.isDisposed) this.timer = new loaded.GpuTimer(this.presenter.device);
   }
 
   private inputOf(

@@ -331,7 +331,7 @@ function differing(values: Values, before: Values): Values {
 
 function statsOf(
   simulation: Simulation,
-  { smoke, report, renderMs, gpuMs, drawCalls, writesDepth, scale }: Picture,
+  { smoke, report, renderMs, drawCalls, writesDepth, scale }: Picture,
 ): StageStats {
   const { alive, waiting, steps, inputCount, isTruncated } = simulation.simulator;
   return {
@@ -347,7 +347,6 @@ function statsOf(
     castersTotal: smoke.throwsShadow ? alive : 0,
     simMs: simulation.stepMs,
     renderMs,
-    gpuMs,
     drawCalls,
     writesDepth,
     scale,

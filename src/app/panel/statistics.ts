@@ -52,6 +52,5 @@ function describe(stats: StageStats, framesPerSecond: number): string {
     `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,
     `casters ${stats.castersDrawn} of ${stats.castersTotal}`,
     `step ${milliseconds(stats.simMs)}, arrange ${milliseconds(stats.arrangeMs)}, draw ${milliseconds(stats.renderMs)}`,
-    ...(stats.gpuMs === undefined ? [] : [`GPU ${milliseconds(stats.gpuMs)}`]),
   ].join('\n');
 }

@@ -88,26 +88,6 @@ export async function hiddenStage(): Promise<{ textures: number[]; differing: nu
   return { textures, differing: differing(await pixelsOf(before), await pixelsOf(after)) };
 }
 
-/** The GPU time in the statistics after at most `frames` frames, with and without the extension for timer queries. */
-export async function gpuTimes(frames: number): Promise<(number | undefined)[]> {
-  const results: (number | undefined)[] = [];
-  for (const hasTimer of [true, false]) {
-    const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
-    const context = canvas.getContext('webgl2', { alpha: true, antialias: false, depth: false, stencil: false })!;
-    const find = context.getExtension.bind(context) as (name: string) => unknown;
-    const findMost = (name: string) => (hasTimer || !name.includes('timer') ? find(name) : null);
-    Object.assign(context, { getExtension: findMost });
-    const stage = await lampStage(canvas);
-    for (let frame = 0; frame < frames && stage.stats.gpuMs === undefined; frame++) {
-      stage.step(1);
-      await new Promise((resolve) => setTimeout(resolve, 20));
-    }
-    results.push(stage.stats.gpuMs);
-    stage.dispose();
-  }
-  return results;
-}
-
 export function visibleCanvas(): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = WIDTH;

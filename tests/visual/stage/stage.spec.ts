@@ -38,13 +38,6 @@ test('a hidden stage has no render targets, and its next picture is the same', a
   expect(differing).toBe(0);
 });
 
-test('statistics have the GPU time of a frame, where the browser can time it', async ({ load }) => {
-  const cases = await load<Pictures>(PICTURES);
-  const [timed, untimed] = await cases.evaluate((module) => module.gpuTimes(50));
-  expect(timed).toBeGreaterThan(0);
-  expect(untimed).toBeUndefined();
-});
-
 test('two stages share a device and draw their own pictures', async ({ load }) => {
   const cases = await load<Devices>(DEVICES);
   const report = await cases.evaluate((module) => module.shareDevice());
