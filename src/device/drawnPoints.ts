@@ -1,13 +1,5 @@
-import {
-  BufferGeometry,
-  GLSL3,
-  NoBlending,
-  Object3D,
-  RawShaderMaterial,
-  Scene,
-  type IUniform,
-  type WebGLRenderer,
-} from 'three';
+import { BufferGeometry, Object3D, Scene, type IUniform, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import { pictureMaterial } from './fullScreen.ts';
 import { PassCamera } from './passCamera.ts';
 
 /** What three.js draws as points. Its class for them would bring another material into the package. */
@@ -30,16 +22,7 @@ export class DrawnPoints {
   private readonly camera = new PassCamera();
 
   constructor(vertexShader: string, fragmentShader: string, uniforms: Record<string, IUniform>) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms,
-      depthTest: false,
-      depthWrite: false,
-      blending: NoBlending,
-    });
-    this.points = new PointsWithoutAttributes(material);
+    this.points = new PointsWithoutAttributes(pictureMaterial({ vertexShader, fragmentShader, uniforms }));
     this.scene.add(this.points);
   }
 

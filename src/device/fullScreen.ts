@@ -31,23 +31,24 @@ export class FullScreen extends DrawnMesh {
     uniforms: Record<string, IUniform>,
     parameters: Omit<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'> = {},
   ) {
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader,
-      fragmentShader,
-      uniforms,
-      depthTest: false,
-      depthWrite: false,
-      blending: NoBlending,
-      ...parameters,
-    });
-    super(material, triangle());
+    super(pictureMaterial({ vertexShader, fragmentShader, uniforms, ...parameters }), triangle());
   }
 
   dispose(): void {
     this.mesh.geometry.dispose();
     this.material.dispose();
   }
+}
+
+/** A material that replaces the destination colour, and neither tests nor writes depth and stencil by default. */
+export function pictureMaterial(parameters: ShaderMaterialParameters): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    depthTest: false,
+    depthWrite: false,
+    blending: NoBlending,
+    ...parameters,
+  });
 }
 
 /** A triangle that covers the whole viewport. */
