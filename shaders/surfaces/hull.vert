@@ -12,7 +12,10 @@ uniform bool isRaised;
 
 in vec3 position;
 in vec3 hullNormal;
-in float surface;
+// Index of the surface, and number of its group.
+in vec2 surfaceAndGroup;
+
+flat out float group;
 
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
@@ -30,7 +33,8 @@ float raisedClipZ(float viewZ, float clipW, float nearer) {
 }
 
 void main() {
-  mat4 transform = worldFromModel(int(surface));
+  mat4 transform = worldFromModel(int(surfaceAndGroup.x));
+  group = surfaceAndGroup.y;
   if (!isVisible(transform)) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;

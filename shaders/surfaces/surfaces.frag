@@ -1,16 +1,19 @@
 precision highp float;
 
 // The meshes of the scene, each shaded by its own rows of the ramp texture. Inputs are in world space. Outputs the
-// display-encoded unlit and lit colour.
+// display-encoded unlit and lit colour,
+// and the number of the group over 255 for targets that keep it.
 uniform sampler2D ramps;
 uniform vec4 lightInWorld;
 
 in vec3 worldNormal;
 in vec3 worldPlace;
 flat in float material;
+flat in float group;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
+layout(location = 2) out float number;
 
 #include ../lib/light.glsl
 #include ../lib/shade.glsl
@@ -20,4 +23,5 @@ void main() {
   Shades shades = shade(normalize(worldNormal), towardsLight, ramps, material, vec3(1.0), vec4(0.0));
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);
+  number = group / 255.0;
 }

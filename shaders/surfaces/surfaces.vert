@@ -1,7 +1,7 @@
 precision highp float;
 
-// The meshes of the scene. Inputs are in model space; outputs are the normal and the position in world space, and the
-// ramp index.
+// The meshes of the scene. Inputs are in model space; outputs are the normal and the position in world space, the
+// ramp index and the number of the group.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 // Ramp index of the first surface; the others follow in order.
@@ -9,16 +9,20 @@ uniform float firstMaterial;
 
 in vec3 position;
 in vec3 normal;
-in float surface;
+// Index of the surface, and number of its group.
+in vec2 surfaceAndGroup;
 
 out vec3 worldNormal;
 out vec3 worldPlace;
 flat out float material;
+flat out float group;
 
 #include ../lib/transforms.glsl
 
 void main() {
+  float surface = surfaceAndGroup.x;
   mat4 transform = worldFromModel(int(surface));
+  group = surfaceAndGroup.y;
   worldNormal = mat3(transform) * normal;
   worldPlace = (transform * vec4(position, 1.0)).xyz;
   material = firstMaterial + surface;

@@ -148,7 +148,7 @@ export class ShadowMapPass {
     this.lightEye.look(camera, lightInWorld.value, SIZE, SIZE);
     this.uniforms.lightViewFromView.value.copy(viewFromWorld.value).invert().premultiply(camera.matrixWorldInverse);
     this.map.begin(renderer);
-    this.surfaces.draw(renderer);
+    this.surfaces.draw(renderer, this.map);
     (this.hasBillboards ? this.billboards : this.lobes).draw(renderer, casters);
     renderer.setRenderTarget(this.shadowed);
     this.measure.draw(renderer);

@@ -1,37 +1,28 @@
-import {
-  BackSide,
-  Box3,
-  GLSL3,
-  NotEqualStencilFunc,
-  RawShaderMaterial,
-  ReplaceStencilOp,
-  type IUniform,
-  type WebGLRenderer,
-} from 'three';
+import { BackSide, Box3, GLSL3, RawShaderMaterial, type IUniform, type Texture, type WebGLRenderer } from 'three';
 import hullFragmentShader from '../../shaders/surfaces/hull.frag';
 import hullVertexShader from '../../shaders/surfaces/hull.vert';
+import raisedFragmentShader from '../../shaders/surfaces/raised.frag';
 import fragmentShader from '../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../shaders/surfaces/surfaces.vert';
+import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { RampTexture } from '../device/ramps.ts';
-import { groupOf, isMoving, type SurfaceDescription } from './surface.ts';
-import { SurfaceGeometry, type SurfaceRuns } from './surfaceRuns.ts';
+import type { SurfaceDescription } from './surface.ts';
+import { SurfaceGeometry } from './surfaceGeometry.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
+import type { Targets } from './targets.ts';
 
 /**
  * Draws the scene's meshes with flat tones, and their outlines as inverted hulls (back faces). Each inked surface has
  * two hulls. One is at the surface's own depth and draws the lines in front of other parts of the surface. The raised
- * one closes the outline where the surface touches another that may move away; the stencil test keeps it off the
- * surface's own pixels. The stencil is zero before and after. Surfaces with the same stencil number are one draw call.
+ * one closes the outline where the surface touches another that may move away; the numbers of the groups keep it off
+ * the surface's own pixels. The meshes, their hulls and the raised hulls are one draw call each.
  */
 export class SurfacesPass {
-  private readonly fill: RawShaderMaterial;
+  private readonly surfaces: DrawnMesh<SurfaceGeometry>;
   private readonly hull: RawShaderMaterial;
   private readonly raisedHull: RawShaderMaterial;
-  private readonly hulls: SurfaceRuns;
-  /** The creases pass draws the seams of static surfaces, which then need no raised hull. */
-  private readonly withCreases: NumberedRuns;
-  private readonly withoutCreases: NumberedRuns;
+  private readonly groups: IUniform<Texture | null> = { value: null };
   private readonly boxes: Box3[];
   private readonly eye: FrameView;
   private readonly transforms: SurfaceTransforms;
@@ -47,30 +38,22 @@ export class SurfacesPass {
     this.eye = eye;
     this.transforms = transforms;
     const placed = { ...eye.uniforms, transforms: { value: transforms.texture } };
-    this.fill = new RawShaderMaterial({
+    const fill = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
       uniforms: { ...placed, ramps: { value: ramps.texture }, firstMaterial: { value: firstMaterial } },
-      stencilWrite: true,
-      stencilZPass: ReplaceStencilOp,
     });
-    this.hull = hullMaterial(placed, false);
-    this.raisedHull = hullMaterial(placed, true);
-    const geometry = new SurfaceGeometry(surfaces);
-    const isInked = surfaces.map(({ inked }) => inked);
-    this.hulls = geometry.runs(this.hull, (surface) => (isInked[surface] ? 0 : undefined));
-    const runsOf = (hasCreases: boolean): NumberedRuns => {
-      const isRaised = surfaces.map((surface) => surface.inked && (isMoving(surface) || !hasCreases));
-      const numbers = stencilNumbers(surfaces, isRaised);
-      return {
-        fills: geometry.runs(this.fill, (surface) => numbers[surface]),
-        raised: geometry.runs(this.raisedHull, (surface) => (isRaised[surface] ? numbers[surface] : undefined)),
-      };
-    };
-    this.withCreases = runsOf(true);
-    this.withoutCreases = runsOf(false);
+    this.surfaces = new DrawnMesh(fill, new SurfaceGeometry(surfaces));
+    this.hull = hullMaterial({ ...placed, isRaised: { value: false } }, hullFragmentShader);
+    this.raisedHull = hullMaterial({ ...placed, isRaised: { value: true }, groups: this.groups }, raisedFragmentShader);
     this.boxes = surfaces.map(({ mesh }) => new Box3().setFromArray(mesh.positions));
+  }
+
+  /** Whether this frame has raised hulls, which read the numbers of the groups. */
+  get isNumbered(): boolean {
+    const { geometry } = this.surfaces.mesh;
+    return this.eye.uniforms.inkPixels.value > 0 && this.firstRaised < geometry.corners;
   }
 
   /** The world-space bounding box of each visible surface. */
@@ -80,48 +63,42 @@ export class SurfacesPass {
     );
   }
 
-  draw(renderer: WebGLRenderer): void {
-    const { creases, inkPixels } = this.eye.uniforms;
-    const { fills, raised } = creases.value ? this.withCreases : this.withoutCreases;
-    fills.draw(renderer);
-    if (inkPixels.value > 0) {
-      this.hulls.draw(renderer);
-      raised.draw(renderer);
-    }
-    renderer.clearStencil();
+  /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */
+  draw(renderer: WebGLRenderer, targets: Targets): void {
+    const { surfaces, hull, raisedHull, isNumbered } = this;
+    const { geometry } = surfaces.mesh;
+    this.drawFrom(0, renderer, surfaces.material);
+    if (isNumbered) this.groups.value = targets.endNumbers(renderer);
+    if (this.eye.uniforms.inkPixels.value > 0) this.drawFrom(geometry.firstInked, renderer, hull);
+    if (isNumbered) this.drawFrom(this.firstRaised, renderer, raisedHull);
   }
 
   dispose(): void {
-    const { withCreases, withoutCreases } = this;
-    for (const { fills, raised } of [withCreases, withoutCreases]) for (const runs of [fills, raised]) runs.dispose();
-    for (const part of [this.hulls, this.fill, this.hull, this.raisedHull]) part.dispose();
+    const { surfaces, hull, raisedHull } = this;
+    for (const part of [surfaces.mesh.geometry, surfaces.material, hull, raisedHull]) part.dispose();
+  }
+
+  /** The creases pass draws the seams of static surfaces, which then need no raised hull. */
+  private get firstRaised(): number {
+    const { firstInked, firstMoving } = this.surfaces.mesh.geometry;
+    return this.eye.uniforms.creases.value ? firstMoving : firstInked;
+  }
+
+  /** Draws all surfaces from a corner on. */
+  private drawFrom(corner: number, renderer: WebGLRenderer, material: RawShaderMaterial): void {
+    const { geometry } = this.surfaces.mesh;
+    if (corner === geometry.corners) return;
+    geometry.setDrawRange(corner, Infinity);
+    this.surfaces.drawAs(renderer, material);
   }
 }
 
-/** Fills, which write the stencil number of their surface, and raised hulls, which avoid it. */
-interface NumberedRuns {
-  readonly fills: SurfaceRuns;
-  readonly raised: SurfaceRuns;
-}
-
-/**
- * The stencil number of each surface: 1..255 for its group if that has a raised hull, else 0. Numbers repeat after 255
- * groups, so two groups may share one.
- */
-function stencilNumbers(surfaces: readonly SurfaceDescription[], isRaised: readonly boolean[]): number[] {
-  const groups = surfaces.map(groupOf);
-  const numbered = [...new Set(groups.filter((_, surface) => isRaised[surface]))];
-  return groups.map((group) => (numbered.includes(group) ? 1 + (numbered.indexOf(group) % 255) : 0));
-}
-
-function hullMaterial(uniforms: Record<string, IUniform>, isRaised: boolean): RawShaderMaterial {
+function hullMaterial(uniforms: Record<string, IUniform>, shader: string): RawShaderMaterial {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: hullVertexShader,
-    fragmentShader: hullFragmentShader,
-    uniforms: { ...uniforms, isRaised: { value: isRaised } },
+    fragmentShader: shader,
+    uniforms,
     side: BackSide,
-    stencilWrite: isRaised,
-    stencilFunc: NotEqualStencilFunc,
   });
 }

@@ -3,6 +3,7 @@ import {
   DepthTexture,
   NearestFilter,
   NoColorSpace,
+  RedFormat,
   UnsignedByteType,
   UnsignedInt248Type,
   WebGLRenderTarget,
@@ -16,20 +17,22 @@ import { depthCopy } from '../device/depthCopy.ts';
  * shadow) with the alpha of the page; colour 1 is lit with the shadow mask in alpha.
  */
 export class Targets {
-  private readonly target = new WebGLRenderTarget(1, 1, {
-    count: 2,
-    type: UnsignedByteType,
-    colorSpace: NoColorSpace,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: true,
-    stencilBuffer: true,
-    // A texture, so that other passes can read it or attach it.
-    depthTexture: depthStencil(),
-  });
-
+  /** A texture, so that other passes can read it or attach it. A pass that renders to the target must not sample it. */
+  readonly depth = depthStencil();
+  /**
+   * The target with a third colour, 8 bits of red: the number of the group of the nearest surface. Allocated on first
+   * use.
+   */
+  private readonly numbered = target(3, this.depth);
+  // three.js disposes of a depth texture with the last target that it was given to.
+  private readonly target = target(2, this.depth);
   private readonly copy = depthCopy();
+
+  constructor() {
+    const { textures } = this.numbered;
+    textures.splice(0, 2, ...this.target.textures);
+    textures[2].format = RedFormat;
+  }
 
   /** The underlying render target, with colours, depth and stencil. */
   get renderTarget(): WebGLRenderTarget {
@@ -42,11 +45,6 @@ export class Targets {
 
   get lit(): Texture {
     return this.target.textures[1];
-  }
-
-  /** Depth and stencil texture. A pass that renders to the target must not sample it. */
-  get depth(): DepthTexture {
-    return this.target.depthTexture!;
   }
 
   get width(): number {
@@ -63,13 +61,25 @@ export class Targets {
    */
   resize(width: number, height: number): void {
     this.target.setSize(width, height);
+    this.numbered.setSize(width, height);
   }
 
-  /** Binds the target and clears it: colours to transparent black, depth to far, stencil to zero. */
-  begin(renderer: WebGLRenderer): void {
-    renderer.setRenderTarget(this.target);
+  /**
+   * Binds the target and clears it: colours to transparent black, depth to far, stencil to zero.
+   * @param isNumbered also binds the numbers of groups, until `endNumbers`
+   */
+  begin(renderer: WebGLRenderer, isNumbered = false): void {
+    // three.js reallocates the shared buffers when it first binds a target.
+    if (isNumbered) renderer.initRenderTarget(this.target);
+    renderer.setRenderTarget(isNumbered ? this.numbered : this.target);
     renderer.setClearColor(0x000000, 0);
     renderer.clear(true, true, true);
+  }
+
+  /** Binds the target without the numbers of groups, and returns them: number / 255, 0 without a surface. */
+  endNumbers(renderer: WebGLRenderer): Texture {
+    renderer.setRenderTarget(this.target);
+    return this.numbered.textures[2];
   }
 
   /**
@@ -86,9 +96,24 @@ export class Targets {
   }
 
   dispose(): void {
+    this.numbered.dispose();
     this.target.dispose();
     this.copy.dispose();
   }
+}
+
+function target(count: number, depthTexture: DepthTexture): WebGLRenderTarget {
+  return new WebGLRenderTarget(1, 1, {
+    count,
+    type: UnsignedByteType,
+    colorSpace: NoColorSpace,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    depthBuffer: true,
+    stencilBuffer: true,
+    depthTexture,
+  });
 }
 
 function depthStencil(): DepthTexture {

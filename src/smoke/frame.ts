@@ -31,9 +31,9 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   renderer.info.reset();
   const arranged = arrangeFrame(passes, input);
 
-  targets.begin(renderer);
+  targets.begin(renderer, passes.surfaces.isNumbered);
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
-  passes.surfaces.draw(renderer);
+  passes.surfaces.draw(renderer, targets);
   passes.creases.draw(renderer);
   const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
   if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);

@@ -1,6 +1,6 @@
 import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
 import { memoizedExtrusion } from '../passes/meshVolumes.ts';
-import { memoizedHullNormals } from '../passes/surfaceRuns.ts';
+import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import { inPieces, type Work } from '../puffs/work.ts';
 import type { Device } from '../device/device.ts';

@@ -1,0 +1,51 @@
+/** Outlines of meshes that touch others, and the draw calls of a scene with many meshes. */
+import { PerspectiveCamera } from 'three';
+import { PLAIN_STYLE, takePicture } from '../lab.ts';
+import { SceneLab } from '../sceneLab.ts';
+import { box } from '../solids.ts';
+
+const SIZE = 160;
+
+/**
+ * The ink of a moving box that stands on a slab, compared with the ink of the box alone: pixels of the outline, those of
+ * them without ink on the slab, and ink on the box itself.
+ * @param creases whether the creases pass draws lines, too
+ */
+export function outlineOnSlab(creases: boolean): { outline: number; open: number; inside: number } {
+  const camera = new PerspectiveCamera(40, 1, 0.1, 100);
+  camera.position.set(0, 2, 4);
+  camera.lookAt(0, 0, 0);
+  const still = { casts: false, inked: false } as const;
+  // Rounded normals, so that the box has no sharp edges.
+  const { positions, indices } = box([0, 0, 0], [0.5, 0.5, 0.5]);
+  const mesh = { positions, normals: positions.map((at) => at / Math.sqrt(0.75)), indices };
+  const slab = { ...still, name: 'slab', mesh: box([0, -0.6, 0], [2, 0.1, 2]), color: [90, 160, 90] } as const;
+  const cube = { ...still, name: 'box', mesh, color: [200, 120, 60], inked: true, rigid: 0 } as const;
+  const style = { creases, outlineWidth: 3, shadows: false } as const;
+  const picture = { width: SIZE, height: SIZE, puffs: [], camera, style };
+  const [bare, alone, standing] = [[{ ...cube, inked: false }], [cube], [slab, cube]].map((surfaces) =>
+    takePicture({ ...picture, surfaces }),
+  );
+  const isInk = ({ pixels }: typeof bare, pixel: number) =>
+    PLAIN_STYLE.inkColor.every((channel, index) => pixels[4 * pixel + index] === channel);
+  const report = { outline: 0, open: 0, inside: 0 };
+  for (let pixel = 0; pixel < SIZE * SIZE; ++pixel) {
+    const isOnBox = bare.pixels[4 * pixel + 3] > 0;
+    if (isOnBox) report.inside += Number(isInk(standing, pixel));
+    else if (isInk(alone, pixel)) {
+      report.outline++;
+      report.open += Number(!isInk(standing, pixel));
+    }
+  }
+  return report;
+}
+
+/** Draw calls of a whole frame of the train. */
+export async function callsOfTrain(): Promise<number> {
+  const lab = await SceneLab.create('train', { width: 64, height: 48, smoothEdges: true });
+  lab.step(30);
+  lab.draw();
+  const { calls } = lab.drawn();
+  lab.dispose();
+  return calls;
+}

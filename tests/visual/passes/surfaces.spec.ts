@@ -1,0 +1,22 @@
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./surfaces.cases.ts');
+const CASES = '/tests/visual/passes/surfaces.cases.ts';
+
+for (const creases of [true, false]) {
+  const among = creases ? 'beside creases' : 'without creases';
+  test(`the outline of a moving mesh is closed where it touches another, and not inside it: ${among}`, async ({
+    load,
+  }) => {
+    const cases = await load<Cases>(CASES);
+    const { outline, open, inside } = await cases.evaluate((module, asked) => module.outlineOnSlab(asked), creases);
+    expect(outline).toBeGreaterThan(300);
+    expect(open).toBe(0);
+    expect(inside).toBe(0);
+  });
+}
+
+test('a scene of many moving meshes takes few draw calls', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.callsOfTrain())).toBeLessThanOrEqual(13);
+});
