@@ -9,35 +9,32 @@ export const memoizedHullNormals = memoize(hullNormals);
 const GROUPS = 255;
 
 /**
- * Vertices and triangles of all surfaces of a scene. Those without outlines come first, then the inked static ones,
- * then the inked moving ones, so that each set that a draw call needs is the rest of the triangles.
+ * Vertices and triangles of all surfaces of a scene. The inked static ones are followed by the inked moving ones, so that
+ * each set that a draw call needs is one range. Of two surfaces at the same depth, the later one is visible: inked ones
+ * cover static ones without outlines, and moving ones without outlines cover both.
  */
 export class SurfaceGeometry extends BufferGeometry {
-  /** Index of the first corner of inked surfaces, and of inked surfaces that move. */
+  /** First corner of inked surfaces, first corner of those that move, and the corner after the last one. */
   readonly firstInked: number;
   readonly firstMoving: number;
+  readonly endInked: number;
 
   constructor(surfaces: readonly SurfaceDescription[]) {
     super();
-    const { positions, normals, outward, numbers, indices, firstInked, firstMoving } = arraysOf(surfaces);
+    const { positions, normals, outward, numbers, indices, ends } = arraysOf(surfaces);
     this.setAttribute('position', new BufferAttribute(positions, 3));
     this.setAttribute('normal', new BufferAttribute(normals, 3));
     this.setAttribute('hullNormal', new BufferAttribute(outward, 3));
     this.setAttribute('surfaceAndGroup', new BufferAttribute(numbers, 2));
     this.setIndex(new BufferAttribute(indices, 1));
-    this.firstInked = firstInked;
-    this.firstMoving = firstMoving;
-  }
-
-  /** Number of all corners. */
-  get corners(): number {
-    return this.index!.count;
+    [this.firstInked, this.firstMoving, this.endInked] = ends;
   }
 }
 
-/** 0 without outlines, 1 static with outlines, 2 moving with outlines. */
+/** The position of a surface in drawing order. */
 function setOf(surface: SurfaceDescription): number {
-  return surface.inked ? 1 + Number(isMoving(surface)) : 0;
+  if (surface.inked) return isMoving(surface) ? 2 : 1;
+  return isMoving(surface) ? 3 : 0;
 }
 
 /** Vertices in the order of the surfaces, triangles in drawing order. */
@@ -55,14 +52,14 @@ const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
     }
   });
   const indices = new Uint32Array(meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0));
-  const firsts: number[] = [];
+  const ends: number[] = [];
   let end = 0;
-  for (const set of [0, 1, 2]) {
-    firsts.push(end);
+  for (const set of [0, 1, 2, 3]) {
     meshes.forEach((mesh, surface) => {
       if (setOf(surfaces[surface]) !== set) return;
       for (const vertex of mesh.indices) indices[end++] = firstVertices[surface] + vertex;
     });
+    ends.push(end);
   }
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),
@@ -70,7 +67,6 @@ const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
     outward: inOne(meshes.map(memoizedHullNormals)),
     numbers,
     indices,
-    firstInked: firsts[1],
-    firstMoving: firsts[2],
+    ends,
   };
 });

@@ -53,7 +53,7 @@ export class SurfacesPass {
   /** Whether this frame has raised hulls, which read the numbers of the groups. */
   get isNumbered(): boolean {
     const { geometry } = this.surfaces.mesh;
-    return this.eye.uniforms.inkPixels.value > 0 && this.firstRaised < geometry.corners;
+    return this.eye.uniforms.inkPixels.value > 0 && this.firstRaised < geometry.endInked;
   }
 
   /** The world-space bounding box of each visible surface. */
@@ -67,10 +67,11 @@ export class SurfacesPass {
   draw(renderer: WebGLRenderer, targets: Targets): void {
     const { surfaces, hull, raisedHull, isNumbered } = this;
     const { geometry } = surfaces.mesh;
-    this.drawFrom(0, renderer, surfaces.material);
+    this.drawRange(0, geometry.index!.count, renderer, surfaces.material);
     if (isNumbered) this.groups.value = targets.endNumbers(renderer);
-    if (this.eye.uniforms.inkPixels.value > 0) this.drawFrom(geometry.firstInked, renderer, hull);
-    if (isNumbered) this.drawFrom(this.firstRaised, renderer, raisedHull);
+    const { firstInked, endInked } = geometry;
+    if (this.eye.uniforms.inkPixels.value > 0) this.drawRange(firstInked, endInked, renderer, hull);
+    if (isNumbered) this.drawRange(this.firstRaised, endInked, renderer, raisedHull);
   }
 
   dispose(): void {
@@ -84,11 +85,10 @@ export class SurfacesPass {
     return this.eye.uniforms.creases.value ? firstMoving : firstInked;
   }
 
-  /** Draws all surfaces from a corner on. */
-  private drawFrom(corner: number, renderer: WebGLRenderer, material: RawShaderMaterial): void {
-    const { geometry } = this.surfaces.mesh;
-    if (corner === geometry.corners) return;
-    geometry.setDrawRange(corner, Infinity);
+  /** Draws the triangles between two corners. */
+  private drawRange(start: number, end: number, renderer: WebGLRenderer, material: RawShaderMaterial): void {
+    if (start === end) return;
+    this.surfaces.mesh.geometry.setDrawRange(start, end - start);
     this.surfaces.drawAs(renderer, material);
   }
 }
