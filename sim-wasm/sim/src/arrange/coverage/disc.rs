@@ -20,13 +20,15 @@ pub(crate) struct Disc {
 
 impl Disc {
     /// The same disc on a grid with cells `factor` times as large.
+    #[inline(always)]
     pub(crate) fn on_coarser(&self, factor: f32) -> Self {
+        let share = 1.0 / factor;
         Self {
-            u: self.u / factor,
-            v: self.v / factor,
-            radius: self.radius / factor,
+            u: self.u * share,
+            v: self.v * share,
+            radius: self.radius * share,
             bulge: self.bulge * factor,
-            rim: self.rim / factor,
+            rim: self.rim * share,
             ..*self
         }
     }
@@ -35,6 +37,9 @@ impl Disc {
     /// centre plane.
     #[inline(always)]
     pub(crate) fn front(&self, squared: f32x4) -> f32x4 {
+        if self.bulge == 0.0 {
+            return f32x4::splat(self.depth);
+        }
         let height = (f32x4::splat(self.radius * self.radius) - squared)
             .fast_max(f32x4::ZERO)
             .sqrt();

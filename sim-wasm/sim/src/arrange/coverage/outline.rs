@@ -196,13 +196,15 @@ impl<'a> Outliner<'a> {
         };
         for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
             let height = balls.z[ball] * projected.radius;
+            let radius = (balls.radius[ball] - projected.tolerance) * cells;
             let disc = Disc {
                 u: projected.u + balls.x[ball] * cells,
                 v: projected.v + balls.y[ball] * cells,
-                radius: (balls.radius[ball] - projected.tolerance) * cells,
+                radius,
                 depth: projected.depth - height + bodies.tolerance * projected.radius,
                 bulge: 1.0 / projected.density,
-                ..Disc::default()
+                rim: radius,
+                rim_depth: f32::INFINITY,
             };
             if disc.radius > 0.0 {
                 outline.inner[outline.inner_count] = disc;
