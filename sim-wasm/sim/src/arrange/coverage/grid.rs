@@ -3,10 +3,12 @@
 use wide::f32x4;
 
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::coverage::disc::Disc;
+use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs, front};
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::math::scalar::{greater, lesser};
+use crate::math::simd::LANES;
 
 /// Cells along a side of a block; also the number of SIMD lanes.
 const BLOCK: usize = 4;
@@ -16,10 +18,8 @@ const FINENESS: f32 = 10.0;
 const CELLS: [usize; 2] = [1 << 10, 1 << 16];
 const CELLS_A_PARTICLE: usize = 64;
 
-/// In blocks: a block contains no whole cell nearer to a position than this less than its middle, and none whose farthest
-/// corner is nearer than half a cell.
-const WHOLE_CELL: f32 = 0.5 - 1.0 / BLOCK as f32;
-const HALF_CELL: f32 = 0.5 / BLOCK as f32;
+/// Distance from the middle of a block to its edge, in cells.
+const BLOCK_EDGE: f32 = BLOCK as f32 / 2.0;
 
 const NOTHING: f32 = f32::INFINITY;
 /// Depth of cells that no puff can show in: everything is hidden there.
@@ -44,6 +44,8 @@ pub(crate) struct CoverageGrid {
     /// Maxima of 4 by 4 blocks.
     fields: Vec<f32>,
     coarsest: Lattice,
+    /// Column and row of the blocks in which the hull may show that was tested last.
+    open: Vec<[u16; 2]>,
     covers: usize,
     /// Limits of the grid beyond which puffs may show: left, low, right, high, in cells.
     ends: [f32; 4],
@@ -65,6 +67,7 @@ impl CoverageGrid {
             coarse: Lattice::default(),
             fields: vec![NOTHING; cells / 16 + BLOCK],
             coarsest: Lattice::default(),
+            open: Vec::with_capacity(cells / 4 + BLOCK),
             covers: 1,
             ends: [0.0; 4],
             corner: [0.0; 2],
@@ -151,29 +154,47 @@ impl CoverageGrid {
         self.fine.stride * self.fine.rows.next_multiple_of(BLOCK)
     }
 
-    /// Returns true if the nearest point of the disc lies behind all fields it touches, or each part behind its block.
-    pub(crate) fn hides_hull(&self, disc: &Disc) -> bool {
-        if self.is_left_by(disc) {
-            return false;
+    /// Returns true if the whole hull of a puff is covered. Finds the blocks in which it may show, for the calls that
+    /// follow for the same puff.
+    pub(crate) fn hides_hull(&mut self, hull: &Disc) -> bool {
+        self.open.clear();
+        let is_left = self.is_left_by(hull);
+        if !is_left && self.hides_fields(hull) {
+            return true;
         }
+        let wide = hull.on_coarser(BLOCK as f32);
+        let [left, low, right, high] = self.coarse.around(&wide);
+        for row in low..high {
+            let beside = nearest_squared(row, wide.v);
+            let line = &self.blocks[row * self.coarse.stride..][..self.coarse.stride];
+            for column in (left / BLOCK * BLOCK..right).step_by(BLOCK) {
+                let mask = shown(&wide, nearest(&wide, column, beside), load(line, column), &self.range);
+                self.open.extend(lanes(mask).map(|lane| [(column + lane) as u16, row as u16]));
+            }
+        }
+        !is_left && self.open.is_empty()
+    }
+
+    /// Returns true if the nearest point of the disc lies behind all fields that it touches.
+    #[inline(always)]
+    fn hides_fields(&self, disc: &Disc) -> bool {
         let [least, most] = self.range.map(|lanes| lanes.to_array()[0]);
         let nearest = lesser(greater(disc.depth - disc.bulge * disc.radius, least), most);
         let [left, low, right, high] = self.coarsest.around(&disc.on_coarser((BLOCK * BLOCK) as f32));
-        let is_behind = (low..high).all(|row| {
+        (low..high).all(|row| {
             let line = &self.fields[row * self.coarsest.stride..][..self.coarsest.stride];
             line[left..right].iter().all(|depth| *depth < nearest)
-        });
-        is_behind || self.hides_blocks(disc, |_, _| true)
+        })
     }
 
     /// Returns true if the whole polygon is covered.
     pub(crate) fn hides_polygon(&self, polygon: &Polygon) -> bool {
-        self.farthest(polygon, polygon.depth) < polygon.depth
+        self.farthest(polygon, polygon.depth, polygon.depth) < polygon.depth
     }
 
     /// Maximum depth of the cells that the polygon touches, or the first depth of at least `enough`. Infinite if a cell
-    /// is not covered.
-    pub(crate) fn farthest(&self, polygon: &Polygon, enough: f32) -> f32 {
+    /// is not covered. Below `least` it may be any smaller depth.
+    pub(crate) fn farthest(&self, polygon: &Polygon, least: f32, enough: f32) -> f32 {
         let [left, low, right, high] = polygon.bounds();
         let [first, lowest, last, highest] = self.ends;
         if left < first || low < lowest || right > last || high > highest {
@@ -187,7 +208,7 @@ impl CoverageGrid {
             let limits = polygon
                 .between(first as f32, (first + BLOCK) as f32)
                 .map(|at| at / BLOCK as f32);
-            if self.coarse.farthest(&self.blocks, block, limits) <= farthest {
+            if self.coarse.farthest(&self.blocks, block, limits) < greater(farthest, least) {
                 continue;
             }
             for row in first.max(from)..(first + BLOCK).min(to) {
@@ -201,25 +222,37 @@ impl CoverageGrid {
         farthest
     }
 
-    /// Returns true if the whole disc is covered.
-    pub(crate) fn hides(&self, disc: &Disc) -> bool {
+    /// Returns true if all discs of the puff are covered whose hull was tested last.
+    pub(crate) fn hides(&self, discs: &Discs) -> bool {
         let last = &self.depths[(self.covers - 1) * self.layer()..];
-        !self.is_left_by(disc) && self.hides_blocks(disc, |column, row| self.shows_in_block(last, disc, column, row))
+        !discs.groups().iter().any(|group| self.is_left_by_any(group))
+            && self.open.iter().all(|block| {
+                let [column, row] = block.map(usize::from);
+                let depth = self.blocks[row * self.coarse.stride + column];
+                (0..discs.count).all(|index| {
+                    let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE, 0.0);
+                    let mask = self.shown_of(discs, index, squared, depth);
+                    !lanes(mask).any(|lane| self.shows_in_block(last, &discs.get(index, lane), column, row))
+                })
+            })
     }
 
-    /// Returns true if none of the disc shows. `shows_in` decides for the column and row of each block that is not
-    /// entirely in front of the disc.
+    /// A mask of the discs of a group that show in a block at these squared distances, unless its cells are nearer than
+    /// its depth.
     #[inline(always)]
-    fn hides_blocks(&self, disc: &Disc, shows_in: impl Fn(usize, usize) -> bool) -> bool {
-        let disc = disc.on_coarser(BLOCK as f32);
-        let [left, low, right, high] = self.coarse.around(&disc);
-        (low..high).all(|row| {
-            let beside = nearest_squared(row, disc.v);
-            let line = &self.blocks[row * self.coarse.stride..][..self.coarse.stride];
-            (left / BLOCK * BLOCK..right)
-                .step_by(BLOCK)
-                .all(|column| !lanes(shown(&disc, nearest(&disc, column, beside), load(line, column), &self.range)).any(|lane| shows_in(column + lane, row)))
-        })
+    fn shown_of(&self, discs: &Discs, index: usize, squared: f32x4, depth: f32) -> u32 {
+        let group = &discs.groups[index];
+        let touched = squared.simd_lt(group.rim * group.rim);
+        let front = front(group.depth, group.radius, discs.bulge, squared).fast_min(group.rim_depth);
+        let drawn = front.fast_max(self.range[0]).fast_min(self.range[1]);
+        (touched & f32x4::splat(depth).simd_ge(drawn)).to_bitmask()
+    }
+
+    fn is_left_by_any(&self, group: &DiscGroup) -> bool {
+        let [left, low, right, high] = self.ends.map(f32x4::splat);
+        let beyond = |at: f32x4, from: f32x4, to: f32x4| (at - group.rim).simd_lt(from) | (at + group.rim).simd_gt(to);
+        let is_left = beyond(group.u, left, right) | beyond(group.v, low, high);
+        (is_left & group.rim.simd_gt(f32x4::ZERO)).any()
     }
 
     #[inline(always)]
@@ -239,48 +272,54 @@ impl CoverageGrid {
         beyond(disc.u, left, right) || beyond(disc.v, low, high)
     }
 
-    /// Adds the covered area of one puff. With several covers it must be a single disc.
-    pub(crate) fn cover(&mut self, discs: &[Disc]) {
-        debug_assert!(self.covers == 1 || discs.len() <= 1, "a puff would count twice");
+    /// Adds the covered area of the puff whose hull was tested last. With several covers it must be a single disc.
+    pub(crate) fn cover(&mut self, discs: &Discs) {
         let mut changed = [usize::MAX, usize::MAX, 0, 0];
-        for disc in discs {
-            let wide = disc.on_coarser(BLOCK as f32);
-            let [left, low, right, high] = self.coarse.around(&wide);
-            for row in low..high {
-                let beside = greater((row as f32 + 0.5 - wide.v).abs() - WHOLE_CELL, HALF_CELL);
-                for column in (left / BLOCK * BLOCK..right).step_by(BLOCK) {
-                    // Nothing changes where all cells are nearer.
-                    let blocks = load(&self.blocks, row * self.coarse.stride + column);
-                    let along = (away(&wide, column) - f32x4::splat(WHOLE_CELL)).fast_max(f32x4::splat(HALF_CELL));
-                    let squared = along * along + f32x4::splat(beside * beside);
-                    for lane in lanes(shown(&wide, squared, blocks, &self.range)) {
-                        let column = column + lane;
-                        self.blocks[row * self.coarse.stride + column] = self.mark(disc, column, row);
-                        changed = [
-                            changed[0].min(column),
-                            changed[1].min(row),
-                            changed[2].max(column),
-                            changed[3].max(row),
-                        ];
-                    }
+        for at in 0..self.open.len() {
+            let [column, row] = self.open[at].map(usize::from);
+            let block = row * self.coarse.stride + column;
+            let masks: [u32; BALLS_LIMIT / LANES] = std::array::from_fn(|index| {
+                if index >= discs.count {
+                    return 0;
                 }
+                // Only what covers a whole cell counts.
+                let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE - 1.0, 0.5);
+                self.shown_of(discs, index, squared, self.blocks[block])
+            });
+            if masks != [0; BALLS_LIMIT / LANES] {
+                self.blocks[block] = self.mark(discs, masks, column, row);
+                changed = [
+                    changed[0].min(column),
+                    changed[1].min(row),
+                    changed[2].max(column),
+                    changed[3].max(row),
+                ];
             }
         }
         self.gather_fields(changed);
     }
 
-    /// Adds the part of a disc in a block. Returns the new maximum depth of the last cover.
+    /// Adds the parts of discs in a block. Returns the new maximum depth of the last cover.
     #[inline(always)]
-    fn mark(&mut self, disc: &Disc, column: usize, row: usize) -> f32 {
+    fn mark(&mut self, discs: &Discs, masks: [u32; BALLS_LIMIT / LANES], column: usize, row: usize) -> f32 {
+        let mut depths = [f32x4::splat(NOTHING); BLOCK];
+        for (index, mask) in masks.into_iter().enumerate() {
+            for lane in lanes(mask) {
+                let disc = discs.get(index, lane);
+                let along = away(&disc, column * BLOCK) + f32x4::splat(0.5);
+                let along = along * along;
+                for (line, depth) in depths.iter_mut().enumerate() {
+                    let beside = ((row * BLOCK + line) as f32 + 0.5 - disc.v).abs() + 0.5;
+                    let certain = certain(&disc, along + f32x4::splat(beside * beside), &self.range);
+                    *depth = depth.fast_min(certain);
+                }
+            }
+        }
         let layer = self.layer();
-        let along = away(disc, column * BLOCK) + f32x4::splat(0.5);
-        let along = along * along;
         let mut farthest = f32x4::splat(OUTSIDE);
-        for line in row * BLOCK..(row + 1) * BLOCK {
-            let beside = (line as f32 + 0.5 - disc.v).abs() + 0.5;
-            let mut depth = certain(disc, along + f32x4::splat(beside * beside), &self.range);
+        for (line, mut depth) in depths.into_iter().enumerate() {
             for cover in 0..self.covers {
-                let at = cover * layer + line * self.fine.stride + column * BLOCK;
+                let at = cover * layer + (row * BLOCK + line) * self.fine.stride + column * BLOCK;
                 let cells = load(&self.depths, at);
                 let least = cells.fast_min(depth);
                 self.depths[at..at + BLOCK].copy_from_slice(least.as_array());
@@ -367,6 +406,19 @@ fn nearest_squared(row: usize, position: f32) -> f32 {
 fn nearest(disc: &Disc, column: usize, beside: f32) -> f32x4 {
     let along = (away(disc, column) - f32x4::splat(0.5)).fast_max(f32x4::ZERO);
     along * along + f32x4::splat(beside)
+}
+
+/// Squared distances from the centres of discs to the nearest points of a block, at most `edge` away from its middle in
+/// each direction and at least `least` away from the centre.
+#[inline(always)]
+fn nearest_of(group: &DiscGroup, column: usize, row: usize, edge: f32, least: f32) -> f32x4 {
+    let away = |at: f32x4, block: usize| {
+        let middle = (block * BLOCK) as f32 + BLOCK_EDGE;
+        let away = (f32x4::splat(middle) - at).abs() - f32x4::splat(edge);
+        away.fast_max(f32x4::splat(least))
+    };
+    let (along, beside) = (away(group.u, column), away(group.v, row));
+    along * along + beside * beside
 }
 
 /// A mask of the cells, of four at these squared distances, that the disc touches and where it is not behind the depth.

@@ -67,7 +67,7 @@ impl Coverage {
             if self.is_hidden(plan) {
                 continue;
             }
-            self.grid.cover(self.outline.inner());
+            self.grid.cover(&self.outline.inner);
             rows[kept] = rows[at];
             kept += 1;
         }
@@ -79,7 +79,7 @@ impl Coverage {
 
     fn is_hidden(&self, plan: &Plan) -> bool {
         match plan.kind {
-            PlanKind::Bodies(_) => self.outline.outer().iter().all(|disc| self.grid.hides(disc)),
+            PlanKind::Bodies(_) => self.grid.hides(&self.outline.outer),
             PlanKind::Shadows(_) => self.grid.hides_polygon(&self.outline.polygon),
         }
     }
@@ -105,11 +105,16 @@ impl Coverage {
                     continue;
                 }
                 outliner.place(place, &mut self.outline);
+                if self.grid.hides_hull(&self.outline.hull) {
+                    row[0] = NOTHING_LEFT;
+                    continue;
+                }
                 outliner.draw(place, attributes(particle), &mut self.outline);
-                let farthest = self.grid.farthest(&self.outline.polygon, f32::INFINITY);
+                let polygon = &self.outline.polygon;
+                let farthest = self.grid.farthest(polygon, polygon.depth, f32::INFINITY);
                 row[0] = outliner.end(place, farthest, &self.outline);
                 if row[0] == NO_END {
-                    self.grid.cover(self.outline.inner());
+                    self.grid.cover(&self.outline.inner);
                 }
             }
         }

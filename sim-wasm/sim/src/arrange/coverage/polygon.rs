@@ -1,6 +1,6 @@
 //! A convex polygon around discs: everything that a shadow may darken, including the area between its discs.
 
-use std::f32::consts::FRAC_1_SQRT_2;
+use std::f32::consts::SQRT_2;
 
 use wide::f32x4;
 
@@ -9,12 +9,12 @@ use crate::math::scalar::lesser;
 /// Sixteen sides in groups of four. In each group: to the right and up, right and down, left and up, left and down; in
 /// the first: right, up, left, down.
 const GROUPS: usize = 4;
-/// Cosine and sine of the first normal of each group. The normals are a sixteenth of a revolution apart.
-const NORMALS: [[f32; 2]; GROUPS] = [
-    [1.0, 0.0],
-    [0.923_879_5, 0.382_683_43],
-    [FRAC_1_SQRT_2, FRAC_1_SQRT_2],
-    [0.382_683_43, 0.923_879_5],
+/// Tangent and secant of the first normal of all groups but the first. The normals are a sixteenth of a revolution
+/// apart.
+const NORMALS: [[f32; 2]; GROUPS - 1] = [
+    [0.414_213_57, 1.082_392_2],
+    [1.0, SQRT_2],
+    [2.414_213_7, 2.613_126],
 ];
 
 /// Lengths in cells. The front is flat, at a depth in metres.
@@ -23,7 +23,7 @@ pub(crate) struct Polygon {
     pub u: f32,
     pub v: f32,
     pub depth: f32,
-    /// Distance of each side from (u, v).
+    /// Distance of each side from (u, v), along u except for the first group.
     sides: [f32x4; GROUPS],
 }
 
@@ -40,14 +40,11 @@ impl Polygon {
     /// Extends the polygon around a disc; its centre is relative to (u, v).
     #[inline(always)]
     pub(crate) fn hold(&mut self, x: f32, y: f32, radius: f32) {
+        let [first, rest @ ..] = &mut self.sides;
+        *first = first.fast_max(f32x4::new([x, y, -x, -y]) + f32x4::splat(radius));
         let [across, along] = [f32x4::new([x, x, -x, -x]), f32x4::new([y, -y, y, -y])];
-        let straight = f32x4::new([x, y, -x, -y]);
-        for (side, [cosine, sine]) in self.sides.iter_mut().zip(NORMALS) {
-            let out = match sine {
-                0.0 => straight,
-                _ => f32x4::splat(cosine) * across + f32x4::splat(sine) * along,
-            };
-            *side = side.fast_max(out + f32x4::splat(radius));
+        for (side, [tangent, secant]) in rest.iter_mut().zip(NORMALS) {
+            *side = side.fast_max(across + f32x4::splat(tangent) * along + f32x4::splat(secant * radius));
         }
     }
 
@@ -65,8 +62,8 @@ impl Polygon {
         // A side that leans back upwards is wider at its low end.
         let widest = f32x4::new([low, -high, low, -high]);
         let mut limits = f32x4::new([right, right, left, left]);
-        for (side, [cosine, sine]) in self.sides.iter().zip(NORMALS).skip(1) {
-            limits = limits.fast_min((*side - f32x4::splat(sine) * widest) * f32x4::splat(1.0 / cosine));
+        for (side, [tangent, _]) in self.sides[1..].iter().zip(NORMALS) {
+            limits = limits.fast_min(*side - f32x4::splat(tangent) * widest);
         }
         let [right, other_right, left, other_left] = limits.to_array();
         [self.u - lesser(left, other_left), self.u + lesser(right, other_right)]
