@@ -7,7 +7,7 @@ use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs, front};
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::polygon::Polygon;
 use crate::arrange::coverage::solids::BALLS_LIMIT;
-use crate::math::scalar::{greater, lesser};
+use crate::math::scalar::greater;
 use crate::math::simd::LANES;
 
 /// Cells along a side of a block; also the number of SIMD lanes.
@@ -158,33 +158,33 @@ impl CoverageGrid {
     /// follow for the same puff.
     pub(crate) fn hides_hull(&mut self, hull: &Disc) -> bool {
         self.open.clear();
-        let is_left = self.is_left_by(hull);
-        if !is_left && self.hides_fields(hull) {
-            return true;
-        }
-        let wide = hull.on_coarser(BLOCK as f32);
-        let [left, low, right, high] = self.coarse.around(&wide);
+        let (fields, blocks) = (hull.on_coarser((BLOCK * BLOCK) as f32), hull.on_coarser(BLOCK as f32));
+        let [left, low, right, high] = self.coarsest.around(&fields);
         for row in low..high {
-            let beside = nearest_squared(row, wide.v);
-            let line = &self.blocks[row * self.coarse.stride..][..self.coarse.stride];
-            for column in (left / BLOCK * BLOCK..right).step_by(BLOCK) {
-                let mask = shown(&wide, nearest(&wide, column, beside), load(line, column), &self.range);
-                self.open.extend(lanes(mask).map(|lane| [(column + lane) as u16, row as u16]));
+            let beside = nearest_squared(row, fields.v);
+            for column in (left..right).step_by(BLOCK) {
+                let depths = load(&self.fields, row * self.coarsest.stride + column);
+                let mask = shown(&fields, nearest(&fields, column, beside), depths, &self.range);
+                // The last lanes may lie in the next row.
+                for lane in lanes(mask).take_while(|lane| column + lane < right) {
+                    self.open_blocks(&blocks, column + lane, row);
+                }
             }
         }
-        !is_left && self.open.is_empty()
+        self.open.is_empty() && !self.is_left_by(hull)
     }
 
-    /// Returns true if the nearest point of the disc lies behind all fields that it touches.
+    /// Finds the blocks of a field in which a hull may show; its lengths are in blocks.
     #[inline(always)]
-    fn hides_fields(&self, disc: &Disc) -> bool {
-        let [least, most] = self.range.map(|lanes| lanes.to_array()[0]);
-        let nearest = lesser(greater(disc.depth - disc.bulge * disc.radius, least), most);
-        let [left, low, right, high] = self.coarsest.around(&disc.on_coarser((BLOCK * BLOCK) as f32));
-        (low..high).all(|row| {
-            let line = &self.fields[row * self.coarsest.stride..][..self.coarsest.stride];
-            line[left..right].iter().all(|depth| *depth < nearest)
-        })
+    fn open_blocks(&mut self, hull: &Disc, column: usize, row: usize) {
+        let column = column * BLOCK;
+        for row in row * BLOCK..((row + 1) * BLOCK).min(self.coarse.rows) {
+            let squared = nearest(hull, column, nearest_squared(row, hull.v));
+            let depths = load(&self.blocks, row * self.coarse.stride + column);
+            let mask = shown(hull, squared, depths, &self.range);
+            self.open
+                .extend(lanes(mask).map(|lane| [(column + lane) as u16, row as u16]));
+        }
     }
 
     /// Returns true if the whole polygon is covered.

@@ -57,9 +57,12 @@ impl Coverage {
         self.grid.reset(plan, extent);
         let outliner = Outliner::new(plan, &self.grid, &self.orientations);
         let mut kept = 0;
+        let place_of = |row: Option<&Entry>| row.map_or([0.0; 4], |row| places[row[1] as usize]);
+        let mut next = place_of(rows.first());
         for at in 0..rows.len() {
             let particle = rows[at][1] as usize;
-            let place = places[particle];
+            // Read one row ahead: the places are in no order, and memory is slow.
+            let place = std::mem::replace(&mut next, place_of(rows.get(at + 1)));
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }

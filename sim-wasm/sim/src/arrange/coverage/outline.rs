@@ -181,8 +181,7 @@ impl<'a> Outliner<'a> {
         bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
         let cells = f32x4::splat(projected.radius * projected.density);
         let line = bodies.pad * projected.w * projected.density;
-        let [radius, tolerance, slack] =
-            [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
+        let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
         let centre = f32x4::splat(projected.depth);
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let is_present = ball.radius.simd_gt(f32x4::ZERO);

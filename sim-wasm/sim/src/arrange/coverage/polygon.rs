@@ -11,11 +11,7 @@ use crate::math::scalar::lesser;
 const GROUPS: usize = 4;
 /// Tangent and secant of the first normal of all groups but the first. The normals are a sixteenth of a revolution
 /// apart.
-const NORMALS: [[f32; 2]; GROUPS - 1] = [
-    [0.414_213_57, 1.082_392_2],
-    [1.0, SQRT_2],
-    [2.414_213_7, 2.613_126],
-];
+const NORMALS: [[f32; 2]; GROUPS - 1] = [[0.414_213_57, 1.082_392_2], [1.0, SQRT_2], [2.414_213_7, 2.613_126]];
 
 /// Lengths in cells. The front is flat, at a depth in metres.
 #[derive(Clone, Copy, Debug, Default)]
