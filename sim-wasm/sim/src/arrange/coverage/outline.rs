@@ -150,9 +150,10 @@ impl<'a> Outliner<'a> {
         let farthest = projected.w + bodies.reach * projected.radius;
         projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
         projected.lift = bodies.lift_of(place, projected.w);
-        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it.
-        let radius =
-            ((bodies.reach + projected.tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
+        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it. The relief of baked
+        // layers continues in the ring, at most two tolerances farther out.
+        let tolerance = if bodies.solids.faces_eye { 3.0 } else { 1.0 } * projected.tolerance;
+        let radius = ((bodies.reach + tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
         outline.hull = Disc {
             u: projected.u,
             v: projected.v,
