@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use common::{LIVELY, simulator, steps};
 use sim::Simulator;
-use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
+use sim::arrange::view_layout::ViewNumbers;
 
 /// The system's allocator, counting calls and bytes.
 struct Counting;
@@ -40,13 +40,18 @@ fn bytes_of(capacity: u32) -> usize {
     after - before
 }
 
-fn views() -> [[f32; VIEW_LENGTH]; 2] {
+/// Views of the eye and of a light with occlusion culling, for puffs of one ball.
+fn views() -> [Vec<f32>; 2] {
     let eye = ViewNumbers {
         blend: 0.3,
         cull: 1.0,
         clip_from_world: std::array::from_fn(|i| if i % 5 == 0 { 0.2 } else { 0.0 }),
         direction: [0.0, 0.0, -1.0],
         reach: 1.2,
+        nearest: -100.0,
+        farthest: 100.0,
+        covers: 1.0,
+        balls: 4.0,
         ..ViewNumbers::default()
     };
     let light = ViewNumbers {
@@ -54,7 +59,8 @@ fn views() -> [[f32; VIEW_LENGTH]; 2] {
         receivers: [0.0, 0.0, 0.0, 3.0, 3.0, 3.0],
         ..eye
     };
-    [eye, light].map(|view| view.to_array())
+    let ball = std::array::from_fn::<f32, 16, _>(|i| if i == 12 { 1.0 } else { 0.0 });
+    [eye, light].map(|view| [&view.to_array()[..], &ball].concat())
 }
 
 /// One test, since the counters are the whole process's.
@@ -68,16 +74,18 @@ fn memory_is_taken_at_creation_only() {
 
     let shedders = [("shedders.0.rate", 2000.0), ("shedders.0.strength", 1.0)];
     let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)], &shedders]);
+    let views = views();
     let before = CALLS.load(Ordering::Relaxed);
     for _ in 0..300 {
         steps(&mut simulator, 1);
-        for view in views() {
-            simulator.arrange(&view).unwrap();
+        for view in &views {
+            simulator.arrange(view).unwrap();
         }
     }
     let calls = CALLS.load(Ordering::Relaxed) - before;
     assert!(simulator.alive() > 2900 && simulator.waiting() > 0);
     assert_eq!(simulator.vortex_particles(), 1024);
+    assert!(simulator.coverage_shape()[1] > 1.0, "the grid has rows");
     assert_eq!(calls, 0, "allocations in 300 steps and 600 arrangements");
     println!("{a_particle} bytes a particle and {fixed} bytes besides");
 }

@@ -1,6 +1,9 @@
-//! A disc on the grid: a part of a puff that it certainly covers, or that it may show.
+//! Discs on the grid: parts of a puff that it certainly covers, or that it may show.
 
 use wide::f32x4;
+
+use crate::arrange::coverage::solids::BALLS_LIMIT;
+use crate::math::simd::LANES;
 
 /// Lengths across the grid in cells, depths in metres along the view. The front is flat or spherical.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,13 +23,15 @@ pub(crate) struct Disc {
 
 impl Disc {
     /// The same disc on a grid with cells `factor` times as large.
+    #[inline(always)]
     pub(crate) fn on_coarser(&self, factor: f32) -> Self {
+        let share = 1.0 / factor;
         Self {
-            u: self.u / factor,
-            v: self.v / factor,
-            radius: self.radius / factor,
+            u: self.u * share,
+            v: self.v * share,
+            radius: self.radius * share,
             bulge: self.bulge * factor,
-            rim: self.rim / factor,
+            rim: self.rim * share,
             ..*self
         }
     }
@@ -35,9 +40,80 @@ impl Disc {
     /// centre plane.
     #[inline(always)]
     pub(crate) fn front(&self, squared: f32x4) -> f32x4 {
-        let height = (f32x4::splat(self.radius * self.radius) - squared)
-            .fast_max(f32x4::ZERO)
-            .sqrt();
-        f32x4::splat(self.depth) - height * f32x4::splat(self.bulge)
+        let radius = f32x4::splat(self.radius);
+        front(f32x4::splat(self.depth), radius, self.bulge, squared)
     }
+}
+
+/// The discs of one puff, four in each group. A disc that is absent has the radius and rim 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Discs {
+    pub groups: [DiscGroup; BALLS_LIMIT / LANES],
+    pub count: usize,
+    /// As in [`Disc`], for all.
+    pub bulge: f32,
+}
+
+/// Four discs, see [`Disc`].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct DiscGroup {
+    pub u: f32x4,
+    pub v: f32x4,
+    pub radius: f32x4,
+    pub depth: f32x4,
+    pub rim: f32x4,
+    pub rim_depth: f32x4,
+}
+
+impl Discs {
+    /// Makes `disc` the only one.
+    pub(crate) fn set(&mut self, disc: &Disc) {
+        let only = |value: f32| f32x4::new([value, 0.0, 0.0, 0.0]);
+        self.groups[0] = DiscGroup {
+            u: only(disc.u),
+            v: only(disc.v),
+            radius: only(disc.radius),
+            depth: only(disc.depth),
+            rim: only(disc.rim),
+            rim_depth: only(disc.rim_depth),
+        };
+        (self.count, self.bulge) = (1, disc.bulge);
+    }
+
+    pub(crate) fn groups(&self) -> &[DiscGroup] {
+        &self.groups[..self.count]
+    }
+
+    #[inline(always)]
+    pub(crate) fn get(&self, group: usize, lane: usize) -> Disc {
+        let group = &self.groups[group];
+        let value = |lanes: &f32x4| lanes.as_array()[lane];
+        Disc {
+            u: value(&group.u),
+            v: value(&group.v),
+            radius: value(&group.radius),
+            depth: value(&group.depth),
+            bulge: self.bulge,
+            rim: value(&group.rim),
+            rim_depth: value(&group.rim_depth),
+        }
+    }
+
+    /// The disc with the greatest radius.
+    pub(crate) fn largest(&self) -> Disc {
+        let all = (0..self.count).flat_map(|group| (0..LANES).map(move |lane| self.get(group, lane)));
+        all.fold(Disc::default(), |largest, disc| {
+            if disc.radius >= largest.radius { disc } else { largest }
+        })
+    }
+}
+
+/// Depth of a front at a squared distance from its centre.
+#[inline(always)]
+pub(crate) fn front(depth: f32x4, radius: f32x4, bulge: f32, squared: f32x4) -> f32x4 {
+    if bulge == 0.0 {
+        return depth;
+    }
+    let height = (radius * radius - squared).fast_max(f32x4::ZERO).sqrt();
+    depth - height * f32x4::splat(bulge)
 }

@@ -3,9 +3,12 @@
 use wide::f32x4;
 
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::coverage::disc::Disc;
+use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs, front};
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::solids::BALLS_LIMIT;
+use crate::math::scalar::greater;
+use crate::math::simd::LANES;
 
 /// Cells along a side of a block; also the number of SIMD lanes.
 const BLOCK: usize = 4;
@@ -14,6 +17,9 @@ const FINENESS: f32 = 10.0;
 /// Minimum and maximum number of cells, and cells per particle.
 const CELLS: [usize; 2] = [1 << 10, 1 << 16];
 const CELLS_A_PARTICLE: usize = 64;
+
+/// Distance from the middle of a block to its edge, in cells.
+const BLOCK_EDGE: f32 = BLOCK as f32 / 2.0;
 
 const NOTHING: f32 = f32::INFINITY;
 /// Depth of cells that no puff can show in: everything is hidden there.
@@ -38,6 +44,8 @@ pub(crate) struct CoverageGrid {
     /// Maxima of 4 by 4 blocks.
     fields: Vec<f32>,
     coarsest: Lattice,
+    /// Column and row of the blocks in which the hull may show that was tested last.
+    open: Vec<[u16; 2]>,
     covers: usize,
     /// Limits of the grid beyond which puffs may show: left, low, right, high, in cells.
     ends: [f32; 4],
@@ -59,6 +67,7 @@ impl CoverageGrid {
             coarse: Lattice::default(),
             fields: vec![NOTHING; cells / 16 + BLOCK],
             coarsest: Lattice::default(),
+            open: Vec::with_capacity(cells / 4 + BLOCK),
             covers: 1,
             ends: [0.0; 4],
             corner: [0.0; 2],
@@ -145,63 +154,115 @@ impl CoverageGrid {
         self.fine.stride * self.fine.rows.next_multiple_of(BLOCK)
     }
 
-    /// Returns true if the nearest point of the disc lies behind all fields it touches, or each part behind its block.
-    pub(crate) fn hides_hull(&self, disc: &Disc) -> bool {
-        if self.is_left_by(disc) {
-            return false;
+    /// Returns true if the whole hull of a puff is covered. Finds the blocks in which it may show, for the calls that
+    /// follow for the same puff.
+    pub(crate) fn hides_hull(&mut self, hull: &Disc) -> bool {
+        self.open.clear();
+        let (fields, blocks) = (hull.on_coarser((BLOCK * BLOCK) as f32), hull.on_coarser(BLOCK as f32));
+        let [left, low, right, high] = self.coarsest.around(&fields);
+        for row in low..high {
+            let beside = nearest_squared(row, fields.v);
+            for column in (left..right).step_by(BLOCK) {
+                let depths = load(&self.fields, row * self.coarsest.stride + column);
+                let mask = shown(&fields, nearest(&fields, column, beside), depths, &self.range);
+                // The last lanes may lie in the next row.
+                for lane in lanes(mask).take_while(|lane| column + lane < right) {
+                    self.open_blocks(&blocks, column + lane, row);
+                }
+            }
         }
-        let nearest = disc.depth - disc.bulge * disc.radius;
-        let [least, most] = self.range.map(|lanes| lanes.to_array()[0]);
-        let nearest = nearest.max(least).min(most);
-        let field = (BLOCK * BLOCK) as f32;
-        let from = |at: f32| ((at - disc.rim) / field).max(0.0) as u32 as usize;
-        let to = |at: f32, limit: usize| (((at + disc.rim) / field + 1.0).max(0.0) as u32 as usize).min(limit);
-        let (right, high) = (to(disc.u, self.coarsest.columns), to(disc.v, self.coarsest.rows));
-        let is_behind = (from(disc.v)..high).all(|row| {
-            let line = &self.fields[row * self.coarsest.stride..][..self.coarsest.stride];
-            (from(disc.u)..right).all(|column| line[column] < nearest)
-        });
-        is_behind || self.hides_block_by_block(disc)
+        self.open.is_empty() && !self.is_left_by(hull)
+    }
+
+    /// Finds the blocks of a field in which a hull may show; its lengths are in blocks.
+    #[inline(always)]
+    fn open_blocks(&mut self, hull: &Disc, column: usize, row: usize) {
+        let column = column * BLOCK;
+        for row in row * BLOCK..((row + 1) * BLOCK).min(self.coarse.rows) {
+            let squared = nearest(hull, column, nearest_squared(row, hull.v));
+            let depths = load(&self.blocks, row * self.coarse.stride + column);
+            let mask = shown(hull, squared, depths, &self.range);
+            self.open
+                .extend(lanes(mask).map(|lane| [(column + lane) as u16, row as u16]));
+        }
     }
 
     /// Returns true if the whole polygon is covered.
     pub(crate) fn hides_polygon(&self, polygon: &Polygon) -> bool {
-        self.farthest(polygon, polygon.depth) < polygon.depth
+        self.farthest(polygon, polygon.depth, polygon.depth) < polygon.depth
     }
 
     /// Maximum depth of the cells that the polygon touches, or the first depth of at least `enough`. Infinite if a cell
-    /// is not covered.
-    pub(crate) fn farthest(&self, polygon: &Polygon, enough: f32) -> f32 {
+    /// is not covered. Below `least` it may be any smaller depth.
+    pub(crate) fn farthest(&self, polygon: &Polygon, least: f32, enough: f32) -> f32 {
         let [left, low, right, high] = polygon.bounds();
         let [first, lowest, last, highest] = self.ends;
         if left < first || low < lowest || right > last || high > highest {
             return NOTHING;
         }
         let depths = &self.depths[(self.covers - 1) * self.layer()..];
+        let (from, to) = (cell_at(low), (cell_at(high) + 1).min(self.fine.rows));
         let mut farthest = OUTSIDE;
-        for row in low.max(0.0) as usize..((high + 1.0) as usize).min(self.fine.rows) {
-            let [left, right] = polygon.between(row as f32, (row + 1) as f32);
-            farthest = self.fine.farthest(depths, row, [left, right]).max(farthest);
-            if farthest >= enough {
-                break;
+        for block in from / BLOCK..to.div_ceil(BLOCK) {
+            let first = block * BLOCK;
+            let limits = polygon
+                .between(first as f32, (first + BLOCK) as f32)
+                .map(|at| at / BLOCK as f32);
+            if self.coarse.farthest(&self.blocks, block, limits) < greater(farthest, least) {
+                continue;
+            }
+            for row in first.max(from)..(first + BLOCK).min(to) {
+                let limits = polygon.between(row as f32, (row + 1) as f32);
+                farthest = greater(self.fine.farthest(depths, row, limits), farthest);
+                if farthest >= enough {
+                    return farthest;
+                }
             }
         }
         farthest
     }
 
-    /// Returns true if the whole disc lies behind the maximum depth of each block that it touches.
-    pub(crate) fn hides_block_by_block(&self, disc: &Disc) -> bool {
-        if self.is_left_by(disc) {
-            return false;
-        }
-        let disc = disc.on_coarser(BLOCK as f32);
-        self.coarse.is_behind(&self.blocks, &disc, &self.range)
+    /// Returns true if all discs of the puff are covered whose hull was tested last.
+    pub(crate) fn hides(&self, discs: &Discs) -> bool {
+        let last = &self.depths[(self.covers - 1) * self.layer()..];
+        !discs.groups().iter().any(|group| self.is_left_by_any(group))
+            && self.open.iter().all(|block| {
+                let [column, row] = block.map(usize::from);
+                let depth = self.blocks[row * self.coarse.stride + column];
+                (0..discs.count).all(|index| {
+                    let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE, 0.0);
+                    let mask = self.shown_of(discs, index, squared, depth);
+                    !lanes(mask).any(|lane| self.shows_in_block(last, &discs.get(index, lane), column, row))
+                })
+            })
     }
 
-    /// Returns true if the whole disc is covered.
-    pub(crate) fn hides(&self, disc: &Disc) -> bool {
-        let last = &self.depths[(self.covers - 1) * self.layer()..];
-        self.hides_block_by_block(disc) || !self.is_left_by(disc) && self.fine.is_behind(last, disc, &self.range)
+    /// A mask of the discs of a group that show in a block at these squared distances, unless its cells are nearer than
+    /// its depth.
+    #[inline(always)]
+    fn shown_of(&self, discs: &Discs, index: usize, squared: f32x4, depth: f32) -> u32 {
+        let group = &discs.groups[index];
+        let touched = squared.simd_lt(group.rim * group.rim);
+        let front = front(group.depth, group.radius, discs.bulge, squared).fast_min(group.rim_depth);
+        let drawn = front.fast_max(self.range[0]).fast_min(self.range[1]);
+        (touched & f32x4::splat(depth).simd_ge(drawn)).to_bitmask()
+    }
+
+    fn is_left_by_any(&self, group: &DiscGroup) -> bool {
+        let [left, low, right, high] = self.ends.map(f32x4::splat);
+        let beyond = |at: f32x4, from: f32x4, to: f32x4| (at - group.rim).simd_lt(from) | (at + group.rim).simd_gt(to);
+        let is_left = beyond(group.u, left, right) | beyond(group.v, low, high);
+        (is_left & group.rim.simd_gt(f32x4::ZERO)).any()
+    }
+
+    #[inline(always)]
+    fn shows_in_block(&self, depths: &[f32], disc: &Disc, column: usize, row: usize) -> bool {
+        let at = row * BLOCK * self.fine.stride + column * BLOCK;
+        (0..BLOCK).any(|line| {
+            let beside = nearest_squared(row * BLOCK + line, disc.v);
+            let cells = load(depths, at + line * self.fine.stride);
+            shown(disc, nearest(disc, column * BLOCK, beside), cells, &self.range) != 0
+        })
     }
 
     /// Returns true if part of the disc lies outside of the grid.
@@ -211,146 +272,168 @@ impl CoverageGrid {
         beyond(disc.u, left, right) || beyond(disc.v, low, high)
     }
 
-    /// Adds the covered area of one puff. With several covers it must be a single disc.
-    pub(crate) fn cover(&mut self, discs: &[Disc]) {
-        debug_assert!(self.covers == 1 || discs.len() <= 1, "a puff would count twice");
-        let layer = self.layer();
-        let Some(mut touched) = discs.first().map(|disc| self.fine.around(disc, disc.radius)) else {
-            return;
-        };
-        for disc in discs {
-            self.fine.mark(&mut self.depths, layer, self.covers, disc, &self.range);
-            let within = self.fine.around(disc, disc.radius);
-            touched = [
-                touched[0].min(within[0]),
-                touched[1].min(within[1]),
-                touched[2].max(within[2]),
-                touched[3].max(within[3]),
-            ];
-        }
-        self.gather(touched, (self.covers - 1) * layer);
-    }
-
-    /// Updates the blocks for a range of cells: left, low, right, high, ends excluded.
-    fn gather(&mut self, [left, low, right, high]: [usize; 4], first: usize) {
-        for row in low / BLOCK..high.div_ceil(BLOCK) {
-            for column in left / BLOCK..right.div_ceil(BLOCK) {
-                let corner = first + row * BLOCK * self.fine.stride + column * BLOCK;
-                let mut farthest = load(&self.depths, corner);
-                for line in 1..BLOCK {
-                    farthest = farthest.fast_max(load(&self.depths, corner + line * self.fine.stride));
+    /// Adds the covered area of the puff whose hull was tested last. With several covers it must be a single disc.
+    pub(crate) fn cover(&mut self, discs: &Discs) {
+        let mut changed = [usize::MAX, usize::MAX, 0, 0];
+        for at in 0..self.open.len() {
+            let [column, row] = self.open[at].map(usize::from);
+            let block = row * self.coarse.stride + column;
+            let masks: [u32; BALLS_LIMIT / LANES] = std::array::from_fn(|index| {
+                if index >= discs.count {
+                    return 0;
                 }
-                let [a, b, c, d] = farthest.to_array();
-                self.blocks[row * self.coarse.stride + column] = a.max(b).max(c.max(d));
+                // Only what covers a whole cell counts.
+                let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE - 1.0, 0.5);
+                self.shown_of(discs, index, squared, self.blocks[block])
+            });
+            if masks != [0; BALLS_LIMIT / LANES] {
+                self.blocks[block] = self.mark(discs, masks, column, row);
+                changed = [
+                    changed[0].min(column),
+                    changed[1].min(row),
+                    changed[2].max(column),
+                    changed[3].max(row),
+                ];
             }
         }
-        self.gather_fields([left, low, right, high].map(|cell| cell / BLOCK));
+        self.gather_fields(changed);
     }
 
-    /// Updates the fields around a range of blocks, ends included.
+    /// Adds the parts of discs in a block. Returns the new maximum depth of the last cover.
+    #[inline(always)]
+    fn mark(&mut self, discs: &Discs, masks: [u32; BALLS_LIMIT / LANES], column: usize, row: usize) -> f32 {
+        let mut depths = [f32x4::splat(NOTHING); BLOCK];
+        for (index, mask) in masks.into_iter().enumerate() {
+            for lane in lanes(mask) {
+                let disc = discs.get(index, lane);
+                let along = away(&disc, column * BLOCK) + f32x4::splat(0.5);
+                let along = along * along;
+                for (line, depth) in depths.iter_mut().enumerate() {
+                    let beside = ((row * BLOCK + line) as f32 + 0.5 - disc.v).abs() + 0.5;
+                    let certain = certain(&disc, along + f32x4::splat(beside * beside), &self.range);
+                    *depth = depth.fast_min(certain);
+                }
+            }
+        }
+        let layer = self.layer();
+        let mut farthest = f32x4::splat(OUTSIDE);
+        for (line, mut depth) in depths.into_iter().enumerate() {
+            for cover in 0..self.covers {
+                let at = cover * layer + (row * BLOCK + line) * self.fine.stride + column * BLOCK;
+                let cells = load(&self.depths, at);
+                let least = cells.fast_min(depth);
+                self.depths[at..at + BLOCK].copy_from_slice(least.as_array());
+                depth = cells.fast_max(depth);
+                if cover + 1 == self.covers {
+                    farthest = farthest.fast_max(least);
+                }
+            }
+        }
+        greatest(farthest)
+    }
+
+    /// Updates the fields around a range of blocks: left, low, right, high, ends included.
     fn gather_fields(&mut self, [left, low, right, high]: [usize; 4]) {
-        let last = |block: usize, limit: usize| (block / BLOCK + 1).min(limit);
-        for row in low / BLOCK..last(high, self.coarsest.rows) {
-            for column in left / BLOCK..last(right, self.coarsest.columns) {
-                let lines = (row * BLOCK..(row + 1) * BLOCK).take_while(|line| *line < self.coarse.rows);
+        for row in low / BLOCK..high / BLOCK + 1 {
+            for column in left / BLOCK..right / BLOCK + 1 {
+                let lines = row * BLOCK..((row + 1) * BLOCK).min(self.coarse.rows);
                 let farthest = lines.fold(f32x4::splat(OUTSIDE), |farthest, line| {
                     farthest.fast_max(load(&self.blocks, line * self.coarse.stride + column * BLOCK))
                 });
-                self.fields[row * self.coarsest.stride + column] =
-                    farthest.to_array().into_iter().fold(OUTSIDE, f32::max);
+                self.fields[row * self.coarsest.stride + column] = greatest(farthest);
             }
         }
     }
 }
 
 impl Lattice {
-    /// The cells that a square touches: left, low, right, high, ends excluded; columns in whole blocks.
+    /// The cells that the square around a disc touches: left, low, right, high, ends excluded.
     #[inline(always)]
-    fn around(&self, disc: &Disc, reach: f32) -> [usize; 4] {
-        let from = |at: f32| (at - reach).max(0.0) as u32 as usize;
-        let to = |at: f32, limit: usize| ((at + reach + 1.0).max(0.0) as u32 as usize).min(limit);
+    fn around(&self, disc: &Disc) -> [usize; 4] {
+        let to = |at: f32, limit: usize| cell_at(at + disc.rim + 1.0).min(limit);
         let (right, high) = (to(disc.u, self.columns), to(disc.v, self.rows));
-        [from(disc.u) / BLOCK * BLOCK, from(disc.v), right, high]
+        let from = |at: f32, limit: usize| cell_at(at - disc.rim).min(limit);
+        [from(disc.u, right), from(disc.v, high), right, high]
     }
 
     /// Maximum depth of a row's cells between two positions.
     #[inline(always)]
     fn farthest(&self, depths: &[f32], row: usize, [left, right]: [f32; 2]) -> f32 {
-        let (from, to) = (
-            left.max(0.0) as u32 as usize,
-            (right.max(0.0) as u32 as usize + 1).min(self.columns),
-        );
+        let (from, to) = (cell_at(left), (cell_at(right) + 1).min(self.columns));
         let line = &depths[row * self.stride..(row + 1) * self.stride];
+        let [first, last] = [from, to].map(|cell| f32x4::splat(cell as f32));
         let mut farthest = f32x4::splat(OUTSIDE);
         for column in (from / BLOCK * BLOCK..to).step_by(BLOCK) {
             let at = f32x4::new([0.0, 1.0, 2.0, 3.0]) + f32x4::splat(column as f32);
-            let touched = at.simd_ge(f32x4::splat(from as f32)) & at.simd_lt(f32x4::splat(to as f32));
+            let touched = at.simd_ge(first) & at.simd_lt(last);
             farthest = farthest.fast_max(touched.select(load(line, column), f32x4::splat(OUTSIDE)));
         }
-        farthest.to_array().into_iter().fold(OUTSIDE, f32::max)
-    }
-
-    #[inline(always)]
-    fn is_behind(&self, depths: &[f32], disc: &Disc, range: &[f32x4; 2]) -> bool {
-        let [left, low, right, high] = self.around(disc, disc.rim);
-        let rim_squared = disc.rim * disc.rim;
-        for row in low..high {
-            let beside = ((row as f32 + 0.5 - disc.v).abs() - 0.5).max(0.0);
-            let beside = beside * beside;
-            if beside >= rim_squared {
-                continue;
-            }
-            let line = &depths[row * self.stride..(row + 1) * self.stride];
-            for column in (left..right).step_by(BLOCK) {
-                if shows(disc, column, beside, load(line, column), range) {
-                    return false;
-                }
-            }
-        }
-        true
-    }
-
-    #[inline(always)]
-    fn mark(&self, depths: &mut [f32], layer: usize, covers: usize, disc: &Disc, range: &[f32x4; 2]) {
-        let [left, low, right, high] = self.around(disc, disc.radius);
-        for row in low..high {
-            let beside = (row as f32 + 0.5 - disc.v).abs() + 0.5;
-            let beside = beside * beside;
-            if beside >= disc.radius * disc.radius {
-                continue;
-            }
-            for column in (left..right).step_by(BLOCK) {
-                let mut depth = certain(disc, column, beside, range);
-                for cover in 0..covers {
-                    if depth.simd_eq(f32x4::splat(NOTHING)).all() {
-                        break;
-                    }
-                    let at = cover * layer + row * self.stride + column;
-                    let cells = load(depths, at);
-                    depths[at..at + BLOCK].copy_from_slice(cells.fast_min(depth).as_array());
-                    depth = cells.fast_max(depth);
-                }
-            }
-        }
+        greatest(farthest)
     }
 }
 
-/// Returns true if the disc is nearer than the depth of a touched cell, of four in a row.
+/// The cell at a position; the first one left of or below the grid.
 #[inline(always)]
-fn shows(disc: &Disc, column: usize, beside: f32, cells: f32x4, range: &[f32x4; 2]) -> bool {
+fn cell_at(position: f32) -> usize {
+    position as u32 as usize
+}
+
+/// The positions of the bits of a mask.
+#[inline(always)]
+fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros();
+        mask &= mask.wrapping_sub(1);
+        (lane < u32::BITS).then_some(lane as usize)
+    })
+}
+
+#[inline(always)]
+fn greatest(lanes: f32x4) -> f32 {
+    let [a, b, c, d] = lanes.to_array();
+    greater(greater(a, b), greater(c, d))
+}
+
+/// Squared distance from a position to the nearest point of a row.
+#[inline(always)]
+fn nearest_squared(row: usize, position: f32) -> f32 {
+    let beside = greater((row as f32 + 0.5 - position).abs() - 0.5, 0.0);
+    beside * beside
+}
+
+/// Squared distances from the centre of the disc to the nearest points of four cells in a row.
+#[inline(always)]
+fn nearest(disc: &Disc, column: usize, beside: f32) -> f32x4 {
     let along = (away(disc, column) - f32x4::splat(0.5)).fast_max(f32x4::ZERO);
-    let squared = along * along + f32x4::splat(beside);
+    along * along + f32x4::splat(beside)
+}
+
+/// Squared distances from the centres of discs to the nearest points of a block, at most `edge` away from its middle in
+/// each direction and at least `least` away from the centre.
+#[inline(always)]
+fn nearest_of(group: &DiscGroup, column: usize, row: usize, edge: f32, least: f32) -> f32x4 {
+    let away = |at: f32x4, block: usize| {
+        let middle = (block * BLOCK) as f32 + BLOCK_EDGE;
+        let away = (f32x4::splat(middle) - at).abs() - f32x4::splat(edge);
+        away.fast_max(f32x4::splat(least))
+    };
+    let (along, beside) = (away(group.u, column), away(group.v, row));
+    along * along + beside * beside
+}
+
+/// A mask of the cells, of four at these squared distances, that the disc touches and where it is not behind the depth.
+#[inline(always)]
+fn shown(disc: &Disc, squared: f32x4, cells: f32x4, range: &[f32x4; 2]) -> u32 {
     let touched = squared.simd_lt(f32x4::splat(disc.rim * disc.rim));
     let front = disc.front(squared).fast_min(f32x4::splat(disc.rim_depth));
     let drawn = front.fast_max(range[0]).fast_min(range[1]);
-    (touched & !cells.simd_lt(drawn)).any()
+    (touched & cells.simd_ge(drawn)).to_bitmask()
 }
 
-/// Maximum depth of the disc in each of four cells in a row; infinite unless it covers the whole cell.
+/// Maximum depth of the disc in each of four cells, by the squared distances of their farthest corners; infinite unless
+/// it covers the whole cell.
 #[inline(always)]
-fn certain(disc: &Disc, column: usize, beside: f32, range: &[f32x4; 2]) -> f32x4 {
-    let along = away(disc, column) + f32x4::splat(0.5);
-    let squared = along * along + f32x4::splat(beside);
+fn certain(disc: &Disc, squared: f32x4, range: &[f32x4; 2]) -> f32x4 {
     let depth = disc.front(squared).fast_max(range[0]);
     let covers = squared.simd_lt(f32x4::splat(disc.radius * disc.radius)) & depth.simd_lt(range[1]);
     covers.select(depth, f32x4::splat(NOTHING))

@@ -57,9 +57,12 @@ impl Coverage {
         self.grid.reset(plan, extent);
         let outliner = Outliner::new(plan, &self.grid, &self.orientations);
         let mut kept = 0;
+        let place_of = |row: Option<&Entry>| row.map_or([0.0; 4], |row| places[row[1] as usize]);
+        let mut next = place_of(rows.first());
         for at in 0..rows.len() {
             let particle = rows[at][1] as usize;
-            let place = places[particle];
+            // Read one row ahead: the places are in no order, and memory is slow.
+            let place = std::mem::replace(&mut next, place_of(rows.get(at + 1)));
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
@@ -67,7 +70,7 @@ impl Coverage {
             if self.is_hidden(plan) {
                 continue;
             }
-            self.grid.cover(self.outline.inner());
+            self.grid.cover(&self.outline.inner);
             rows[kept] = rows[at];
             kept += 1;
         }
@@ -79,7 +82,7 @@ impl Coverage {
 
     fn is_hidden(&self, plan: &Plan) -> bool {
         match plan.kind {
-            PlanKind::Bodies(_) => self.outline.outer().iter().all(|disc| self.grid.hides(disc)),
+            PlanKind::Bodies(_) => self.grid.hides(&self.outline.outer),
             PlanKind::Shadows(_) => self.grid.hides_polygon(&self.outline.polygon),
         }
     }
@@ -105,11 +108,16 @@ impl Coverage {
                     continue;
                 }
                 outliner.place(place, &mut self.outline);
+                if self.grid.hides_hull(&self.outline.hull) {
+                    row[0] = NOTHING_LEFT;
+                    continue;
+                }
                 outliner.draw(place, attributes(particle), &mut self.outline);
-                let farthest = self.grid.farthest(&self.outline.polygon, f32::INFINITY);
+                let polygon = &self.outline.polygon;
+                let farthest = self.grid.farthest(polygon, polygon.depth, f32::INFINITY);
                 row[0] = outliner.end(place, farthest, &self.outline);
                 if row[0] == NO_END {
-                    self.grid.cover(self.outline.inner());
+                    self.grid.cover(&self.outline.inner);
                 }
             }
         }

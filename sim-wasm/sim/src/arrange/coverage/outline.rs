@@ -1,12 +1,15 @@
 //! The discs of a puff, or of its shadow, on the grid: what it certainly covers, and what it may show.
 
-use crate::arrange::coverage::disc::Disc;
+use wide::f32x4;
+
+use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
-use crate::arrange::coverage::solids::{BALLS_LIMIT, Orientations, RotatedBalls};
+use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::row_layout::{END_STEPS, NO_END};
-use crate::math::scalar::clamped;
+use crate::math::scalar::{clamped, greater};
+use crate::math::simd::{LANES, positive_part};
 
 /// In the place of an end: nothing is left of the shadow.
 pub(super) const NOTHING_LEFT: u32 = NO_END + 1;
@@ -33,10 +36,10 @@ pub(crate) struct Outline {
     pub hull: Disc,
     /// Everything that a shadow may darken.
     pub polygon: Polygon,
-    inner: [Disc; BALLS_LIMIT],
-    outer: [Disc; BALLS_LIMIT],
-    inner_count: usize,
-    outer_count: usize,
+    /// What the row certainly covers.
+    pub inner: Discs,
+    /// What a body may show.
+    pub outer: Discs,
     balls: RotatedBalls,
     projected: ProjectedPuff,
 }
@@ -57,16 +60,6 @@ struct ProjectedPuff {
     /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
     covers: bool,
-}
-
-impl Outline {
-    pub(crate) fn inner(&self) -> &[Disc] {
-        &self.inner[..self.inner_count]
-    }
-
-    pub(crate) fn outer(&self) -> &[Disc] {
-        &self.outer[..self.outer_count]
-    }
 }
 
 /// Projects rows to a grid.
@@ -133,7 +126,7 @@ impl<'a> Outliner<'a> {
         }
         let steps = (depth - outline.projected.depth) / place[3] * END_STEPS + 1.0;
         if steps < NO_END as f32 {
-            steps.max(0.0) as u32
+            greater(steps, 0.0) as u32
         } else {
             NO_END
         }
@@ -157,9 +150,10 @@ impl<'a> Outliner<'a> {
         let farthest = projected.w + bodies.reach * projected.radius;
         projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
         projected.lift = bodies.lift_of(place, projected.w);
-        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it.
-        let radius =
-            ((bodies.reach + projected.tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
+        // Ink lies beside its lobe at the depth of the centre: a ball enlarged by the line contains it. The relief of baked
+        // layers continues in the ring, at most two tolerances farther out.
+        let tolerance = if bodies.solids.faces_eye { 3.0 } else { 1.0 } * projected.tolerance;
+        let radius = ((bodies.reach + tolerance) * projected.radius + bodies.pad * projected.w) * projected.density;
         outline.hull = Disc {
             u: projected.u,
             v: projected.v,
@@ -175,9 +169,9 @@ impl<'a> Outliner<'a> {
 
     fn draw_body(&self, bodies: &Bodies, attributes: [u32; 2], outline: &mut Outline) {
         let projected = outline.projected;
-        (outline.inner_count, outline.outer_count) = (0, 0);
+        outline.inner.count = 0;
         if !projected.covers {
-            (outline.outer[0], outline.outer_count) = (outline.hull, 1);
+            outline.outer.set(&outline.hull);
             return;
         }
         let rotation = if bodies.solids.faces_eye {
@@ -186,42 +180,44 @@ impl<'a> Outliner<'a> {
             self.orientations.standing(attributes, &self.plan.chart.axes)
         };
         bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
-        let balls = &outline.balls;
-        let cells = projected.radius * projected.density;
+        let cells = f32x4::splat(projected.radius * projected.density);
         let line = bodies.pad * projected.w * projected.density;
-        // Baked layers extend the relief of the last texel into the ring.
-        let rise = |radius: f32| match bodies.solids.faces_eye {
-            true => (4.0 * radius * projected.tolerance).sqrt() * projected.radius,
-            false => 0.0,
-        };
-        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
-            let height = balls.z[ball] * projected.radius;
-            let disc = Disc {
-                u: projected.u + balls.x[ball] * cells,
-                v: projected.v + balls.y[ball] * cells,
-                radius: (balls.radius[ball] - projected.tolerance) * cells,
-                depth: projected.depth - height + bodies.tolerance * projected.radius,
-                bulge: 1.0 / projected.density,
-                ..Disc::default()
+        let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
+        let centre = f32x4::splat(projected.depth);
+        for (group, ball) in outline.balls.groups().iter().enumerate() {
+            let is_present = ball.radius.simd_gt(f32x4::ZERO);
+            let depth = centre - ball.z * radius;
+            let (inside, outside) = ((ball.radius - tolerance) * cells, (ball.radius + tolerance) * cells);
+            let inside = is_present & positive_part(inside);
+            let disc = DiscGroup {
+                u: f32x4::splat(projected.u) + ball.x * cells,
+                v: f32x4::splat(projected.v) + ball.y * cells,
+                radius: inside,
+                depth: depth + f32x4::splat(bodies.tolerance) * radius,
+                rim: inside,
+                rim_depth: f32x4::splat(f32::INFINITY),
             };
-            if disc.radius > 0.0 {
-                outline.inner[outline.inner_count] = disc;
-                outline.inner_count += 1;
-            }
-            let radius = (balls.radius[ball] + projected.tolerance) * cells;
-            outline.outer[outline.outer_count] = Disc {
-                radius,
-                depth: projected.depth - height - projected.slack,
-                rim: radius + line,
-                rim_depth: if line > 0.0 {
-                    projected.depth - height - rise(balls.radius[ball]) - projected.lift - projected.slack
-                } else {
-                    f32::INFINITY
+            outline.inner.groups[group] = disc;
+            // Baked layers extend the relief of the last texel into the ring.
+            let rise = match bodies.solids.faces_eye {
+                true => (f32x4::splat(4.0) * ball.radius * tolerance).sqrt() * radius,
+                false => f32x4::ZERO,
+            };
+            outline.outer.groups[group] = DiscGroup {
+                radius: outside,
+                depth: depth - slack,
+                rim: is_present & (outside + f32x4::splat(line)),
+                rim_depth: match line > 0.0 {
+                    true => depth - rise - f32x4::splat(projected.lift) - slack,
+                    false => disc.rim_depth,
                 },
                 ..disc
             };
-            outline.outer_count += 1;
         }
+        let count = outline.balls.count;
+        (outline.inner.count, outline.outer.count) = (count, count);
+        let bulge = 1.0 / projected.density;
+        (outline.inner.bulge, outline.outer.bulge) = (bulge, bulge);
     }
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
@@ -229,7 +225,7 @@ impl<'a> Outliner<'a> {
         let [eye_w, shear] = shadows.seen(place);
         projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
-        projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * eye_w.max(0.0) / place[3];
+        projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
         projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
         let start = if projected.covers {
             projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
@@ -255,7 +251,6 @@ impl<'a> Outliner<'a> {
             self.orientations.standing(attributes, &self.plan.chart.axes)
         };
         shadows.solids.rotate(attributes, &rotation, &mut outline.balls);
-        let balls = &outline.balls;
         let [_, shear] = shadows.seen(place);
         let starts = shadows
             .caps
@@ -268,35 +263,34 @@ impl<'a> Outliner<'a> {
             f32::NEG_INFINITY
         };
         outline.polygon = Polygon::at(projected.u, projected.v, nearest);
-        let mut count = 0;
-        for ball in (0..balls.count).filter(|ball| balls.radius[*ball] > 0.0) {
-            let [x, y] = [balls.x[ball] * cells, balls.y[ball] * cells];
-            outline
-                .polygon
-                .hold(x, y, (balls.radius[ball] + projected.tolerance) * cells);
-            let disc = flat(
-                &projected,
-                (balls.radius[ball] - projected.tolerance) * place[3],
-                starts[1] + projected.slack,
-            );
-            if projected.covers && disc.radius > 0.0 {
-                outline.inner[count] = Disc {
-                    u: projected.u + x,
-                    v: projected.v + y,
-                    ..disc
-                };
-                count += 1;
+        let lanes = f32x4::splat;
+        for (group, ball) in outline.balls.groups().iter().enumerate() {
+            let (x, y) = (ball.x * lanes(cells), ball.y * lanes(cells));
+            let outside = (ball.radius + lanes(projected.tolerance)) * lanes(cells);
+            let is_present = ball.radius.simd_gt(f32x4::ZERO);
+            for lane in 0..LANES {
+                if ball.radius.as_array()[lane] > 0.0 {
+                    let at = |lanes: &f32x4| lanes.as_array()[lane];
+                    outline.polygon.hold(at(&x), at(&y), at(&outside));
+                }
             }
+            let radius = is_present & positive_part((ball.radius - lanes(projected.tolerance)) * lanes(cells));
+            outline.inner.groups[group] = DiscGroup {
+                u: lanes(projected.u) + x,
+                v: lanes(projected.v) + y,
+                radius,
+                depth: lanes(starts[1] + projected.slack),
+                rim: radius,
+                rim_depth: lanes(f32::INFINITY),
+            };
         }
-        if self.plan.covers > 1 && count > 1 {
+        outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
+        outline.inner.bulge = 0.0;
+        if self.plan.covers > 1 {
             // Discs of one puff must not count as several covers.
-            let largest = outline.inner[..count]
-                .iter()
-                .max_by(|a, b| a.radius.total_cmp(&b.radius));
-            outline.inner[0] = *largest.unwrap_or(&outline.inner[0]);
-            count = 1;
+            let largest = outline.inner.largest();
+            outline.inner.set(&largest);
         }
-        outline.inner_count = count;
     }
 }
 
@@ -338,11 +332,11 @@ impl Shadows<'_> {
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {
-            return [w, grown * slope.max(0.0)];
+            return [w, grown * greater(slope, 0.0)];
         }
         let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
         let aside = 0.5 * sideways * grown * place[3] / w;
-        [w, grown * (slope.max(-self.depth * slope) + aside)]
+        [w, grown * (greater(slope, -self.depth * slope) + aside)]
     }
 
     /// Distance from the centre to the start (radii). Same as in the shader.

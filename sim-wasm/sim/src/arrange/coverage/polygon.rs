@@ -1,30 +1,17 @@
 //! A convex polygon around discs: everything that a shadow may darken, including the area between its discs.
 
-use std::f32::consts::FRAC_1_SQRT_2;
+use std::f32::consts::SQRT_2;
 
-/// Number of sides. Their normals are a sixteenth of a revolution apart; the first is along u.
-const SIDES: usize = 16;
-const COSINES: [f32; SIDES] = [
-    1.0,
-    0.923_879_5,
-    FRAC_1_SQRT_2,
-    0.382_683_43,
-    0.0,
-    -0.382_683_43,
-    -FRAC_1_SQRT_2,
-    -0.923_879_5,
-    -1.0,
-    -0.923_879_5,
-    -FRAC_1_SQRT_2,
-    -0.382_683_43,
-    0.0,
-    0.382_683_43,
-    FRAC_1_SQRT_2,
-    0.923_879_5,
-];
-/// The sides with normals along v and opposite to it.
-const UP: usize = SIDES / 4;
-const DOWN: usize = 3 * SIDES / 4;
+use wide::f32x4;
+
+use crate::math::scalar::lesser;
+
+/// Sixteen sides in groups of four. In each group: to the right and up, right and down, left and up, left and down; in
+/// the first: right, up, left, down.
+const GROUPS: usize = 4;
+/// Tangent and secant of the first normal of all groups but the first. The normals are a sixteenth of a revolution
+/// apart.
+const NORMALS: [[f32; 2]; GROUPS - 1] = [[0.414_213_57, 1.082_392_2], [1.0, SQRT_2], [2.414_213_7, 2.613_126]];
 
 /// Lengths in cells. The front is flat, at a depth in metres.
 #[derive(Clone, Copy, Debug, Default)]
@@ -32,8 +19,8 @@ pub(crate) struct Polygon {
     pub u: f32,
     pub v: f32,
     pub depth: f32,
-    /// Distance of each side from (u, v).
-    sides: [f32; SIDES],
+    /// Distance of each side from (u, v), along u except for the first group.
+    sides: [f32x4; GROUPS],
 }
 
 impl Polygon {
@@ -42,49 +29,41 @@ impl Polygon {
             u,
             v,
             depth,
-            sides: [0.0; SIDES],
+            sides: [f32x4::ZERO; GROUPS],
         }
     }
 
     /// Extends the polygon around a disc; its centre is relative to (u, v).
     #[inline(always)]
     pub(crate) fn hold(&mut self, x: f32, y: f32, radius: f32) {
-        for (side, at) in self.sides.iter_mut().enumerate() {
-            let out = COSINES[side] * x + sine(side) * y + radius;
-            *at = at.max(out);
+        let [first, rest @ ..] = &mut self.sides;
+        *first = first.fast_max(f32x4::new([x, y, -x, -y]) + f32x4::splat(radius));
+        let [across, along] = [f32x4::new([x, x, -x, -x]), f32x4::new([y, -y, y, -y])];
+        for (side, [tangent, secant]) in rest.iter_mut().zip(NORMALS) {
+            *side = side.fast_max(across + f32x4::splat(tangent) * along + f32x4::splat(secant * radius));
         }
     }
 
     /// Left, low, right and high limit.
     pub(crate) fn bounds(&self) -> [f32; 4] {
-        [
-            self.u - self.sides[SIDES / 2],
-            self.v - self.sides[DOWN],
-            self.u + self.sides[0],
-            self.v + self.sides[UP],
-        ]
+        let [right, up, left, down] = self.sides[0].to_array();
+        [self.u - left, self.v - down, self.u + right, self.v + up]
     }
 
     /// Left and right limit between two heights.
     #[inline(always)]
     pub(crate) fn between(&self, low: f32, high: f32) -> [f32; 2] {
+        let [right, _, left, _] = self.sides[0].to_array();
         let (low, high) = (low - self.v, high - self.v);
-        let (mut left, mut right) = (-self.sides[SIDES / 2], self.sides[0]);
-        for (side, cosine, sine) in (1..UP).map(|side| (side, COSINES[side], sine(side))) {
-            // A side that leans back upwards is wider at its low end.
-            right = right
-                .min((self.sides[side] - sine * low) / cosine)
-                .min((self.sides[SIDES - side] + sine * high) / cosine);
-            left = left
-                .max((sine * low - self.sides[SIDES / 2 - side]) / cosine)
-                .max((-sine * high - self.sides[SIDES / 2 + side]) / cosine);
+        // A side that leans back upwards is wider at its low end.
+        let widest = f32x4::new([low, -high, low, -high]);
+        let mut limits = f32x4::new([right, right, left, left]);
+        for (side, [tangent, _]) in self.sides[1..].iter().zip(NORMALS) {
+            limits = limits.fast_min(*side - f32x4::splat(tangent) * widest);
         }
-        [self.u + left, self.u + right]
+        let [right, other_right, left, other_left] = limits.to_array();
+        [self.u - lesser(left, other_left), self.u + lesser(right, other_right)]
     }
-}
-
-const fn sine(side: usize) -> f32 {
-    COSINES[(side + SIDES - UP) % SIDES]
 }
 
 #[cfg(test)]

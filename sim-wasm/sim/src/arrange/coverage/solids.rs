@@ -3,12 +3,12 @@
 use wide::f32x4;
 
 use crate::arrange::row_layout::{ROLL, SEED, VARIATION};
+use crate::math::simd::LANES;
 
 /// Maximum number of lobes of a puff.
 const MAX_LOBES: usize = 12;
 /// Maximum number of balls per puff: one for each lobe.
 pub const BALLS_LIMIT: usize = MAX_LOBES;
-const LANES: usize = 4;
 const SEEDS: usize = 256;
 /// Entries per revolution of the sine table. The tolerance of the solids covers the error between them.
 const SINES: usize = 4096;
@@ -28,11 +28,24 @@ pub struct Solids<'v> {
 /// The balls of one puff in view space: right, up, towards the eye.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RotatedBalls {
-    pub x: [f32; BALLS_LIMIT],
-    pub y: [f32; BALLS_LIMIT],
-    pub z: [f32; BALLS_LIMIT],
-    pub radius: [f32; BALLS_LIMIT],
+    groups: [BallGroup; BALLS_LIMIT / LANES],
+    /// Number of groups.
     pub count: usize,
+}
+
+/// Four balls. A radius of 0 marks a missing ball.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BallGroup {
+    pub x: f32x4,
+    pub y: f32x4,
+    pub z: f32x4,
+    pub radius: f32x4,
+}
+
+impl RotatedBalls {
+    pub(crate) fn groups(&self) -> &[BallGroup] {
+        &self.groups[..self.count]
+    }
 }
 
 impl<'v> Solids<'v> {
@@ -57,14 +70,17 @@ impl<'v> Solids<'v> {
             let lanes: &[f32; LANES] = columns[start..start + LANES].try_into().expect("whole blocks");
             f32x4::new(*lanes)
         };
-        into.count = self.balls;
-        for at in (0..self.balls).step_by(LANES) {
+        into.count = self.balls / LANES;
+        for (at, group) in into.groups[..into.count].iter_mut().enumerate() {
+            let at = at * LANES;
             let (x, y, z) = (lanes(0, at), lanes(1, at), lanes(2, at));
             let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
-            into.x[at..at + LANES].copy_from_slice(along(rotation[0]).as_array());
-            into.y[at..at + LANES].copy_from_slice(along(rotation[1]).as_array());
-            into.z[at..at + LANES].copy_from_slice(along(rotation[2]).as_array());
-            into.radius[at..at + LANES].copy_from_slice(lanes(3, at).as_array());
+            *group = BallGroup {
+                x: along(rotation[0]),
+                y: along(rotation[1]),
+                z: along(rotation[2]),
+                radius: lanes(3, at),
+            };
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use crate::arrange::row_layout::VARIATION;
+use crate::math::scalar::{greater, lesser};
 
 /// Azimuths and polar angles of a variation's table.
 const CAP_COLUMNS: usize = 64;
@@ -37,9 +38,9 @@ impl<'v> StartCaps<'v> {
         let across = (x * x + y * y).sqrt();
         let row = angle(z, across) / PI * CAP_ROWS as f32;
         let column = (angle(x, y) / (2.0 * PI) + 0.5) * CAP_COLUMNS as f32;
-        let doubt = (DOUBT / across.max(1e-6)).min(CAP_COLUMNS as f32 / 2.0);
+        let doubt = lesser(DOUBT / greater(across, 1e-6), CAP_COLUMNS as f32 / 2.0);
         let (low, high) = (
-            (row - DOUBT).max(0.0) as usize,
+            greater(row - DOUBT, 0.0) as usize,
             ((row + DOUBT) as usize).min(CAP_ROWS - 1),
         );
         let (left, right) = (column - doubt + CAP_COLUMNS as f32, column + doubt + CAP_COLUMNS as f32);
@@ -47,18 +48,18 @@ impl<'v> StartCaps<'v> {
         for row in low.min(CAP_ROWS - 1)..=high {
             for column in left as usize..=right as usize {
                 let cap = table[row * CAP_COLUMNS + column % CAP_COLUMNS];
-                bounds = [bounds[0].min(cap), bounds[1].max(cap)];
+                bounds = [lesser(bounds[0], cap), greater(bounds[1], cap)];
             }
         }
-        bounds.map(|cap| cap.max(self.range[0]))
+        bounds.map(|cap| greater(cap, self.range[0]))
     }
 }
 
 /// The angle from x to (x, y), -pi..pi, with an error of at most 0.0005.
 #[inline(always)]
 fn angle(x: f32, y: f32) -> f32 {
-    let (least, most) = (x.abs().min(y.abs()), x.abs().max(y.abs()));
-    let tangent = least / most.max(1e-20);
+    let (least, most) = (lesser(x.abs(), y.abs()), greater(x.abs(), y.abs()));
+    let tangent = least / greater(most, 1e-20);
     let square = tangent * tangent;
     let eighth = ((-0.046_496_475 * square + 0.159_314_22) * square - 0.327_622_76) * square * tangent + tangent;
     let quarter = if y.abs() > x.abs() { FRAC_PI_2 - eighth } else { eighth };
