@@ -54,9 +54,9 @@ async function start(): Promise<void> {
     seen.then(async () => {
       const { addControls } = await import('./controls.ts');
       await addControls({ stage, canvas, container, notices, environment, decoded });
+      container.classList.remove('is-incomplete');
     }),
   ]);
-  container.removeAttribute('aria-busy');
   workOffline((takeOver) => notices.offer(strings.notices.newVersion, strings.notices.reload, takeOver));
 }
 

@@ -10,7 +10,12 @@ export const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simula
 export async function open(page: Page, address: string): Promise<void> {
   await page.goto('about:blank');
   await page.goto(`/${address}`);
-  await page.locator('#interface:not([aria-busy])').waitFor({ state: 'attached' });
+  await isComplete(page);
+}
+
+/** Waits until the page has its controls and listens to keys. */
+export async function isComplete(page: Page): Promise<void> {
+  await page.locator('#interface:not(.is-incomplete)').waitFor({ state: 'attached' });
 }
 
 /** Evaluates a function of the stage in the page. */
