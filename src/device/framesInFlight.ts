@@ -1,4 +1,4 @@
-import type { Device } from './device.ts';
+import type { WebGLRenderer } from 'three';
 
 /** The GPU draws one frame while the next is submitted. More frames in flight only add latency. */
 const MAX_FRAMES = 2;
@@ -12,7 +12,7 @@ export class FramesInFlight {
   private readonly context: WebGL2RenderingContext;
   private fences: WebGLSync[] = [];
 
-  constructor({ renderer }: Device) {
+  constructor({ renderer }: { readonly renderer: WebGLRenderer }) {
     this.context = renderer.getContext() as WebGL2RenderingContext;
   }
 
