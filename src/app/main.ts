@@ -7,7 +7,7 @@ import { textButton } from './ui/dom.ts';
 import { goToMoment, momentOf } from './share/moment.ts';
 import { notifyAll, Notices } from './ui/notices.ts';
 import { workOffline } from './offline/register.ts';
-import { Progress, windForward } from './ui/progress.ts';
+import { windForward, withProgress } from './ui/progress.ts';
 import { createErrorScreen } from './ui/errorScreen.ts';
 import { strings } from './strings.ts';
 
@@ -73,21 +73,11 @@ async function firstPicture(stage: Stage): Promise<void> {
   });
 }
 
-async function load(values: Values, { quality, view }: Environment): Promise<Stage> {
-  const progress = new Progress(strings.scenes[String(values.scene)].loading);
-  container.append(progress.element);
-  try {
-    return await createStage(canvas, {
-      values,
-      ...sizeOf(canvas),
-      quality,
-      view,
-      visible: false,
-      onProgress: progress.follow,
-    });
-  } finally {
-    progress.element.remove();
-  }
+function load(values: Values, { quality, view }: Environment): Promise<Stage> {
+  const { loading } = strings.scenes[String(values.scene)];
+  return withProgress(loading, container, (onProgress) =>
+    createStage(canvas, { values, ...sizeOf(canvas), quality, view, visible: false, onProgress }),
+  );
 }
 
 /**

@@ -10,6 +10,8 @@ const find = (selector: string) => document.querySelector<HTMLElement>(selector)
 // The panel and the gallery that page.ts adds open.
 document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
 find('.skeleton .gallery').hidden = !matchMedia(HIGH).matches;
+// Hidden until now, because the stage would visibly move.
+find('#stage').hidden = false;
 showPoster(find('#stage'));
 void import('./ahead.ts');
 void import('./main.ts');

@@ -40,11 +40,10 @@ export class ProgramsAhead {
     const fence = placeFence(context);
     const until = performance.now() + TIMEOUT_MS;
     const programs = renderer.info.programs as unknown as readonly Compiled[];
-    const isReady = () => !fence || (hasPassed(context, fence) && programs.every((program) => program.isReady()));
+    const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
     while (!context.isContextLost() && !isReady() && performance.now() < until) {
       await new Promise((resolve) => setTimeout(resolve, POLL_MS));
     }
-    context.deleteSync(fence);
   }
 
   dispose(): void {

@@ -490,8 +490,8 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   const values = withDefaults(options.values);
   // Before the programs compile: a resize of the drawing buffer waits for the GPU.
-  if (!options.device && options.width && options.height)
-    [canvas.width, canvas.height] = pixelsOf(options.width, options.height, options.pixelRatio);
+  const { width, height, pixelRatio } = options;
+  if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
   const presenter = createPresenter(canvas, options.device, options);
   try {
     const [opened] = await Promise.all([

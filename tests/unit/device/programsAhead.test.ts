@@ -18,7 +18,6 @@ class Browser {
     UNSIGNALED,
     fenceSync: () => (this.isLost ? null : {}),
     flush: () => undefined,
-    deleteSync: () => undefined,
     getSyncParameter: () => this.fence,
     isContextLost: () => this.isLost,
   };
