@@ -4,4 +4,4 @@
 export const ROOMY = '(min-width: 701px) and (min-height: 501px)';
 
 /** In lower windows, such as phones in landscape, the gallery starts closed, and closes on rotation. */
-export const HIGH = '(min-height: 600px)';
+export const LOW = '(max-height: 599px)';

@@ -3,13 +3,13 @@
  * when they are added.
  */
 import { showPoster } from './poster.ts';
-import { HIGH, ROOMY } from './roomy.ts';
+import { LOW, ROOMY } from './roomy.ts';
 
 const find = (selector: string) => document.querySelector<HTMLElement>(selector)!;
 
 // The panel and the gallery that page.ts adds open.
 document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
-find('.skeleton .gallery').hidden = !matchMedia(HIGH).matches;
+find('.skeleton .gallery').hidden = matchMedia(LOW).matches;
 // Hidden until now, because the stage would visibly move.
 find('#stage').hidden = false;
 showPoster(find('#stage'));

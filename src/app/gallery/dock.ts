@@ -2,7 +2,7 @@ import type { Stage } from '../../index.ts';
 import { create, iconButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createGallery } from './gallery.ts';
-import { HIGH } from '../roomy.ts';
+import { LOW } from '../roomy.ts';
 import { icon } from '../ui/icons.ts';
 import type { Scrubber } from '../playback/scrubber.ts';
 import { strings } from '../strings.ts';
@@ -25,14 +25,14 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   };
   const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
-  const high = matchMedia(HIGH);
+  const low = matchMedia(LOW);
   let comesBack = false;
-  high.addEventListener('change', () => {
+  low.addEventListener('change', () => {
     // After a quick rotation there and back, the change event arrives late, when the window has its first size again.
     comesBack ||= !gallery.hidden;
-    show(high.matches && comesBack);
-    if (high.matches) comesBack = false;
+    show(!low.matches && comesBack);
+    if (!low.matches) comesBack = false;
   });
-  show(high.matches);
+  show(!low.matches);
   return dock;
 }
