@@ -10,7 +10,7 @@ export default defineConfig({
     glsl(),
     withoutShaders(),
     addresses(process.env.CARTOON_SMOKE_BASE),
-    preloads('/src/app/main.ts'),
+    preloads('/src/app/ahead.ts', '/src/app/main.ts'),
     serviceWorker(),
   ],
   // Vite would discover these late, in modules that only tests import or that load on demand, and reload the page.

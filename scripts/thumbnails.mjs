@@ -1,6 +1,6 @@
 /**
- * `npm run thumbnails [-- NAME...]`: renders the named presets, or all, as gallery thumbnails into public/thumbnails.
- * Run it after adding a preset or changing its appearance.
+ * `npm run thumbnails [-- NAME...]`: renders the named presets, or all, as gallery thumbnails into public/thumbnails and
+ * as posters of the page into src/app/posters. Run it after adding a preset or changing its appearance.
  */
 
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -9,23 +9,33 @@ import { inRoot } from './lib/paths.mjs';
 import { conclude } from './lib/userError.mjs';
 import { PICTURES, setUp } from './setup/setup.mjs';
 
+const THUMBNAILS = 'public/thumbnails';
+const POSTERS = 'src/app/posters';
+
+/** @typedef {{ thumbnail: string, posters: Record<string, string> }} Pictures base64 */
+
 await conclude(async () => {
   await setUp(PICTURES);
   const names = process.argv.slice(2);
   const draw = `Promise.all([import('/tests/visual/app/thumbnails.cases.ts'), import('/src/preset/presets.ts')]).then(
-    async ([{ thumbnail }, { presets }]) => {
+    async ([{ thumbnail, posters }, { presets }]) => {
       const given = ${JSON.stringify(names)};
       const made = {};
       for (const name of given.length > 0 ? given : presets.map((preset) => preset.name)) {
         await sayProgress(name);
-        made[name] = await thumbnail(name);
+        made[name] = { thumbnail: await thumbnail(name), posters: await posters(name) };
       }
       return made;
     })`;
   const made = await evaluateInPage(draw, (name) => console.log(`Drawing ${name}`));
-  mkdirSync(inRoot('public/thumbnails'), { recursive: true });
-  for (const [name, picture] of Object.entries(/** @type {Record<string, string>} */ (made))) {
-    writeFileSync(inRoot(`public/thumbnails/${name}.webp`), Buffer.from(picture, 'base64'));
+  for (const folder of [THUMBNAILS, POSTERS]) mkdirSync(inRoot(folder), { recursive: true });
+  for (const [name, { thumbnail, posters }] of Object.entries(/** @type {Record<string, Pictures>} */ (made))) {
+    write(`${THUMBNAILS}/${name}.webp`, thumbnail);
+    for (const [end, picture] of Object.entries(posters)) write(`${POSTERS}/${name}.${end}.webp`, picture);
   }
-  console.log(`Wrote ${Object.keys(Object(made)).length} pictures to public/thumbnails.`);
+  console.log(`Wrote pictures of ${Object.keys(Object(made)).length} presets to ${THUMBNAILS} and ${POSTERS}.`);
 });
+
+function write(/** @type {string} */ path, /** @type {string} */ picture) {
+  writeFileSync(inRoot(path), Buffer.from(picture, 'base64'));
+}

@@ -18,6 +18,7 @@ export { channelSheet, lobeSheet, type ChannelPicture } from './puffs/billboards
 export { bakePuffs } from './puffs/billboards/layers.ts';
 export { LOBE_SHAPES } from './puffs/lobeShapes.ts';
 export { billboardShapes } from './puffs/shapes.ts';
+export { inPieces } from './puffs/work.ts';
 export { STEP_SECONDS } from './sim/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS } from './sim/layout.ts';
 export { readBits, type Rows } from './sim/rows.ts';

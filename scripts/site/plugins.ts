@@ -36,22 +36,23 @@ function head(tag: string, attrs: Record<string, string>): HtmlTagDescriptor {
 
 /**
  * Adds preload hints to the page for modules that its entry imports dynamically, so that they load in parallel.
- * @param entry suffix of the path of a module that the page's entry imports dynamically
+ * @param entries suffixes of the paths of modules that the page's entry imports dynamically
  */
-export function preloads(entry: string): Plugin {
+export function preloads(...entries: string[]): Plugin {
   return {
     name: 'preloads',
     apply: 'build',
     transformIndexHtml: {
       order: 'post',
       handler(_, { bundle = {}, chunk }) {
-        const later = chunk?.dynamicImports.find((name) => {
+        if (!chunk) return [];
+        const isHinted = (name: string) => {
           const found = bundle[name];
-          return found?.type === 'chunk' && found.facadeModuleId?.endsWith(entry);
-        });
-        if (!chunk || !later) return [];
+          return found?.type === 'chunk' && entries.some((entry) => found.facadeModuleId?.endsWith(entry));
+        };
         const hinted = closure(bundle, chunk.fileName);
-        return [...closure(bundle, later)]
+        const later = chunk.dynamicImports.filter(isHinted).flatMap((name) => [...closure(bundle, name)]);
+        return [...new Set(later)]
           .filter((name) => !hinted.has(name))
           .map((name) => ({
             tag: 'link',

@@ -1,4 +1,5 @@
 import type { Stage } from '../index.ts';
+import { nextTask } from '../internal.ts';
 import { createDebugPanel, Views } from './panel/debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
 import { createDock } from './gallery/dock.ts';
@@ -13,6 +14,7 @@ import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
+import { ROOMY } from './roomy.ts';
 import type { Scrubber } from './playback/scrubber.ts';
 import { ShareSheet } from './share/shareSheet.ts';
 import { createStatistics } from './panel/statistics.ts';
@@ -35,9 +37,6 @@ export interface Page {
   readonly dragsBlow: boolean;
 }
 
-/** On a phone the panel covers half of the smoke, so it starts closed. */
-const ROOMY = '(min-width: 701px) and (min-height: 501px)';
-
 /** Dependencies of the controls. */
 export interface PageParts {
   readonly editor: Editor;
@@ -50,8 +49,8 @@ export interface PageParts {
   readonly hasStatistics: boolean;
 }
 
-/** Adds the controls over the canvas. @param container parent of the controls */
-export function buildPage(container: HTMLElement, parts: PageParts): Page {
+/** Adds the controls over the canvas, in several short tasks. @param container parent of the controls */
+export async function buildPage(container: HTMLElement, parts: PageParts): Promise<Page> {
   const { editor, stage, notices, scrubber } = parts;
   const help = new Help(stage);
   const captureButton = new CaptureButton(stage, container, notices);
@@ -62,16 +61,18 @@ export function buildPage(container: HTMLElement, parts: PageParts): Page {
   const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
   acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
+  await nextTask();
   const own = new OwnPresets(editor, stage, notices, files);
   const statistics = createStatistics(stage);
   const feet = { presets: own.element, puff: ownShape.element, end: createDebugPanel(stage, statistics) };
-  const panel = createPanel(editor, stage, feet, () => {
+  const panel = await createPanel(editor, stage, feet, () => {
     page.togglePanel();
     toggle.focus();
   });
   const things = new DropThings(stage, parts.canvas);
   const blowing = new Blowing(stage, parts.canvas);
   const dock = createDock(editor, stage, scrubber, blowing.element, things.element);
+  await nextTask();
   const gizmos = new Gizmos(editor, stage);
   const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
   gizmoToggle.setAttribute('aria-pressed', 'false');
@@ -105,17 +106,13 @@ export function buildPage(container: HTMLElement, parts: PageParts): Page {
       return blowing.takesDrags;
     },
   };
-  container.append(
-    gizmos.element,
-    createHeader(page, captureButton.element, gizmoToggle, toggle),
-    dock.element,
-    panel,
-    help.element,
-    sheet.element,
-    views.element,
-    statistics.element,
-  );
+  const header = createHeader(page, captureButton.element, gizmoToggle, toggle);
   showPanel(matchMedia(ROOMY).matches);
+  await nextTask();
+  container.querySelector('.skeleton')?.remove();
+  container.append(gizmos.element, header, dock.element);
+  await nextTask();
+  container.append(panel, help.element, sheet.element, views.element, statistics.element);
   return page;
 }
 

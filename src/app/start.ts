@@ -1,15 +1,17 @@
 /**
- * The page's small entry module. It determines the scene from the address, so that scene and simulator load in parallel
- * with the rest of the page.
+ * The page's small entry module. It shows the poster and lays out the stage as with all controls, so that nothing moves
+ * when they are added.
  */
-import { openScene } from '../internal.ts';
-import { decode } from '../preset.ts';
+import { showPoster } from './poster.ts';
+import { LOW, ROOMY } from './roomy.ts';
 
-async function fetchAhead(): Promise<void> {
-  const { state } = await decode(location.hash);
-  await openScene(state.values.scene as string);
-}
+const find = (selector: string) => document.querySelector<HTMLElement>(selector)!;
 
-// The same failure occurs again in main.ts, which reports it.
-fetchAhead().catch(() => undefined);
+// The panel and the gallery that page.ts adds open.
+document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
+find('.skeleton .gallery').hidden = matchMedia(LOW).matches;
+// Hidden until now, because the stage would visibly move.
+find('#stage').hidden = false;
+showPoster(find('#stage'));
+void import('./ahead.ts');
 void import('./main.ts');

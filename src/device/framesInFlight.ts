@@ -1,4 +1,4 @@
-import type { Device } from './device.ts';
+import type { WebGLRenderer } from 'three';
 
 /** The GPU draws one frame while the next is submitted. More frames in flight only add latency. */
 const MAX_FRAMES = 2;
@@ -12,32 +12,38 @@ export class FramesInFlight {
   private readonly context: WebGL2RenderingContext;
   private fences: WebGLSync[] = [];
 
-  constructor({ renderer }: Device) {
+  constructor({ renderer }: { readonly renderer: WebGLRenderer }) {
     this.context = renderer.getContext() as WebGL2RenderingContext;
   }
 
   /** Whether the next frame should wait. */
   get isFull(): boolean {
-    while (this.fences.length > 0 && this.isDrawn(this.fences[0])) this.context.deleteSync(this.fences.shift()!);
+    while (this.fences.length > 0 && hasPassed(this.context, this.fences[0]))
+      this.context.deleteSync(this.fences.shift()!);
     return this.fences.length >= MAX_FRAMES;
   }
 
   /** Call after the commands of a frame are submitted. */
   add(): void {
-    const { context } = this;
-    const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
-    if (!fence) return;
-    this.fences.push(fence);
-    // The fence is not sent to the GPU before a flush.
-    context.flush();
+    const fence = placeFence(this.context);
+    if (fence) this.fences.push(fence);
   }
 
   /** Forgets all frames after a context loss, which invalidates their fences. */
   clear(): void {
     this.fences = [];
   }
+}
 
-  private isDrawn(fence: WebGLSync): boolean {
-    return this.context.getSyncParameter(fence, this.context.SYNC_STATUS) !== this.context.UNSIGNALED;
-  }
+/** A fence behind all commands so far; null if the context is lost. */
+export function placeFence(context: WebGL2RenderingContext): WebGLSync | null {
+  const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  // The fence is not sent to the GPU before a flush.
+  context.flush();
+  return fence;
+}
+
+/** Whether the GPU has executed the commands before the fence. Does not wait for it. */
+export function hasPassed(context: WebGL2RenderingContext, fence: WebGLSync): boolean {
+  return context.getSyncParameter(fence, context.SYNC_STATUS) !== context.UNSIGNALED;
 }

@@ -1,6 +1,11 @@
 import { GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
 import { DrawnMesh } from './drawnMesh.ts';
+import { hasPassed, placeFence } from './framesInFlight.ts';
 import { triangle } from './fullScreen.ts';
+
+const POLL_MS = 10;
+/** Then the first draw waits for the programs. */
+const TIMEOUT_MS = 10_000;
 
 /** The shaders of a program, as three.js takes them. */
 export interface Shaders {
@@ -26,8 +31,29 @@ export class ProgramsAhead {
     new DrawnMesh(material, triangle()).compile(renderer);
   }
 
+  /**
+   * Resolves when programs can be drawn with at once. Browsers with KHR_parallel_shader_compile compile in the
+   * background and report the end. Others compile in the order of the commands, so that a fence reports it.
+   */
+  async finished(renderer: WebGLRenderer): Promise<void> {
+    const context = renderer.getContext() as WebGL2RenderingContext;
+    const fence = placeFence(context);
+    const until = performance.now() + TIMEOUT_MS;
+    const programs = renderer.info.programs as unknown as readonly Compiled[];
+    const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
+    while (!context.isContextLost() && !isReady() && performance.now() < until) {
+      await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+    }
+  }
+
   dispose(): void {
     for (const material of this.programs.values()) material.dispose();
     this.programs.clear();
   }
+}
+
+/** A program of three.js, with a method that its types lack. */
+interface Compiled {
+  /** Whether the browser has finished it; always true without KHR_parallel_shader_compile. */
+  isReady(): boolean;
 }

@@ -35,14 +35,15 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 }
 
 /**
- * Compiles the two slowest programs, the bodies and the volumes of lobe puffs, while other resources load. Other
- * programs are small or rarely used.
+ * Compiles the two slowest programs, the bodies and the volumes of lobe puffs, while other resources load, and resolves
+ * when they are ready. Other programs are small or rarely used.
  */
-export function compileAhead(device: Device, values: Values): void {
+export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth));
   device.programs.compile(device.renderer, volumeShaders(lobes));
+  await device.programs.finished(device.renderer);
 }
 
 /** Time slice in milliseconds, short enough to keep the page responsive. */

@@ -116,9 +116,7 @@ export class Picture {
    */
   resize(width: number, height: number, pixelRatio = this.pixelRatio): boolean {
     const before = [this.width, this.height, this.pixelRatio];
-    this.pixelRatio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
-    this.width = Math.round(width * this.pixelRatio);
-    this.height = Math.round(height * this.pixelRatio);
+    [this.width, this.height, this.pixelRatio] = pixelsOf(width, height, pixelRatio);
     if (this.isVisible) this.eye.setSize(...this.size);
     return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
   }
@@ -209,6 +207,15 @@ export class Picture {
       output,
     });
   }
+}
+
+/**
+ * Width and height in pixels, and the accepted pixel ratio.
+ * @param width, height in CSS pixels
+ */
+export function pixelsOf(width: number, height: number, pixelRatio = 1): [number, number, number] {
+  const ratio = MathUtils.clamp(pixelRatio, 0.1, LARGEST_PIXEL_RATIO);
+  return [Math.round(width * ratio), Math.round(height * ratio), ratio];
 }
 
 function scaled({ width, height }: PictureSize, scale: number): PictureSize {

@@ -16,7 +16,7 @@ import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
-import type { Picture } from './picture.ts';
+import { pixelsOf, type Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
 import type { Retouch } from './shownSmoke.ts';
@@ -489,11 +489,14 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
   const values = withDefaults(options.values);
+  // Before the programs compile: a resize of the drawing buffer waits for the GPU.
+  const { width, height, pixelRatio } = options;
+  if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
   const presenter = createPresenter(canvas, options.device, options);
   try {
-    compileAhead(presenter.device, values);
     const [opened] = await Promise.all([
       openScene(values.scene as string, options.onProgress),
+      compileAhead(presenter.device, values),
       bakeAhead(values),
       fetchExtras(kindOf(values, options.view)),
     ]);

@@ -1,7 +1,7 @@
 /** The whole page with a strict Content-Security-Policy: no user action violates it. */
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { closeSheet, expectSteps } from '../e2e/app/page.ts';
+import { closeSheet, expectSteps, isComplete } from '../e2e/app/page.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
@@ -70,7 +70,7 @@ test('sheets for sharing and capture, files and own presets', async ({ page }) =
 
 async function open(page: Page, address: string): Promise<void> {
   await page.goto(server.address + address);
-  await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+  await isComplete(page);
 }
 
 async function savesFile(page: Page, button: string, name: RegExp): Promise<void> {

@@ -2,6 +2,7 @@ import type { Stage } from '../../index.ts';
 import { create, iconButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createGallery } from './gallery.ts';
+import { LOW } from '../roomy.ts';
 import { icon } from '../ui/icons.ts';
 import type { Scrubber } from '../playback/scrubber.ts';
 import { strings } from '../strings.ts';
@@ -24,7 +25,7 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   };
   const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
-  const low = matchMedia(`(max-height: ${MIN_HEIGHT - 1}px)`);
+  const low = matchMedia(LOW);
   let comesBack = false;
   low.addEventListener('change', () => {
     // After a quick rotation there and back, the change event arrives late, when the window has its first size again.
@@ -35,6 +36,3 @@ export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...
   show(!low.matches);
   return dock;
 }
-
-/** In lower windows, such as phones in landscape, the gallery starts closed, and closes on rotation. CSS pixels. */
-const MIN_HEIGHT = 600;

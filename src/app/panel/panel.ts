@@ -1,4 +1,4 @@
-import { automaticColors } from '../../internal.ts';
+import { automaticColors, inPieces, nextTask } from '../../internal.ts';
 import { groups, table, type Parameter, type State } from '../../preset.ts';
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
@@ -11,13 +11,21 @@ import { strings } from '../strings.ts';
 
 export const PANEL_ID = 'parameters';
 
+/** Longest task that creates rows, milliseconds. */
+const PIECE_MS = 8;
+
 /** Elements below the rows of a group, by group key, at the top (`presets`) or at the `end`. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
-/** The parameter panel, created from the table. */
-export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close: () => void): HTMLElement {
-  const shown = table.filter((parameter) => hasChoice(parameter) && isOfPanel(parameter));
-  const rows = new Map(shown.map((parameter) => [parameter, createRow(parameter, editor)]));
+/** The parameter panel, created from the table in short tasks. */
+export async function createPanel(
+  editor: Editor,
+  scene: SceneLists,
+  feet: Feet,
+  close: () => void,
+): Promise<HTMLElement> {
+  const rows = await inPieces(creatingRows(editor), PIECE_MS);
+  await nextTask();
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
@@ -40,6 +48,15 @@ export function createPanel(editor: Editor, scene: SceneLists, feet: Feet, close
   editor.listen(show);
   show(editor.state);
   return panel;
+}
+
+function* creatingRows(editor: Editor): Generator<void, ReadonlyMap<Parameter, Row>, void> {
+  const rows = new Map<Parameter, Row>();
+  for (const parameter of table.filter((each) => hasChoice(each) && isOfPanel(each))) {
+    rows.set(parameter, createRow(parameter, editor));
+    yield;
+  }
+  return rows;
 }
 
 /** A choice with a single option is omitted from the panel. */

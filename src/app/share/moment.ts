@@ -1,7 +1,7 @@
 /** Links to an exact moment of the smoke, and the replay of such links. */
 import type { Stage, Take } from '../../index.ts';
-import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS } from '../../internal.ts';
-import { encode, type State, type Values } from '../../preset.ts';
+import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
+import { encode, type Decoded, type State, type Values } from '../../preset.ts';
 import { enterScene } from '../editor/entering.ts';
 import type { Notices } from '../ui/notices.ts';
 import { windForward } from '../ui/progress.ts';
@@ -19,6 +19,11 @@ export interface LinkedMoment {
   readonly state: State;
   /** Whether it may request the simulator's full capacity, as a local file may. */
   readonly isTrusted: boolean;
+}
+
+/** The moment of a link, if it has one. */
+export function momentOf({ take, state }: Decoded, environment?: Environment): LinkedMoment | undefined {
+  return take && { take, state, seconds: environment?.time, isTrusted: false };
 }
 
 /** The link to the exact current step of the stage. It may be too long to send. */

@@ -1,9 +1,15 @@
+import type { Decoded } from '../../preset.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
 // Display time in milliseconds: long enough to read a sentence twice.
 const TRANSIENT_MS = 6000;
+
+/** Shows all notices of something that was read. */
+export function notifyAll(notices: Notices, { notices: list }: Pick<Decoded, 'notices'>): void {
+  for (const { message } of list) notices.notify(message);
+}
 
 /** Notices for the user. They are announced politely and can be dismissed. */
 export class Notices {

@@ -32,6 +32,29 @@ export class Progress {
     this.show(total === undefined ? undefined : loaded / total);
 }
 
+/** Delay in milliseconds before a loading message appears. */
+const SOON_MS = 400;
+
+/**
+ * Runs a download, and shows its progress if it is slow.
+ * @param container parent of the progress bar
+ * @param download takes the function that follows its progress
+ */
+export async function withProgress<Result>(
+  message: string,
+  container: HTMLElement,
+  download: (follow: Progress['follow']) => Promise<Result>,
+): Promise<Result> {
+  const progress = new Progress(message);
+  const timer = setTimeout(() => container.append(progress.element), SOON_MS);
+  try {
+    return await download(progress.follow);
+  } finally {
+    clearTimeout(timer);
+    progress.element.remove();
+  }
+}
+
 /**
  * Simulates up to a time, with progress and a cancel button.
  * @param message describes the operation; by default, that time advances

@@ -6,11 +6,16 @@ import { expect } from '../../support/fixtures.ts';
 /** Little smoke of one shape, which is cheap to draw with SwiftShader and to bake. */
 export const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 
-/** Opens the page and waits for its stage. @param address part after the slash: query and hash */
+/** Opens the page and waits for its stage and its controls. @param address part after the slash: query and hash */
 export async function open(page: Page, address: string): Promise<void> {
   await page.goto('about:blank');
   await page.goto(`/${address}`);
-  await page.waitForFunction(() => window.cartoonSmoke !== undefined);
+  await isComplete(page);
+}
+
+/** Waits until the page has its controls and listens to keys. */
+export async function isComplete(page: Page): Promise<void> {
+  await page.locator('#interface:not(.is-incomplete)').waitFor({ state: 'attached' });
 }
 
 /** Evaluates a function of the stage in the page. */

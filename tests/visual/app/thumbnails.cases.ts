@@ -1,33 +1,61 @@
-/** Pictures of the presets for the page's gallery. */
+/** Pictures of the presets for the page: in its gallery, and as posters in place of the stage while it loads. */
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
-import { createStage } from '../../../src/stage/stage.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 /** Long enough for smoke to fill its column. */
 const SECONDS = 6;
 /** By scene, where the emitter is out of view at that time. */
 const EARLIER: Readonly<Record<string, number>> = { rocket: 4 };
-const [WIDTH, HEIGHT] = [192, 128];
-/** Drawn at a larger scale and then reduced, so that ink lines are as thin as in the full picture. */
-const ENLARGED = 3;
-const QUALITY = 0.85;
+/** The time of the still frame of `src/app/main.ts`, which replaces the poster for users who prefer less motion. */
+const STILL_SECONDS = 4;
+
+/** The size of a picture in pixels. It is drawn larger, so that ink lines are as thin as in the full picture. */
+interface Size {
+  readonly width: number;
+  readonly height: number;
+  readonly enlarged: number;
+  readonly quality: number;
+}
+
+const THUMBNAIL: Size = { width: 192, height: 128, enlarged: 3, quality: 0.85 };
+/** By the end of the file name. A tall stage has another camera, so it has its own poster. */
+const POSTERS: Readonly<Record<string, Size>> = {
+  wide: { width: 800, height: 400, enlarged: 2, quality: 0.5 },
+  tall: { width: 360, height: 540, enlarged: 1.25, quality: 0.5 },
+};
 
 /** A preset's picture as WebP, base64. */
 export async function thumbnail(name: string): Promise<string> {
-  const canvas = document.createElement('canvas');
-  const [width, height] = [ENLARGED * WIDTH, ENLARGED * HEIGHT];
-  const values = presetValues(findPreset(name)!);
-  const stage = await createStage(canvas, { values, width, height });
-  await stage.seek(EARLIER[values.scene as string] ?? SECONDS);
-  const picture = await createImageBitmap(await stage.picture());
+  const stage = await stageOf(name);
+  await stage.seek(EARLIER[stage.get().scene as string] ?? SECONDS);
+  const picture = await draw(stage, THUMBNAIL);
   stage.dispose();
-  return encode(picture);
+  return picture;
 }
 
-async function encode(picture: ImageBitmap): Promise<string> {
+/** A preset's posters as WebP, base64, by the end of their file names. */
+export async function posters(name: string): Promise<Record<string, string>> {
+  const stage = await stageOf(name);
+  await stage.seek(STILL_SECONDS);
+  const made: Record<string, string> = {};
+  for (const [end, size] of Object.entries(POSTERS)) made[end] = await draw(stage, size);
+  stage.dispose();
+  return made;
+}
+
+/** Nothing is drawn before the picture. */
+function stageOf(name: string): Promise<Stage> {
+  const values = presetValues(findPreset(name)!);
+  return createStage(document.createElement('canvas'), { values, visible: false });
+}
+
+async function draw(stage: Stage, { width, height, enlarged, quality }: Size): Promise<string> {
+  stage.resize(enlarged * width, enlarged * height, 1);
+  const picture = await createImageBitmap(await stage.picture());
   const canvas = document.createElement('canvas');
-  [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+  [canvas.width, canvas.height] = [width, height];
   const context = canvas.getContext('2d')!;
   context.imageSmoothingQuality = 'high';
-  context.drawImage(picture, 0, 0, WIDTH, HEIGHT);
-  return canvas.toDataURL('image/webp', QUALITY).split(',')[1];
+  context.drawImage(picture, 0, 0, width, height);
+  return canvas.toDataURL('image/webp', quality).split(',')[1];
 }

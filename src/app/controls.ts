@@ -1,0 +1,115 @@
+/** Everything that reacts to the user, apart from the stage itself: the page's controls and its input. */
+import type { Stage } from '../index.ts';
+import { nextTask, ORBIT_PER_KEY, type Environment } from '../internal.ts';
+import type { Decoded } from '../preset.ts';
+import { followAddress } from './share/address.ts';
+import { BallKeys } from './input/ball.ts';
+import { Editor } from './editor/editor.ts';
+import { enterScene } from './editor/entering.ts';
+import { toggleFullScreen } from './playback/fullScreen.ts';
+import { GestureEnd } from './input/gestureEnd.ts';
+import { listenToKeys } from './input/keyboard.ts';
+import { showSlowProgress } from './ui/progress.ts';
+import { goToMoment, momentOf } from './share/moment.ts';
+import { notifyAll, type Notices } from './ui/notices.ts';
+import { buildPage, type Page } from './page.ts';
+import { Pointers } from './input/pointer.ts';
+import { Scrubber } from './playback/scrubber.ts';
+import { strings } from './strings.ts';
+import { takeStep, togglePlaying } from './playback/transport.ts';
+
+/** What the controls act on. */
+export interface Controlled {
+  readonly stage: Stage;
+  readonly canvas: HTMLCanvasElement;
+  /** Parent of the controls. */
+  readonly container: HTMLElement;
+  readonly notices: Notices;
+  readonly environment: Environment;
+  /** The address that the stage shows. */
+  readonly decoded: Decoded;
+}
+
+/** Number of late frames before a notice appears. By then the governor has ruled out a temporary load. */
+const LATE_FRAMES = 8;
+
+/** Adds the controls, in several short tasks. Call it after the first frame. */
+export async function addControls(controlled: Controlled): Promise<void> {
+  const { stage, canvas, container, notices, environment, decoded } = controlled;
+  const editor = new Editor(stage, decoded.state.preset, {
+    nextFrame: () => new Promise(requestAnimationFrame),
+    enter: (values) => enterScene(stage, values, container),
+    notify: (message) => notices.notify(message),
+  });
+  followAddress(editor, async (read, isNewest) => {
+    notifyAll(notices, read);
+    const shared = momentOf(read);
+    if (!shared) return;
+    await editor.delivered();
+    if (isNewest()) await goToMoment(stage, shared, notices, container);
+  });
+  const scrubber = new Scrubber(stage);
+  showSlowProgress(scrubber, container);
+  describeScene(stage, canvas);
+  await nextTask();
+  const { hasStatistics } = environment;
+  const page = await buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics });
+  connectInput(stage, canvas, editor, page, scrubber);
+  notifyOfSlowMachine(stage, notices);
+}
+
+function connectInput(stage: Stage, canvas: HTMLCanvasElement, editor: Editor, page: Page, scrubber: Scrubber): void {
+  const ball = new BallKeys(stage);
+  const orbitEnd = new GestureEnd(() => editor.settle());
+  new Pointers(stage, canvas, orbitEnd, () => page.dragsBlow);
+  listenToKeys({
+    ...page,
+    togglePlaying: () => togglePlaying(stage),
+    step: () => takeStep(stage),
+    stepBack: () => void scrubber.stepBack(),
+    shift: (seconds) => void scrubber.shift(seconds),
+    stopSeeking: () => scrubber.stop(),
+    fullScreen: () => void toggleFullScreen(),
+    restart: () => stage.restart(),
+    undo: () => editor.undo(),
+    redo: () => editor.redo(),
+    zoom: (factor) => {
+      stage.camera.zoom(factor);
+      orbitEnd.postpone();
+    },
+    push: (right, up, near) => ball.push(right, up, near),
+    orbit: (right, up) => {
+      stage.camera.orbit(right * ORBIT_PER_KEY, up * ORBIT_PER_KEY);
+      orbitEnd.postpone();
+    },
+    resetView: () => {
+      orbitEnd.now();
+      stage.camera.reset();
+      orbitEnd.now();
+    },
+  });
+}
+
+/** Updates the canvas's accessible name with the current scene. */
+function describeScene(stage: Stage, canvas: HTMLCanvasElement): void {
+  const show = () => {
+    const { picture, hand } = strings.scenes[String(stage.get().scene)];
+    const label = strings.picture(picture, hand?.thing);
+    if (canvas.ariaLabel !== label) canvas.ariaLabel = label;
+  };
+  stage.on('statechange', show);
+  show();
+}
+
+/** Notifies once when the machine needs a lower resolution to keep up, and suggests a remedy. */
+function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
+  let frames = 0;
+  const stop = stage.on('frame', ({ scale }) => {
+    // Do not report a quality that was set by `?quality=`.
+    if (scale === 1 || stage.quality !== 'auto') return;
+    frames += 1;
+    if (frames < LATE_FRAMES) return;
+    stop();
+    notices.whisper(strings.notices.slow);
+  });
+}
