@@ -15,10 +15,17 @@ const fewPixels = { deviceScaleFactor: 0.25 };
 const halfThePixels = { deviceScaleFactor: 0.5 };
 // For text, boxes and pixel readback, the CPU rasterizer is faster than SwiftShader. WebGL content is not affected.
 const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
+// Pages live for seconds, in which optimised JavaScript does not repay its compilation: a quarter of the renderer's CPU
+// time. WASM is optimised as always.
+const briefly = '--js-flags=--no-opt --single-threaded';
 // Otherwise each worker would build a missing site or package.
 const builtFirst = { dependencies: ['built'] };
 
 const { port, browser, flags } = await demandTestServer();
+const launched = (...others: string[]) => ({
+  launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases, ...others] },
+});
+const brief = launched(briefly);
 
 /**
  * Tests in a browser: source modules on a separate development server, and pages as published, all rendered by
@@ -46,7 +53,7 @@ export default defineConfig<object, WorkerOptions>({
       testMatch: isLong ? '**/tests/e2e/**/*.long.spec.ts' : '**/tests/e2e/**/*.spec.ts',
       testIgnore: [...ignored, EMBED],
       // Each test is a first visit to the page; the service worker has separate tests, with those of the site.
-      use: { ...fewPixels, showsBuiltSite: true, serviceWorkers: 'block' },
+      use: { ...fewPixels, ...brief, showsBuiltSite: true, serviceWorkers: 'block' },
     },
     // Third-party pages, with the files that npm and CDNs would deliver.
     { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: halfThePixels },
@@ -56,7 +63,7 @@ export default defineConfig<object, WorkerOptions>({
     baseURL: `http://localhost:${port}`,
     viewport: { width: 640, height: 360 },
     deviceScaleFactor: 1,
-    launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases] },
+    ...launched(),
   },
   webServer: {
     command: `node node_modules/vite/bin/vite.js --config tests/support/vite.config.ts --port ${port} --strictPort`,

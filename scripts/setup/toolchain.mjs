@@ -16,7 +16,7 @@ export const title = 'Rust toolchain';
 const PROGRAMS = { clippy: 'cargo-clippy' };
 
 /** Packages and features of all native builds. A different selection would compile Rapier again. */
-export const NATIVE = ['--locked', '--workspace', '--exclude', 'xtask', '--features', 'sim/rigids'];
+export const NATIVE = ['--locked', '--package', 'sim', '--package', 'reference', '--features', 'sim/rigids'];
 
 /**
  * Runs cargo in sim-wasm with the pinned version, even if another cargo comes first on PATH.

@@ -2,7 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Download, Page } from '@playwright/test';
 import { expect, test } from '../../support/fixtures.ts';
-import { ask, closeSheet, LIGHT, open } from './page.ts';
+import { ask, closeSheet, LAMP, open } from './page.ts';
 
 test.use({ viewport: { width: 400, height: 300 }, deviceScaleFactor: 1 });
 
@@ -55,7 +55,7 @@ async function captured(page: Page): Promise<{ name: string; bytes: number[] }> 
 }
 
 test('captures are started from the sheet and do not change the smoke', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await ask(page, (stage) => stage.step(60));
   await test.step('a video from the sheet has all frames, and neighbours differ', async () => {
     const hash = await openSheet(page);
@@ -114,7 +114,7 @@ test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   test('a finger reaches the whole sheet', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
+    await open(page, `?paused=1${LAMP}`);
     await page.getByRole('button', { name: 'Capture' }).tap();
     await sheet(page).getByLabel('Format').selectOption('zip');
     for (const button of await sheet(page).getByRole('button').all()) {

@@ -1,5 +1,5 @@
 import { expect, test } from '../../support/fixtures.ts';
-import { ask, crawl, expectSteps, LIGHT, messagesOf, open } from './page.ts';
+import { ask, crawl, expectSteps, LAMP, LIGHT, messagesOf, open } from './page.ts';
 
 test('smoke appears and plays, and nothing is requested from another host', async ({ page }) => {
   const requests: string[] = [];
@@ -21,7 +21,7 @@ test('loading shows progress', async ({ page }) => {
     await seen;
     await route.continue();
   });
-  await page.goto(`/?paused=1${LIGHT}`, { waitUntil: 'commit' });
+  await page.goto(`/?paused=1${LAMP}`, { waitUntil: 'commit' });
   await expect(page.getByRole('progressbar', { name: 'Rubbing the lamp' })).toBeVisible();
   letGo();
   await page.waitForFunction(() => window.cartoonSmoke !== undefined);

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../support/fixtures.ts';
-import { ask, crawl, LIGHT, open } from './page.ts';
+import { ask, crawl, LAMP, LIGHT, open } from './page.ts';
 import { fingerOf, mouseOf, type Drag } from './touch.ts';
 
 const stepsOf = (page: Page) => ask(page, (stage) => stage.stats.steps);
@@ -47,7 +47,7 @@ async function expectScrubbing(page: Page, drag: Drag): Promise<void> {
 }
 
 test('mouse and keys use the timeline and the presets', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await test.step('the timeline seeks forwards and backwards by mouse and keys', async () => {
     await expectScrubbing(page, mouseOf(page));
     const steps = await stepsOf(page);
@@ -131,7 +131,7 @@ test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   test('a finger scrubs, and chooses presets in the gallery', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
+    await open(page, `?paused=1${LAMP}`);
     await expectScrubbing(page, await fingerOf(page));
     const gallery = page.getByRole('radiogroup', { name: 'Presets' });
     await gallery.getByRole('radio', { name: 'Noir' }).tap();

@@ -7,6 +7,7 @@ import { withDrops } from '../../../src/scenes/drops.ts';
 import { sceneNamed } from '../../../src/scenes/scenes.ts';
 import { STEP_SECONDS } from '../../../src/sim/clock.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 
 /** Hashes of 16 hexadecimal digits by simulated seconds, by preset name. */
@@ -20,11 +21,22 @@ export const HASH_LIST = new URL('../../engines/hashes.json', import.meta.url);
 /** Simulated seconds. */
 const MOMENTS = [2, 8, 20];
 
-/** @returns the list of all presets */
+/** @returns the list of all presets. Those that differ in nothing that the simulator receives are simulated once. */
 export async function presetHashes(factoryFor: FactoryFor): Promise<HashList> {
+  const known = new Map<string, Record<string, string>>();
   const list: HashList = {};
-  for (const { name } of presets) list[name] = await hashesOf(name, MOMENTS, factoryFor);
+  for (const { name } of presets) {
+    const motion = motionOf(name);
+    if (!known.has(motion)) known.set(motion, await hashesOf(name, MOMENTS, factoryFor));
+    list[name] = known.get(motion)!;
+  }
   return list;
+}
+
+/** Everything of a preset that its motion depends on. */
+export function motionOf(name: string): string {
+  const values = presetValues(findPreset(name)!);
+  return JSON.stringify([values.scene, values.seed, values['simulation.maxParticles'], simulatorValues(values)]);
 }
 
 /** @param moments simulated seconds, ascending */

@@ -3,7 +3,7 @@ import type { Page } from '@playwright/test';
 import { table } from '../../../../src/preset/table.ts';
 import { expect, test } from '../../../support/fixtures.ts';
 import { QUIET_MS } from '../../../../src/app/input/gestureEnd.ts';
-import { ask, expectHash, expectSteps, expectValue, LIGHT, open } from '../page.ts';
+import { ask, expectHash, expectSteps, expectValue, LAMP, LIGHT, open } from '../page.ts';
 import { fingerOf, mouseOf } from '../touch.ts';
 
 test.use({ viewport: { width: 400, height: 300 } });
@@ -71,7 +71,7 @@ test('orbit, pan and zoom are stored in the link, and a second page has the same
 });
 
 test('a gesture is undone in one step, and presets of a scene keep the view', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await test.step('a gesture is undone in one step, by mouse, wheel and keys', async () => {
     const gestures = [
       () => mouseOf(page)(NOWHERE, BESIDE),
@@ -83,7 +83,7 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
     for (const gesture of gestures) {
       await gesture();
       await expect.poll(() => eyeOf(page)).not.toEqual(eyes.at(-1));
-      await expectLink(page);
+      await expectLink(page, LAMP);
       eyes.push(await eyeOf(page));
     }
     expect(eyes.at(-1)).toEqual({});
@@ -91,7 +91,7 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
       await page.keyboard.press('Control+z');
       await expect.poll(() => eyeOf(page)).toEqual(eye);
     }
-    await expectHash(page, LIGHT);
+    await expectHash(page, LAMP);
     await page.keyboard.press('Control+Shift+z');
     await expect.poll(() => eyeOf(page)).toEqual(eyes[1]);
   });

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, expectSteps, LIGHT, open } from '../page.ts';
+import { ask, expectSteps, LAMP, open } from '../page.ts';
 import { fingerOf, middleOf, mouseOf, type Drag } from '../touch.ts';
 
 const handle = (key: string) => `[data-gizmo="${key}"]`;
@@ -54,7 +54,7 @@ async function expectAllGestures(page: Page, drag: Drag) {
 
 test('handles of sun, wind, emitter and vortex follow the mouse and the keys', async ({ page }) => {
   await page.setViewportSize({ width: 690, height: 480 });
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
   await page.keyboard.press('h');
   await expectAllGestures(page, mouseOf(page));
@@ -122,7 +122,7 @@ test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
 
   test('handles follow a finger', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
+    await open(page, `?paused=1${LAMP}`);
     await page.getByRole('button', { name: 'Handles' }).tap();
     await expectAllGestures(page, await fingerOf(page));
   });

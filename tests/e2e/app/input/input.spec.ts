@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, ballPlace, closeSheet, LIGHT, open, type Point } from '../page.ts';
+import { ask, ballPlace, closeSheet, LAMP, LIGHT, open, type Point } from '../page.ts';
 
 // Long enough for the ball to follow the pointer: after 20 steps its spring leaves 1/400 of the distance.
 const arrive = (page: Page) => ask(page, (stage) => stage.step(20));
@@ -11,7 +11,7 @@ async function expectBallAt(page: Page, { x, y }: Point): Promise<void> {
 }
 
 test('the mouse drags the ball and orbits the camera, and arrow keys move the ball', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await test.step('beside the ball the mouse orbits the camera, and 0 resets it', async () => {
     await arrive(page);
     const hash = await ask(page, (stage) => stage.hash());
@@ -57,7 +57,7 @@ test('the mouse drags the ball and orbits the camera, and arrow keys move the ba
 });
 
 test('keys and the mouse blow into the smoke', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await test.step('B blows into the middle without a pointer and changes the smoke', async () => {
     await ask(page, (stage) => stage.step(60));
     await page.keyboard.press('b');
@@ -125,7 +125,7 @@ test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
   test('fingers open the parameters, drag the ball and zoom', async ({ page }) => {
-    await open(page, `?paused=1${LIGHT}`);
+    await open(page, `?paused=1${LAMP}`);
     await test.step('the parameters open as a sheet and leave the smoke visible', async () => {
       const panel = page.getByRole('region', { name: 'Parameters' });
       await expect(panel).toBeHidden();
@@ -220,7 +220,7 @@ test('smoke resumes after a sheet that is reopened at once, and its capture comp
     while (!dialog.open) await Promise.resolve();
     dialog.querySelector('form')!.requestSubmit();
   });
-  await expect(sheet.getByText('Saved lamp-')).toBeVisible();
+  await expect(sheet.getByText('Saved air-')).toBeVisible();
   expect(await ask(page, (stage) => stage.playing)).toBe(false);
   await closeSheet(page);
   await expect.poll(() => ask(page, (stage) => stage.playing)).toBe(true);

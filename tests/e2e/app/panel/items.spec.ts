@@ -1,10 +1,10 @@
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, expectSteps, expectValue, LIGHT, open, row } from '../page.ts';
+import { ask, expectSteps, expectValue, LAMP, LIGHT, open, row } from '../page.ts';
 
 const hash = () => decodeURIComponent(location.hash);
 
 test('forces and items of the scene are edited in the panel', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('p');
   await test.step('a force is added, attached to the ball, undone and removed, and the link follows', async () => {
     await page.getByLabel('What to add').selectOption('winds');

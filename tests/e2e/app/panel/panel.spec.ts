@@ -1,7 +1,7 @@
 /** The search of the panel, and the panel as a bottom sheet on phones. */
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { LIGHT, expectValue, open } from '../page.ts';
+import { expectValue, LAMP, LIGHT, open } from '../page.ts';
 import { fingerOf, middleOf, mouseOf, type Drag } from '../touch.ts';
 
 const panelOf = (page: Page) => page.getByRole('region', { name: 'Parameters' });
@@ -43,7 +43,7 @@ test('the search finds parameters by words, and an empty search shows all', asyn
 });
 
 test('the search finds items in open and closed groups', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('/');
   const field = page.getByRole('searchbox', { name: 'Find a parameter' });
   await field.fill('circulation');

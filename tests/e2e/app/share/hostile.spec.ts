@@ -7,7 +7,7 @@ import { ask, open } from '../page.ts';
 
 test.use({ viewport: { width: 120, height: 90 } });
 
-const SMALL = '#v=1&preset=lamp&emission.rate=20&puff.variations=1&simulation.maxParticles=100';
+const SMALL = '#v=1&preset=air&emission.rate=20&puff.variations=1&simulation.maxParticles=100';
 const SCRIPT = '"><img src=x onerror="window.ran=1"><script>window.ran=2</script>javascript:window.ran=3';
 const script = encodeURIComponent(SCRIPT);
 const texts = table.filter(({ kind, key }) => kind !== 'number' && kind !== 'integer' && !/^\w+\.[1-7]\./.test(key));

@@ -1,6 +1,6 @@
 import { pack } from '../../../../src/preset/packing.ts';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, expectHash, expectValue, LIGHT, open, row, valueOf } from '../page.ts';
+import { ask, expectHash, expectValue, LAMP, LIGHT, open, row, valueOf } from '../page.ts';
 
 // Just wide enough for the panel to be open next to the smoke.
 test.use({ viewport: { width: 760, height: 540 } });
@@ -13,7 +13,7 @@ test('an edit changes the stage and the link, and the link restores it', async (
   await row(page, 'style.shadows').getByRole('switch').click();
   await row(page, 'style.inkColor').locator('input').fill('#aa0011');
   const hash =
-    '#v=1&preset=lamp&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
+    '#v=1&preset=air&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
   await expectHash(page, hash);
   // The stage applies edits with its next frame, on a busy machine possibly after the address bar.
   await expectValue(page, 'style.inkColor', '#aa0011');
@@ -62,8 +62,8 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
     await page.getByRole('button', { name: 'Reset Puff size' }).click();
     await expectValue(page, 'puff.size', 1);
     await page.getByRole('button', { name: 'Reset all' }).click();
-    await expectHash(page, '#v=1&preset=lamp');
-    await expectValue(page, 'simulation.maxParticles', 4000);
+    await expectHash(page, '#v=1&preset=air');
+    await expectValue(page, 'simulation.maxParticles', 600);
     await page.keyboard.press('Control+z');
     await expectValue(page, 'simulation.maxParticles', 500);
   });
@@ -107,7 +107,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
 });
 
 test('a preset is selected, and a link typed into the address bar is applied', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Noir' }).check();
   await expectHash(page, '#v=1&preset=lamp-noir');
@@ -119,7 +119,7 @@ test('a preset is selected, and a link typed into the address bar is applied', a
 });
 
 test('a link typed while an edit is written into the address bar is applied', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await page.evaluate(() => {
     const edited = location.href;
     location.hash = '#v=1&preset=lamp-ghost&emission.rate=30&bogus=1';
@@ -132,7 +132,7 @@ test('a link typed while an edit is written into the address bar is applied', as
 });
 
 test('the last of two typed links applies, even if the first takes longer to unpack', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   const packed = `#v=1&z=${await pack('preset=lamp&emission.rate=25')}`;
   await page.evaluate(
     async ([first, second]) => {

@@ -2,13 +2,13 @@ import type { Page } from '@playwright/test';
 import { packBytes } from '../../../../src/preset/packing.ts';
 import { expect, test } from '../../../support/fixtures.ts';
 import { HASH_2, TAKE_2 } from '../../../support/sim/takeVersion2.ts';
-import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LIGHT, messagesOf, open } from '../page.ts';
+import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, messagesOf, open } from '../page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
 /** Drags the ball, blows and changes values while the smoke plays, then pauses. */
 async function play(page: Page): Promise<void> {
-  await open(page, LIGHT);
+  await open(page, LAMP);
   const ball = (await ballPlace(page))!;
   await page.mouse.move(ball.x, ball.y);
   await page.mouse.down();
@@ -94,11 +94,11 @@ test('a moment of another scene, opened by the address bar, stays there until th
 test('without user input a moment is only its time; a long take replays with progress and can be stopped', async ({
   page,
 }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await test.step('without user input a moment is only its time', async () => {
     await ask(page, (stage) => stage.step(7));
     const { search, hash } = new URL(await momentLink(page));
-    expect([search, hash]).toEqual(['?paused=1&t=0.117', LIGHT]);
+    expect([search, hash]).toEqual(['?paused=1&t=0.117', LAMP]);
   });
   await test.step('a long take replays with progress and can be stopped', async () => {
     await ask(page, (stage) => stage.blow({ x: 100, y: 100, dx: 5 }));
@@ -116,7 +116,7 @@ test('without user input a moment is only its time; a long take replays with pro
 });
 
 test('an invalid moment keeps the look, with a notice', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   const bytes = await ask(page, (stage) => {
     stage.set({ 'simulation.maxParticles': 60_000 });
     return [...stage.take().toBytes()];
@@ -127,7 +127,7 @@ test('an invalid moment keeps the look, with a notice', async ({ page }) => {
     ['AAAA', 'The moment in the link is damaged'],
     ['AwA', 'The moment in the link cannot be shown'],
   ]) {
-    await open(page, `?paused=1${LIGHT}&puff.size=2&take=${take}`);
+    await open(page, `?paused=1${LAMP}&puff.size=2&take=${take}`);
     await expect(page.locator('.notice')).toContainText(message);
     await expectValue(page, 'puff.size', 2);
     await ask(page, (stage) => stage.step(2));

@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, closeSheet, expectValue, LIGHT, open } from '../page.ts';
+import { ask, closeSheet, expectValue, LAMP, LIGHT, open } from '../page.ts';
 
 test.use({ viewport: { width: 760, height: 540 } });
 
@@ -54,7 +54,7 @@ test('the sheet copies link and code, shows a QR code, and works by keyboard', a
   await expect
     .poll(copied)
     .toMatch(
-      /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=lamp&amp;[^"]+" title="Cartoon Smoke"/,
+      /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=air&amp;[^"]+" title="Cartoon Smoke"/,
     );
   expect(await sheet(page).getByLabel('Custom element').inputValue()).toMatch(
     /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
@@ -88,7 +88,7 @@ test('the share dialog of the platform is offered if it exists, and manual copyi
 });
 
 test('a take too long for a link becomes a file, which restores the moment', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await ask(page, (stage) => {
     // A visible stage draws a picture after each step.
     stage.resize(0, 0);
@@ -132,11 +132,11 @@ test('looks are saved, shown again, renamed, exported, and removed with undo', a
   await open(page, `?paused=1${LIGHT}&puff.size=2`);
   const mine = page.getByRole('group', { name: 'My looks' });
   await mine.getByRole('button', { name: 'Save this look' }).click();
-  await expect(mine.getByRole('button', { name: 'Lamp 1', exact: true })).toBeVisible();
+  await expect(mine.getByRole('button', { name: 'Open air 1', exact: true })).toBeVisible();
   await ask(page, (stage) => stage.set({ 'puff.size': 3 }));
   await expect.poll(() => page.url()).toContain('puff.size=3');
   await page.reload();
-  await mine.getByRole('button', { name: 'Rename Lamp 1' }).click();
+  await mine.getByRole('button', { name: 'Rename Open air 1' }).click();
   const clicks = await page.evaluateHandle(() => {
     const all: Event[] = [];
     addEventListener('click', (event) => all.push(event));
