@@ -19,13 +19,13 @@ import { depthCopy } from '../device/depthCopy.ts';
 export class Targets {
   /** A texture, so that other passes can read it or attach it. A pass that renders to the target must not sample it. */
   readonly depth = depthStencil();
+  // three.js disposes of a depth texture with the first target that it was given to. This one is always allocated.
+  private readonly target = target(2, this.depth);
   /**
    * The target with a third colour, 8 bits of red: the number of the group of the nearest surface. Allocated on first
    * use.
    */
   private readonly numbered = target(3, this.depth);
-  // three.js disposes of a depth texture with the last target that it was given to.
-  private readonly target = target(2, this.depth);
   private readonly copy = depthCopy();
 
   constructor() {

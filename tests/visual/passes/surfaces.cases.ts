@@ -1,7 +1,7 @@
 /** Outlines of meshes that touch others, and the draw calls of a scene with many meshes. */
 import { Matrix4, PerspectiveCamera } from 'three';
 import { weld } from '../../../src/passes/extrusion.ts';
-import { PLAIN_STYLE, takePicture } from '../lab.ts';
+import { Lab, PLAIN_STYLE, takePicture } from '../lab.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { box } from '../solids.ts';
 
@@ -54,4 +54,20 @@ export async function callsOfTrain(): Promise<number> {
   const { calls } = lab.drawn();
   lab.dispose();
   return calls;
+}
+
+/** Pixels drawn by pictures of growing size, with raised hulls or without, and the WebGL error after them; 0 for none. */
+export function resized(hasRaisedHulls: boolean): { drawn: number[]; error: number } {
+  const cube = { name: 'box', mesh: box([0, -0.4, 0], [0.3, 0.1, 0.3]), color: [200, 120, 60], casts: false } as const;
+  const surfaces = hasRaisedHulls ? [{ ...cube, inked: true, rigid: 0 }] : [];
+  const puffs = [{ place: [0, 0, 0] as const, radius: 0.5 }];
+  const sizes = [40, 60, 80];
+  const lab = new Lab({ width: sizes[2], height: sizes[2], puffs, surfaces });
+  const drawn = sizes.map((size) => {
+    const { pixels } = lab.draw({ width: size, height: size, puffs, surfaces });
+    return pixels.filter((value, at) => at % 4 === 3 && value > 0).length;
+  });
+  const { error } = lab;
+  lab.dispose();
+  return { drawn, error };
 }

@@ -20,3 +20,14 @@ test('a scene of many moving meshes takes few draw calls', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.callsOfTrain())).toBeLessThanOrEqual(13);
 });
+
+for (const hasRaisedHulls of [true, false]) {
+  test(`a smoke draws at other sizes: ${hasRaisedHulls ? 'with' : 'without'} raised hulls`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { drawn, error } = await cases.evaluate((module, asked) => module.resized(asked), hasRaisedHulls);
+    expect(error).toBe(0);
+    expect(drawn[0]).toBeGreaterThan(60);
+    expect(drawn[1]).toBeGreaterThan(1.8 * drawn[0]);
+    expect(drawn[2]).toBeGreaterThan(1.5 * drawn[1]);
+  });
+}
