@@ -16,7 +16,7 @@ const halfThePixels = { deviceScaleFactor: 0.5 };
 // For text, boxes and pixel readback, the CPU rasterizer is faster than SwiftShader. WebGL content is not affected.
 const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
 // Pages live for seconds, in which optimised JavaScript does not repay its compilation: a quarter of the renderer's CPU
-// time. WASM is optimised as always.
+// time.
 const briefly = '--js-flags=--no-opt --single-threaded';
 // Otherwise each worker would build a missing site or package.
 const builtFirst = { dependencies: ['built'] };
