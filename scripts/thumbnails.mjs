@@ -31,7 +31,7 @@ await conclude(async () => {
   for (const folder of [THUMBNAILS, POSTERS]) mkdirSync(inRoot(folder), { recursive: true });
   for (const [name, { thumbnail, posters }] of Object.entries(/** @type {Record<string, Pictures>} */ (made))) {
     write(`${THUMBNAILS}/${name}.webp`, thumbnail);
-    for (const [end, picture] of Object.entries(posters)) write(`${POSTERS}/${name}.${end}.webp`, picture);
+    for (const [suffix, picture] of Object.entries(posters)) write(`${POSTERS}/${name}.${suffix}.webp`, picture);
   }
   console.log(`Wrote pictures of ${Object.keys(Object(made)).length} presets to ${THUMBNAILS} and ${POSTERS}.`);
 });

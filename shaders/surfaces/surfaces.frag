@@ -1,8 +1,7 @@
 precision highp float;
 
 // The meshes of the scene, each shaded by its own rows of the ramp texture. Inputs are in world space. Outputs the
-// display-encoded unlit and lit colour,
-// and the number of the group over 255 for targets that keep it.
+// display-encoded unlit and lit colour and, for targets that keep it, the number of the group over 255.
 uniform sampler2D ramps;
 uniform vec4 lightInWorld;
 

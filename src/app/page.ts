@@ -14,7 +14,7 @@ import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
-import { ROOMY } from './roomy.ts';
+import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
 import { ShareSheet } from './share/shareSheet.ts';
 import { createStatistics } from './panel/statistics.ts';

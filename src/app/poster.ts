@@ -38,7 +38,7 @@ export function showPoster(stage: HTMLElement): void {
   stage.append(poster);
 }
 
-/** Fades the poster out over the canvas. Without it, or for users who prefer less motion, it ends at once. */
+/** Fades the poster out and removes it; at once with reduced motion. */
 export async function fadePoster(): Promise<void> {
   poster?.classList.add('is-fading');
   await Promise.allSettled((poster?.getAnimations() ?? []).map(({ finished }) => finished));

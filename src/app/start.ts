@@ -3,7 +3,7 @@
  * when they are added.
  */
 import { showPoster } from './poster.ts';
-import { LOW, ROOMY } from './roomy.ts';
+import { LOW, ROOMY } from './mediaQueries.ts';
 
 const find = (selector: string) => document.querySelector<HTMLElement>(selector)!;
 

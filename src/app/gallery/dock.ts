@@ -2,7 +2,7 @@ import type { Stage } from '../../index.ts';
 import { create, iconButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createGallery } from './gallery.ts';
-import { LOW } from '../roomy.ts';
+import { LOW } from '../mediaQueries.ts';
 import { icon } from '../ui/icons.ts';
 import type { Scrubber } from '../playback/scrubber.ts';
 import { strings } from '../strings.ts';

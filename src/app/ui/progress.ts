@@ -33,7 +33,7 @@ export class Progress {
 }
 
 /** Delay in milliseconds before a loading message appears. */
-const SOON_MS = 400;
+const LOADING_DELAY_MS = 400;
 
 /**
  * Runs a download, and shows its progress if it is slow.
@@ -46,7 +46,7 @@ export async function withProgress<Result>(
   download: (follow: Progress['follow']) => Promise<Result>,
 ): Promise<Result> {
   const progress = new Progress(message);
-  const timer = setTimeout(() => container.append(progress.element), SOON_MS);
+  const timer = setTimeout(() => container.append(progress.element), LOADING_DELAY_MS);
   try {
     return await download(progress.follow);
   } finally {

@@ -18,7 +18,7 @@ interface Size {
 }
 
 const THUMBNAIL: Size = { width: 192, height: 128, enlarged: 3, quality: 0.85 };
-/** By the end of the file name. A tall stage has another camera, so it has its own poster. */
+/** By suffix of the file name. A tall stage has another camera, so it has its own poster. */
 const POSTERS: Readonly<Record<string, Size>> = {
   wide: { width: 800, height: 400, enlarged: 2, quality: 0.5 },
   tall: { width: 360, height: 540, enlarged: 1.25, quality: 0.5 },
@@ -33,12 +33,12 @@ export async function thumbnail(name: string): Promise<string> {
   return picture;
 }
 
-/** A preset's posters as WebP, base64, by the end of their file names. */
+/** A preset's posters as WebP, base64, by suffix of their file names. */
 export async function posters(name: string): Promise<Record<string, string>> {
   const stage = await stageOf(name);
   await stage.seek(STILL_SECONDS);
   const made: Record<string, string> = {};
-  for (const [end, size] of Object.entries(POSTERS)) made[end] = await draw(stage, size);
+  for (const [suffix, size] of Object.entries(POSTERS)) made[suffix] = await draw(stage, size);
   stage.dispose();
   return made;
 }

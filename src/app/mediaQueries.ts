@@ -1,4 +1,4 @@
-/** Windows in which parts of the page are open at first, as media queries. */
+/** Media queries of windows in which parts of the page start open or closed. */
 
 /** On a phone the panel covers half of the smoke, so it starts closed. */
 export const ROOMY = '(min-width: 701px) and (min-height: 501px)';
