@@ -1,5 +1,5 @@
 // The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. Everything
-// that is constant for a particle is computed here. Call layVolume after reading a row; needs rows.glsl.
+// that is constant for a particle is computed here. Call writeVolume after reading a row; needs rows.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;
@@ -112,7 +112,7 @@ struct Ends {
 };
 
 // Computes the outputs. Returns false if the row has no volume.
-bool layVolume(out Ends ends) {
+bool writeVolume(out Ends ends) {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   mat3 viewFromPuff = viewFromPuffOf(attributes);

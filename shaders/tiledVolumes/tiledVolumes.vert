@@ -77,7 +77,7 @@ void main() {
   int columns = textureSize(depthRanges, 0).x;
   ivec2 tile = ivec2(tileNumber % columns, tileNumber / columns);
   Ends ends;
-  if (!layVolume(ends) || (tileNumber != WHOLE && !containsReceivers(tile))) {
+  if (!writeVolume(ends) || (tileNumber != WHOLE && !containsReceivers(tile))) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }

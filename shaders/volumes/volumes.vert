@@ -11,7 +11,7 @@ precision highp sampler2DArray;
 void main() {
   readRow();
   Ends ends;
-  if (!layVolume(ends)) {
+  if (!writeVolume(ends)) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }

@@ -24,10 +24,14 @@ export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
   private readonly rows: DrawnRows;
-  /** Materials by lobe count, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
-  private readonly materials = new Map<number, RawShaderMaterial>();
+  /**
+   * Materials by lobe count and by whether they write the shading, because the shaders unroll the loop over the lobes.
+   * Billboards count as 0 lobes.
+   */
+  private readonly materials = new Map<string, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
+  private isShaded = false;
   private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     surfaceDepth: { value: null as Texture | null },
@@ -68,8 +72,10 @@ export class BodiesPass {
   /**
    * Selects the shaders of a puff form and binds the current puffs. A form that is not drawn is not uploaded.
    * @param billboards shaders of the billboards; without them, or if the puffs are flat, lobes are drawn
+   * @param isShaded whether puffs also write the shading of `Targets`
    */
-  setForm(billboards?: Shaders): void {
+  setForm(billboards?: Shaders, isShaded = false): void {
+    this.isShaded = isShaded;
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
@@ -127,7 +133,7 @@ export class BodiesPass {
     this.puffUniforms.lobeTable.value = lobeTable;
     this.puffUniforms.fillet.value = puffs.fillet;
     this.puffUniforms.blend.value = puffs.blend;
-    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat));
+    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat, this.isShaded));
   }
 
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
@@ -136,7 +142,7 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat) });
+    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat, this.isShaded) });
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -148,21 +154,22 @@ export class BodiesPass {
         uniforms: common,
         ...(isFlat ? { side: DoubleSide } : {}),
       });
-    const material = this.materials.get(lobes) ?? made();
-    this.materials.set(lobes, material);
+    const key = `${lobes} ${this.isShaded}`;
+    const material = this.materials.get(key) ?? made();
+    this.materials.set(key, material);
     return material;
   }
 }
 
 /** The shaders of puffs with a number of lobes, with their loops unrolled. */
-export function lobeBodyShaders(lobes: number, isFlat: boolean): Shaders {
+export function lobeBodyShaders(lobes: number, isFlat: boolean, isShaded: boolean): Shaders {
   return {
     vertexShader: withLobes(lobesVertexShader, lobes),
     fragmentShader: withLobes(lobesFragmentShader, lobes),
-    defines: definesOf(isFlat),
+    defines: definesOf(isFlat, isShaded),
   };
 }
 
-function definesOf(isFlat: boolean): Shaders['defines'] {
-  return isFlat ? { FLAT: '' } : {};
+function definesOf(isFlat: boolean, isShaded: boolean): Shaders['defines'] {
+  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }) };
 }

@@ -41,7 +41,10 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
-  device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth));
+  device.programs.compile(
+    device.renderer,
+    lobeBodyShaders(lobes, !device.writesDepth, (values['style.simplify'] as number) > 0),
+  );
   device.programs.compile(device.renderer, volumeShaders(lobes));
   await device.programs.finished(device.renderer);
 }

@@ -477,6 +477,7 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
     renderer: values['style.renderer'] as Renderer,
     form: values['puff.form'] as PuffForm,
     volumes: values['style.volumes'] as Volumes,
+    simplify: values['style.simplify'] as number,
     view,
   };
 }
