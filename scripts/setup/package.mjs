@@ -14,7 +14,17 @@ export const FOLDER = 'package';
  */
 export const ARCHIVE = `cartoon-smoke-${JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).version}.tgz`;
 
-const SOURCES = ['LICENSE', 'package-lock.json', 'package.json', 'scripts/package', 'shaders', 'src', 'tsconfig.json'];
+const SOURCES = [
+  'LICENSE',
+  'package-lock.json',
+  'package.json',
+  'scripts/film',
+  'scripts/lib',
+  'scripts/package',
+  'shaders',
+  'src',
+  'tsconfig.json',
+];
 const STAMP = '.cache/package.txt';
 
 export function isFresh() {
@@ -29,7 +39,13 @@ export async function bring(say) {
   for (const file of readdirSync(root)) if (/^cartoon-smoke-.*\.tgz$/.test(file)) rmSync(inRoot(file));
   const before = digestOf(SOURCES);
   // Imported late: these modules read the parameter table and require packages that may not have been installed before.
-  const [{ bundleAll }, { writeLicenses }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
+  const [
+    { bundleAll, bundleCommand, bundleFilmPage },
+    { writeLicenses },
+    { writeTypes },
+    { customElements },
+    { manifest },
+  ] = await Promise.all([
     import('../package/bundle.mjs'),
     import('../package/licenses.mjs'),
     import('../package/types.mjs'),
@@ -38,6 +54,8 @@ export async function bring(say) {
   ]);
   say('bundling');
   await bundleAll(inRoot(`${FOLDER}/dist`));
+  await bundleFilmPage(inRoot(`${FOLDER}/film/page`));
+  await bundleCommand(inRoot(`${FOLDER}/film`));
   await writeLicenses(inRoot(`${FOLDER}/dist`));
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);

@@ -39,7 +39,12 @@ export function frameCount({ seconds, rate }: CaptureSettings): number {
 }
 
 /** Size in device pixels. Video encoders require even sizes. */
-export function pixelSize({ format, width, height, scale }: CaptureSettings): [width: number, height: number] {
+export function pixelSize({
+  format,
+  width,
+  height,
+  scale,
+}: Pick<CaptureSettings, 'format' | 'width' | 'height' | 'scale'>): [width: number, height: number] {
   const grain = format === 'webm' || format === 'mp4' ? 2 : 1;
   return [width, height].map((side) => Math.max(grain, grain * Math.round((side * scale) / grain))) as [number, number];
 }

@@ -1,0 +1,19 @@
+#!/usr/bin/env node
+/** The command `cartoon-smoke` of the package. */
+
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { conclude, UserError } from '../lib/userError.mjs';
+import { film } from './film.mjs';
+import { USAGE } from './options.mjs';
+
+// Paths in the package, where this file is bundled to the folder film/.
+const inPackage = (/** @type {string} */ path) => fileURLToPath(new URL(path, import.meta.url));
+
+await conclude(async () => {
+  const [name, ...words] = process.argv.slice(2);
+  if (name === undefined || name === '--help' || words.includes('--help')) return console.log(`Usage: ${USAGE}`);
+  if (name !== 'film') throw new UserError(`There is no command ${name}: cartoon-smoke --help shows the usage.`);
+  const { version } = JSON.parse(readFileSync(inPackage('../package.json'), 'utf8'));
+  return film(words, { page: inPackage('./page'), wasm: inPackage('../dist/wasm') }, version);
+});
