@@ -30,7 +30,7 @@ export function findChromium() {
 
 /** Chromiums that `playwright install` has downloaded, the newest first. */
 function playwrightBrowsers() {
-  const home = homedir();
+  const home = process.env.HOME ?? homedir();
   const folders = [
     process.env.PLAYWRIGHT_BROWSERS_PATH,
     join(home, '.cache/ms-playwright'),

@@ -39,12 +39,16 @@ export async function film(words, files, version) {
   const session = new Session(options, folder, states, files, `${version}+${digestOf(files)}`);
   const stopped = stopSignal();
   try {
-    const status = await withProgress('Film', (say) => Promise.race([session.run(say), stopped]), String);
-    return typeof status === 'number' ? status : 0;
+    const outcome = await withProgress('Film', (say) => Promise.race([session.run(say), stopped]), summaryOf);
+    return typeof outcome === 'number' ? outcome : 0;
   } finally {
     await session.close();
     removeParts();
   }
+}
+
+function summaryOf(/** @type {string | number} */ outcome) {
+  return typeof outcome === 'number' ? 'stopped' : outcome;
 }
 
 class Session {

@@ -69,6 +69,8 @@ async function openShot(order: FilmOrder): Promise<Shot> {
   const drawn = [order.width, order.height].map((side) => side * order.supersample);
   if (Math.max(...drawn) > max) throw new Error(strings.capture.tooLarge(drawn[0], drawn[1], max));
   await replay(stage, decoded);
+  // Checks their ranges. Each frame sets all of these keys again.
+  for (const { values } of order.camera) stage.set(values);
   await stage.complete();
   const link = await encode(decoded.state, decoded.take as Uint8Array<ArrayBuffer> | undefined);
   return { stage, canvas, beginning: { renderer, link, start: environment.time ?? 0 } };
