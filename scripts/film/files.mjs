@@ -2,6 +2,7 @@
 
 import { createWriteStream, mkdirSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { createHash, randomBytes } from 'node:crypto';
+import { once } from 'node:events';
 import { basename, dirname, join } from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { UserError } from '../lib/userError.mjs';
@@ -29,7 +30,7 @@ export async function writeWhole(path, content) {
       hash.update(content);
       writeFileSync(part, content);
     } else {
-      await pipeline(content, hashing(hash), createWriteStream(part));
+      await pipeInto(createWriteStream(part), content, hash);
     }
     renameSync(part, path);
     return hash.digest('hex');
@@ -72,6 +73,20 @@ export function removeLeftovers(folder, isOwn) {
   for (const name of readdirSync(folder)) {
     const [, whole] = /^\.(.+)\.[\da-f]{8}\.part$/.exec(name) ?? [];
     if (whole !== undefined && isOwn(whole)) rmSync(join(folder, name), { force: true });
+  }
+}
+
+/**
+ * @param {import('node:fs').WriteStream} file
+ * @param {AsyncIterable<Uint8Array>} content
+ * @param {import('node:crypto').Hash} hash
+ */
+async function pipeInto(file, content, hash) {
+  try {
+    await pipeline(content, hashing(hash), file);
+  } finally {
+    // After an error the file may still be about to be created.
+    if (!file.closed) await once(file, 'close');
   }
 }
 
