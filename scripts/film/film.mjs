@@ -19,6 +19,7 @@ const START_LIMIT = 180_000;
 /**
  * @typedef {import('./options.mjs').FilmOptions} FilmOptions
  * @typedef {import('./server.mjs').PageFiles} PageFiles
+ * @typedef {import('../../src/app/film/order.ts').DrawnFrame} DrawnFrame
  */
 
 /**
@@ -27,16 +28,17 @@ const START_LIMIT = 180_000;
  * @param {string[]} words after `film`
  * @param {PageFiles} files of the page
  * @param {string} version of the package
+ * @param {(drawn: DrawnFrame) => void} [onFrame]
  * @returns {Promise<number>} the exit status
  */
-export async function film(words, files, version) {
+export async function film(words, files, version, onFrame) {
   const options = readFilmOptions(words);
   if (options.video?.type === 'mov') requireFfmpeg();
   const folder = new FrameFolder(options.out);
   await folder.prepare(options.frames);
   const states = options.states === undefined ? undefined : new StateFolder(options.states);
   await states?.prepare();
-  const session = new Session(options, folder, states, files, `${version}+${digestOf(files)}`);
+  const session = new Session(options, folder, states, files, `${version}+${digestOf(files)}`, onFrame);
   const stopped = stopSignal();
   try {
     const outcome = await withProgress('Film', (say) => Promise.race([session.run(say), stopped]), summaryOf);
@@ -57,6 +59,7 @@ class Session {
   #states;
   #files;
   #version;
+  #onFrame;
   /** @type {(() => void | Promise<void>)[]} */
   #closing = [];
   /** @type {import('../../src/app/film/order.ts').Beginning | undefined} */
@@ -78,13 +81,15 @@ class Session {
    * @param {StateFolder | undefined} states
    * @param {PageFiles} files
    * @param {string} version
+   * @param {((drawn: DrawnFrame) => void) | undefined} onFrame
    */
-  constructor(options, folder, states, files, version) {
+  constructor(options, folder, states, files, version, onFrame) {
     this.#options = options;
     this.#folder = folder;
     this.#states = states;
     this.#files = files;
     this.#version = version;
+    this.#onFrame = onFrame;
   }
 
   /**
@@ -190,9 +195,9 @@ class Session {
     return missing;
   }
 
-  /** @param {import('../../src/app/film/order.ts').DrawnFrame} drawn */
-  async #finish(drawn) {
+  async #finish(/** @type {DrawnFrame} */ drawn) {
     await this.#folder.finish(drawn);
+    this.#onFrame?.(drawn);
     const { length } = this.#options.frames;
     this.#drawn++;
     this.#finished++;

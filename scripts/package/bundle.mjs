@@ -80,7 +80,8 @@ export async function bundleFilmPage(folder) {
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
   const input = entries({ page: 'src/app/film/page.ts' });
-  await bundle({ input, plugins, checks }, folder, { sourcemap: false });
+  // Only for the list of licences.
+  await bundle({ input, plugins, checks }, folder, { sourcemap: 'hidden' });
 }
 
 /**

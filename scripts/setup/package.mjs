@@ -8,6 +8,7 @@ import { digestOf } from './sources.mjs';
 
 export const title = 'Package';
 export const FOLDER = 'package';
+const FILM_PAGE = `${FOLDER}/film/page`;
 /**
  * The tarball for `npm install`. Installing the folder would create a symlink, and bundlers reject files outside a
  * project.
@@ -54,9 +55,11 @@ export async function bring(say) {
   ]);
   say('bundling');
   await bundleAll(inRoot(`${FOLDER}/dist`));
-  await bundleFilmPage(inRoot(`${FOLDER}/film/page`));
+  await bundleFilmPage(inRoot(FILM_PAGE));
   await bundleCommand(inRoot(`${FOLDER}/film`));
   await writeLicenses(inRoot(`${FOLDER}/dist`));
+  await writeLicenses(inRoot(FILM_PAGE));
+  for (const file of readdirSync(inRoot(FILM_PAGE))) if (file.endsWith('.map')) rmSync(inRoot(`${FILM_PAGE}/${file}`));
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);
   writeFileSync(inRoot(`${FOLDER}/package.json`), `${JSON.stringify(manifest, null, 2)}\n`);

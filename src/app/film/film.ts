@@ -190,14 +190,15 @@ class Shooting {
     const drawMs = performance.now() - began;
     const isPlain = format === 'png' && supersample === 1;
     const whole = isPlain ? encodePng(canvas) : this.encode(this.reader.read(canvas));
+    const readMs = performance.now() - began - drawMs;
     const pictures: [Layer | undefined, Promise<Blob>][] = [[undefined, whole]];
     for (const [layer, pixels] of (await this.layers?.shoot()) ?? []) {
       pictures.push([layer, layer === 'depth' ? this.encodeDepth(pixels) : this.encode(pixels)]);
     }
     const named = pictures.map(async ([layer, blob]) => [nameOf(frame, layer, format), await blob] as const);
     const encoded = Promise.all(named);
-    const encodeMs = encoded.then(() => performance.now() - began - drawMs);
-    return { frame, step: stage.stats.steps, hash: stage.hash(), drawMs, encodeMs, encoded };
+    const encodeMs = encoded.then(() => performance.now() - began - drawMs - readMs);
+    return { frame, step: stage.stats.steps, hash: stage.hash(), drawMs, readMs, encodeMs, encoded };
   }
 
   private async send({ encoded, encodeMs, ...frame }: Drawn): Promise<void> {

@@ -46,8 +46,9 @@ export interface DrawnFrame {
   readonly step: number;
   /** Hash of the simulator's state. */
   readonly hash: string;
-  /** Milliseconds that drawing and encoding took. */
+  /** Milliseconds for drawing with the GPU done, for reading back, and until the files are encoded. */
   readonly drawMs: number;
+  readonly readMs: number;
   readonly encodeMs: number;
 }
 
