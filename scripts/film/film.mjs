@@ -99,10 +99,10 @@ class Session {
   async run(say) {
     this.#say = say;
     const browser = await openBrowser(this.#options.usesGpu);
-    this.#closing.push(browser.close);
+    this.#closing.push(() => browser.close());
     this.#browser = browser.version;
     const server = await servePage(this.#files, (request) => this.#answer(request));
-    this.#closing.push(server.close);
+    this.#closing.push(() => server.close());
     const done = new Promise((resolve, reject) => {
       this.#resolve = () => resolve(undefined);
       this.#reject = reject;
@@ -121,7 +121,7 @@ class Session {
   }
 
   async close() {
-    for (const close of this.#closing.reverse()) await close();
+    for (const close of this.#closing.toReversed()) await close();
     this.#closing = [];
   }
 
@@ -212,22 +212,20 @@ class Session {
 
 /** Resolves to the exit status when the user or a scheduler stops the command. */
 function stopSignal() {
-  return /** @type {Promise<number>} */ (
-    new Promise((resolve) => {
-      for (const [signal, status] of /** @type {const} */ ([
-        ['SIGINT', 130],
-        ['SIGTERM', 143],
-        ['SIGHUP', 129],
-      ])) {
-        // Others end the process at once, before files and browser are closed.
-        process.removeAllListeners(signal);
-        process.on(signal, () => {
-          console.error('Stopped. The finished frames are complete; the same command continues with the others.');
-          resolve(status);
-        });
-      }
-    })
-  );
+  return new Promise((/** @type {(status: number) => void} */ resolve) => {
+    for (const [signal, status] of /** @type {const} */ ([
+      ['SIGINT', 130],
+      ['SIGTERM', 143],
+      ['SIGHUP', 129],
+    ])) {
+      // Others end the process at once, before files and browser are closed.
+      process.removeAllListeners(signal);
+      process.on(signal, () => {
+        console.error('Stopped. The finished frames are complete; the same command continues with the others.');
+        resolve(status);
+      });
+    }
+  });
 }
 
 /** Identifies the build, so that frames and states of two builds are not mixed. */

@@ -234,7 +234,7 @@ function readJson(/** @type {string} */ file) {
   try {
     return /** @type {unknown} */ (JSON.parse(readFileSync(file, 'utf8')));
   } catch (error) {
-    throw new UserError(`--camera ${file} cannot be read: ${error instanceof Error ? error.message : error}`);
+    throw new UserError(`--camera ${file} cannot be read: ${error instanceof Error ? error.message : String(error)}`);
   }
 }
 

@@ -38,5 +38,5 @@ async function exported(
 ): Promise<Blob> {
   const texture = new DataTexture(data, width, height, RGBAFormat, type);
   const bytes = await new EXRExporter().parse(texture, { type });
-  return new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'image/x-exr' });
+  return new Blob([bytes], { type: 'image/x-exr' });
 }

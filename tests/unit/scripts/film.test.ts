@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { cameraAt } from '../../../src/app/film/cameraPath.ts';
-import { nameOf } from '../../../src/app/film/order.ts';
+import { nameOf, type Keyframe } from '../../../src/app/film/order.ts';
 // @ts-expect-error -- a script without declarations
 import * as options from '../../../scripts/film/options.mjs';
 // @ts-expect-error -- a script without declarations
@@ -114,7 +114,7 @@ describe('options', () => {
 });
 
 describe('cameraAt', () => {
-  const path = [
+  const path: Keyframe[] = [
     { seconds: 1, values: { 'camera.azimuth': 170, 'camera.distance': 2 } },
     { seconds: 2, values: { 'camera.elevation': 30 } },
     { seconds: 3, values: { 'camera.azimuth': -170, 'camera.distance': 4 } },

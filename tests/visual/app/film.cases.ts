@@ -35,6 +35,20 @@ export async function disturbed(hash: string): Promise<string> {
   return link;
 }
 
+/** Pictures of frames at 30 a second, in base64 by their number, from a stage that seeks in this order. */
+export async function sought(hash: string, order: readonly number[]): Promise<Record<number, string>> {
+  const { values } = (await decode(hash)).state;
+  const stage = await createStage(new OffscreenCanvas(160, 90), { values });
+  const pictures: Record<number, string> = {};
+  for (const frame of order) {
+    await stage.seek(frame / 30);
+    const bytes = new Uint8Array(await (await stage.picture()).arrayBuffer());
+    pictures[frame] = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  }
+  stage.dispose();
+  return pictures;
+}
+
 /** Two by two pixels of these colours as one, and its alpha. */
 export function averaged(...colors: readonly (readonly number[])[]): number[] {
   return [...downsample(new ImageData(Uint8ClampedArray.from(colors.flat()), 2, 2), 2).data];
