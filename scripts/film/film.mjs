@@ -3,18 +3,12 @@
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { withProgress } from '../lib/progress.mjs';
-import { UserError } from '../lib/userError.mjs';
-import { openBrowser } from './browser.mjs';
-import { removeParts, writeWhole } from './files.mjs';
+import { writeWhole } from './files.mjs';
 import { FrameFolder } from './frames.mjs';
 import { readFilmOptions } from './options.mjs';
-import { servePage } from './server.mjs';
+import { bytesOf, PageRun, untilStopped } from './pageRun.mjs';
 import { StateFolder } from './states.mjs';
 import { encodeByFfmpeg, requireFfmpeg } from './video.mjs';
-
-/** The page has to answer within this time, milliseconds; a slow machine compiles its shaders for minutes later. */
-const START_LIMIT = 180_000;
 
 /**
  * @typedef {import('./options.mjs').FilmOptions} FilmOptions
@@ -38,101 +32,54 @@ export async function film(words, files, version, onFrame) {
   await folder.prepare(options.frames);
   const states = options.states === undefined ? undefined : new StateFolder(options.states);
   await states?.prepare();
-  const session = new Session(options, folder, states, files, `${version}+${digestOf(files)}`, onFrame);
-  const stopped = stopSignal();
-  try {
-    const outcome = await withProgress('Film', (say) => Promise.race([session.run(say), stopped]), summaryOf);
-    return typeof outcome === 'number' ? outcome : 0;
-  } finally {
-    await session.close();
-    removeParts();
-  }
-}
-
-function summaryOf(/** @type {string | number} */ outcome) {
-  return typeof outcome === 'number' ? 'stopped' : outcome;
+  const page = new PageRun();
+  const session = new Session(options, folder, states, page, `${version}+${digestOf(files)}`, onFrame);
+  return untilStopped('Film', page, (say) => session.run(files, say));
 }
 
 class Session {
   #options;
   #folder;
   #states;
-  #files;
+  #page;
   #version;
   #onFrame;
-  /** @type {(() => void | Promise<void>)[]} */
-  #closing = [];
-  /** @type {import('../../src/app/film/order.ts').Beginning | undefined} */
-  #beginning;
-  #browser = '';
   #finished = 0;
   #drawn = 0;
   #beganAt = 0;
   /** @type {(line: string) => void} */
   #say = () => undefined;
-  /** @type {() => void} */
-  #resolve = () => undefined;
-  /** @type {(error: unknown) => void} */
-  #reject = () => undefined;
 
   /**
    * @param {FilmOptions} options
    * @param {FrameFolder} folder
    * @param {StateFolder | undefined} states
-   * @param {PageFiles} files
+   * @param {PageRun} page
    * @param {string} version
    * @param {((drawn: DrawnFrame) => void) | undefined} onFrame
    */
-  constructor(options, folder, states, files, version, onFrame) {
+  constructor(options, folder, states, page, version, onFrame) {
     this.#options = options;
     this.#folder = folder;
     this.#states = states;
-    this.#files = files;
+    this.#page = page;
     this.#version = version;
     this.#onFrame = onFrame;
   }
 
   /**
+   * @param {PageFiles} files
    * @param {(line: string) => void} say
    * @returns {Promise<string>} a summary
    */
-  async run(say) {
+  async run(files, say) {
     this.#say = say;
-    const browser = await openBrowser(this.#options.usesGpu);
-    this.#closing.push(() => browser.close());
-    this.#browser = browser.version;
-    const server = await servePage(this.#files, (request) => this.#answer(request));
-    this.#closing.push(() => server.close());
-    const done = new Promise((resolve, reject) => {
-      this.#resolve = () => resolve(undefined);
-      this.#reject = reject;
-    });
-    const timer = setTimeout(() => {
-      if (!this.#beginning) this.#reject(new UserError('The browser did not open the page in time. Try again.'));
-    }, START_LIMIT);
-    this.#closing.push(() => clearTimeout(timer));
-    await browser.show(server.address);
-    await Promise.race([done, browser.failure]);
+    await this.#page.run(files, this.#options.usesGpu, (request) => this.#reply(request));
     const { video, first, last, out, order, frames } = this.#options;
     if (video?.type === 'mov') await encodeByFfmpeg(video.file, { folder: out, first, last, fps: order.fps });
     const { length } = frames;
     const reused = length - this.#drawn;
     return `${this.#drawn} frames drawn${reused > 0 ? `, ${reused} were finished before` : ''}`;
-  }
-
-  async close() {
-    for (const close of this.#closing.toReversed()) await close();
-    this.#closing = [];
-  }
-
-  /** @type {import('./server.mjs').Answerer} */
-  async #answer(request) {
-    try {
-      return await this.#reply(request);
-    } catch (error) {
-      this.#reject(error);
-      throw error;
-    }
   }
 
   /** @type {import('./server.mjs').Answerer} */
@@ -164,11 +111,6 @@ class Session {
         if (!this.#options.video) return undefined;
         await writeWhole(this.#options.video.file, body);
         return {};
-      case 'POST end':
-        this.#resolve();
-        return {};
-      case 'POST fail':
-        throw new UserError((await bytesOf(body)).toString('utf8'));
       default:
         return undefined;
     }
@@ -181,11 +123,10 @@ class Session {
 
   /** @param {import('../../src/app/film/order.ts').Beginning} beginning */
   async #begin(beginning) {
-    this.#beginning = beginning;
     const { order, frames } = this.#options;
     const { statesEvery: _, ...shot } = order;
     const { link, start, renderer } = beginning;
-    this.#folder.enter({ ...shot, link, start, version: this.#version, browser: this.#browser, renderer });
+    this.#folder.enter({ ...shot, link, start, version: this.#version, browser: this.#page.browser, renderer });
     this.#states?.enter({ link, version: this.#version });
     const missing = [];
     for (const frame of frames) if (!(await this.#folder.isFinished(frame))) missing.push(frame);
@@ -210,24 +151,6 @@ class Session {
   }
 }
 
-/** Resolves to the exit status when the user or a scheduler stops the command. */
-function stopSignal() {
-  return new Promise((/** @type {(status: number) => void} */ resolve) => {
-    for (const [signal, status] of /** @type {const} */ ([
-      ['SIGINT', 130],
-      ['SIGTERM', 143],
-      ['SIGHUP', 129],
-    ])) {
-      // Others end the process at once, before files and browser are closed.
-      process.removeAllListeners(signal);
-      process.on(signal, () => {
-        console.error('Stopped. The finished frames are complete; the same command continues with the others.');
-        resolve(status);
-      });
-    }
-  });
-}
-
 /** Identifies the build, so that frames and states of two builds are not mixed. */
 function digestOf(/** @type {PageFiles} */ { page, wasm }) {
   const hash = createHash('sha256');
@@ -243,13 +166,6 @@ function digestOf(/** @type {PageFiles} */ { page, wasm }) {
 function durationOf(/** @type {number} */ minutes) {
   if (minutes < 1) return `${Math.round(60 * minutes)} s`;
   return minutes < 90 ? `${Math.round(minutes)} min` : `${(minutes / 60).toFixed(1)} h`;
-}
-
-/** @param {AsyncIterable<Uint8Array>} body */
-async function bytesOf(body) {
-  const chunks = [];
-  for await (const chunk of body) chunks.push(chunk);
-  return Buffer.concat(chunks);
 }
 
 /** @param {AsyncIterable<Uint8Array>} body */
