@@ -24,6 +24,14 @@ export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [
   --video FILE           also a .webm, .mp4 or .mov (ProRes 4444 by ffmpeg) of the finished frames
   --gpu                  the graphics of the machine instead of SwiftShader; pictures then depend on the machine`;
 
+export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 2048 --seconds 2 --out FOLDER [--scale N] [--gpu]
+
+  --grid 8x8             columns and rows of the atlas; each cell is a frame (8x8)
+  --size 2048            width of the atlas in pixels (2048)
+  --seconds 2            length of the loop (2)
+  --out FOLDER           where color.png, channels.png, normals.png and flipbook.json go
+  --scale N              pixels per CSS pixel (1)`;
+
 /** Limit of the pixel ratio of a picture. */
 const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
@@ -69,8 +77,8 @@ const OPTIONS = /** @type {const} */ ({
  * @throws {UserError} one line that names the option
  */
 export function readFilmOptions(words) {
-  const { values, positionals } = parse(words);
-  if (positionals.length !== 1) throw new UserError(`Give one LINK, not ${positionals.length}. Quote it in the shell.`);
+  const { values, positionals } = parse(words, OPTIONS, 'film');
+  const link = onlyLink(positionals);
   const [first, last] = readFrames(values.frames);
   const [width, height] = readSize(values.size);
   const supersample = readNumber('--supersample', values.supersample, 1, 2);
@@ -81,7 +89,7 @@ export function readFilmOptions(words) {
   if (!values.out) throw new UserError('Name a folder for the frames: --out FOLDER.');
   return {
     order: {
-      link: readLink(positionals[0]),
+      link,
       width,
       height,
       scale: readScale(values.scale, height, supersample),
@@ -103,13 +111,53 @@ export function readFilmOptions(words) {
   };
 }
 
-function parse(/** @type {string[]} */ words) {
+/**
+ * @template {import('node:util').ParseArgsConfig['options']} Options
+ * @param {string[]} words
+ * @param {Options} options
+ * @param {string} command
+ */
+function parse(words, options, command) {
   try {
-    return parseArgs({ args: words, options: OPTIONS, allowPositionals: true, strict: true });
+    return parseArgs({ args: words, options, allowPositionals: true, strict: true });
   } catch (error) {
     const [sentence] = (error instanceof Error ? error.message : String(error)).split(/\.\s/);
-    throw new UserError(`${sentence}. cartoon-smoke film --help lists the options.`);
+    throw new UserError(`${sentence}. cartoon-smoke ${command} --help lists the options.`);
   }
+}
+
+const FLIPBOOK = /** @type {const} */ ({
+  grid: { type: 'string', default: '8x8' },
+  size: { type: 'string', default: '2048' },
+  seconds: { type: 'string', default: '2' },
+  out: { type: 'string' },
+  scale: { type: 'string', default: '1' },
+  gpu: { type: 'boolean', default: false },
+});
+
+/**
+ * @param {string[]} words after `flipbook`
+ * @returns {{ order: import('../../src/app/film/order.ts').FlipbookOrder, out: string, usesGpu: boolean }}
+ * @throws {UserError} one line that names the option
+ */
+export function readFlipbookOptions(words) {
+  const { values, positionals } = parse(words, FLIPBOOK, 'flipbook');
+  const [, columns, rows] = /^([1-9]\d?)x([1-9]\d?)$/.exec(values.grid) ?? [];
+  if (!columns) throw new UserError(`--grid ${values.grid}: give columns and rows, such as 8x8.`);
+  const size = readNumber('--size', values.size, 16, 16_384);
+  if (size % Number(columns)) throw new UserError(`--size ${size}: it has to be a multiple of ${columns} columns.`);
+  const seconds = Number(values.seconds);
+  if (!(seconds >= 0.1 && seconds <= 60)) throw new UserError(`--seconds ${values.seconds}: it takes 0.1 to 60.`);
+  if (!values.out) throw new UserError('Name a folder for the files: --out FOLDER.');
+  const cell = size / Number(columns);
+  const grid = { columns: Number(columns), rows: Number(rows), width: cell, height: cell };
+  const scale = readScale(values.scale, cell);
+  return { order: { link: onlyLink(positionals), ...grid, scale, seconds }, out: values.out, usesGpu: values.gpu };
+}
+
+function onlyLink(/** @type {string[]} */ positionals) {
+  if (positionals.length !== 1) throw new UserError(`Give one LINK, not ${positionals.length}. Quote it in the shell.`);
+  return readLink(positionals[0]);
 }
 
 /** Query and hash of an address. */

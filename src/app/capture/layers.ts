@@ -1,6 +1,6 @@
 import type { Arranger, Rows } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
-import { PixelReader } from './pixels.ts';
+import { linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 
 export const LAYERS = ['flats', 'shadow', 'ink', 'surfaces', 'depth'] as const;
@@ -109,10 +109,4 @@ function withoutRows(simulator: Arranger): Arranger {
 
 function rgbOf(color: string): number[] {
   return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
-}
-
-/** Converts an sRGB code (0 to 255) to linear light (0 to 1). */
-function linear(code: number): number {
-  const value = code / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
 }

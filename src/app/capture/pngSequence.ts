@@ -20,7 +20,7 @@ export async function makePngSequence(studio: Studio, settings: CaptureSettings,
 }
 
 /** A zip without compression, because PNGs are compressed already. */
-class Archive {
+export class Archive {
   private readonly parts: Uint8Array<ArrayBuffer>[] = [];
   private failure: Error | undefined;
   private readonly zip = new Zip((error, part) => {

@@ -1,10 +1,8 @@
 /** Averages squares of pixels, as coverage of light. */
+import { linear } from '../capture/pixels.ts';
 
 /** Linear light, 0 to 1, of each sRGB code. */
-export const LINEAR = Float32Array.from({ length: 256 }, (_, code) => {
-  const value = code / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
-});
+export const LINEAR = Float32Array.from({ length: 256 }, (_, code) => linear(code));
 
 /** sRGB codes of 4,096 steps of linear light. */
 const CODES = Uint8ClampedArray.from({ length: 4097 }, (_, step) => {

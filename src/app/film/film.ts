@@ -2,6 +2,7 @@
 import { createStage, type Stage, type Values } from '../../index.ts';
 import { encodePng, linkCapacity, lookOf, readEnvironment, STEP_SECONDS } from '../../internal.ts';
 import { decode, encode, type Decoded } from '../../preset.ts';
+import { drawFlipbook } from '../capture/flipbook.ts';
 import { LayerCamera, type Layer } from '../capture/layers.ts';
 import { PixelReader } from '../capture/pixels.ts';
 import type { Studio } from '../capture/studio.ts';
@@ -10,7 +11,7 @@ import { cameraAt } from './cameraPath.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
 import { encodeDepth, encodeExr } from './exr.ts';
-import { nameOf, type Beginning, type DrawnFrame, type FilmOrder } from './order.ts';
+import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder } from './order.ts';
 import type { Receiver } from './receiver.ts';
 
 /** Renders the frames that the receiver asks for, in ascending order. */
@@ -45,13 +46,35 @@ async function encodeFrames(
   });
 }
 
+/** Draws a flipbook and sends its files. */
+export async function flipbook(order: FlipbookOrder, receiver: Receiver): Promise<void> {
+  const { columns, rows, width, height, scale, seconds } = order;
+  const { stage, canvas, beginning } = await openShot({ ...order, hasBackground: false, supersample: 1, camera: [] });
+  try {
+    await stage.seek(beginning.start);
+    const studio = { stage, canvas, draw: () => stage.resize(width / scale, height / scale, scale) };
+    const css = { width: width / scale, height: height / scale, scale };
+    const clip = { hasBackground: false, inLayers: false, seconds, rate: (columns * rows) / seconds };
+    const task = {
+      signal: new AbortController().signal,
+      onProgress: (share: number) => void receiver.progress(share).catch(() => undefined),
+    };
+    const files = await drawFlipbook(studio, { ...clip, ...css, format: 'flipbook' }, task, columns);
+    for (const [name, file] of files) await receiver.put(name, file);
+  } finally {
+    stage.dispose();
+  }
+}
+
 interface Shot {
   readonly stage: Stage;
   readonly canvas: HTMLCanvasElement;
   readonly beginning: Beginning;
 }
 
-async function openShot(order: FilmOrder): Promise<Shot> {
+type ShotOrder = Pick<FilmOrder, 'link' | 'width' | 'height' | 'supersample' | 'hasBackground' | 'camera'>;
+
+async function openShot(order: ShotOrder): Promise<Shot> {
   const { search, hash } = new URL(order.link, 'http://localhost');
   const environment = readEnvironment(search);
   const decoded = await decode(hash);

@@ -30,6 +30,20 @@ export interface FilmOrder {
   readonly video?: { readonly format: 'webm' | 'mp4'; readonly first: number; readonly last: number };
 }
 
+/** A looped flipbook to draw. */
+export interface FlipbookOrder {
+  readonly link: string;
+  readonly columns: number;
+  readonly rows: number;
+  /** Size of a frame in pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Pixels per CSS pixel. */
+  readonly scale: number;
+  /** Length of the loop. */
+  readonly seconds: number;
+}
+
 /** What the page finds out before the first frame. */
 export interface Beginning {
   /** The unmasked renderer string of WebGL. */

@@ -4,8 +4,10 @@ import { Receiver } from './receiver.ts';
 const receiver = new Receiver();
 
 async function run(): Promise<void> {
-  const { film } = await import('./film.ts');
-  await film(await receiver.order(), receiver);
+  const { film, flipbook } = await import('./film.ts');
+  const order = await receiver.order();
+  if ('columns' in order) await flipbook(order, receiver);
+  else await film(order, receiver);
   await receiver.end();
 }
 

@@ -1,10 +1,10 @@
 import { strings } from '../strings.ts';
-import type { Beginning, DrawnFrame, FilmOrder } from './order.ts';
+import type { Beginning, DrawnFrame, FilmOrder, FlipbookOrder } from './order.ts';
 
 /** The command that opened the page, over HTTP; scripts/film/server.mjs answers. */
 export class Receiver {
-  async order(): Promise<FilmOrder> {
-    return (await (await request('GET', 'order')).json()) as FilmOrder;
+  async order(): Promise<FilmOrder | FlipbookOrder> {
+    return (await (await request('GET', 'order')).json()) as FilmOrder | FlipbookOrder;
   }
 
   /** @returns the numbers of the frames to render */
@@ -12,7 +12,12 @@ export class Receiver {
     return (await (await request('POST', 'begin', JSON.stringify(beginning))).json()) as number[];
   }
 
-  /** Sends a file of a frame. */
+  /** Reports how much of a flipbook is drawn, 0 to 1. */
+  async progress(share: number): Promise<void> {
+    await request('POST', 'progress', String(share));
+  }
+
+  /** Sends a file. */
   async put(name: string, content: Blob): Promise<void> {
     await request('PUT', `file/${name}`, content);
   }
