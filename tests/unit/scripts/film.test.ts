@@ -113,6 +113,25 @@ describe('options', () => {
   });
 });
 
+describe('options of a flipbook', () => {
+  const flipbook = options.readFlipbookOptions as (words: string[]) => { order: object };
+  const flip = (...words: string[]) => flipbook([LINK, '--out', 'out', ...words]);
+
+  it('divides the width of the atlas by its columns', () => {
+    const order = { columns: 4, rows: 2, width: 256, height: 256, scale: 1, seconds: 1.5 };
+    expect(flip('--grid', '4x2', '--size', '1024', '--seconds', '1.5').order).toMatchObject(order);
+  });
+
+  it.each([
+    [['--grid', '0x2'], /^--grid 0x2: give columns and rows/],
+    [['--grid', '3x3', '--size', '1024'], /^--size 1024: it has to be a multiple of 3 columns/],
+    [['--seconds', 'long'], /^--seconds long: it takes 0.1 to 60/],
+    [['--frames', '1-2'], /^Unknown option '--frames'/],
+  ])('%j is rejected in one line', (words, message) => {
+    expect(() => flip(...words)).toThrow(message);
+  });
+});
+
 describe('cameraAt', () => {
   const path: Keyframe[] = [
     { seconds: 1, values: { 'camera.azimuth': 170, 'camera.distance': 2 } },

@@ -137,6 +137,44 @@ async function composedError([, flats, ink, shadow]: ImageData[]): Promise<numbe
   return meanDifference(context.getImageData(0, 0, width, height), await largeCut());
 }
 
+export function flipbook() {
+  return untouched(async () => {
+    const settings = { format: 'flipbook', hasBackground: false, scale: 0.5, rate: 12, seconds: 0.5 } as const;
+    const entries = unzipSync(await bytesOf(await captured(settings)));
+    const layout: unknown = JSON.parse(new TextDecoder().decode(entries['flipbook.json']));
+    const { 'color.png': color, 'channels.png': channels, 'normals.png': normals } = entries;
+    const [colors, light, directions] = await Promise.all([color, channels, normals].map(pixelsOfBytes));
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...settings, format: 'zip' }))));
+    const first = await pixelsOfBytes(straight[0]);
+    const cells = [0, 1, 2, 3, 4, 5].map((cell) => cut(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
+    return {
+      names: Object.keys(entries).sort(),
+      layout,
+      size: [colors.width, colors.height],
+      // The loop begins where its transition ends, after a quarter of a second.
+      isFirst: differing(cells[0], await pixelsOfBytes(straight[3])) === 0,
+      isStart: differing(cells[0], first) === 0,
+      moves: cells.map((cell, at) => differing(cell, cells[(at + 1) % 6], 24)),
+      alpha: alphaDifference(colors, light) + alphaDifference(colors, directions),
+      channels: [0, 2].map((channel) => new Set(light.data.filter((_, at) => at % 4 === channel)).size),
+    };
+  });
+}
+
+function cut({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {
+  const result = new ImageData(columns, rows);
+  for (let y = 0; y < rows; ++y) {
+    const at = 4 * ((top + y) * width + left);
+    result.data.set(data.subarray(at, at + 4 * columns), 4 * columns * y);
+  }
+  return result;
+}
+
+/** Pixels that only one of two pictures covers. */
+function alphaDifference(a: ImageData, b: ImageData): number {
+  return a.data.filter((value, at) => at % 4 === 3 && value > 0 !== b.data[at] > 0).length;
+}
+
 export function drawing() {
   return untouched(async () => {
     const blob = await captured({ format: 'svg', scale: 2, hasBackground: false });
