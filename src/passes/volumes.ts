@@ -29,7 +29,7 @@ export abstract class ParticleVolumes {
   private readonly puffs: PuffTextures;
   /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
-  private readonly form = {
+  protected readonly form = {
     minCap: { value: 0 },
     facesEye: { value: false },
     startCaps: { value: null as Texture | null },
@@ -117,9 +117,13 @@ export class VolumesPass extends ParticleVolumes {
     this.quads.draw(renderer, rows);
   }
 
+  protected shadersWith(lobes: number): Shaders {
+    return volumeShaders(lobes);
+  }
+
   protected materialWith(lobes: number): RawShaderMaterial {
     return new RawShaderMaterial({
-      ...volumeShaders(lobes),
+      ...this.shadersWith(lobes),
       uniforms: this.uniforms,
       glslVersion: GLSL3,
       side: DoubleSide,

@@ -3,6 +3,7 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
+import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
@@ -16,6 +17,7 @@ const imports = {
   comparisons: () => import('./comparisonRenderers.ts'),
   debugViews: () => import('./debugViews.ts'),
   countedVolumes: () => import('../passes/countedVolumes.ts'),
+  tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -30,10 +32,12 @@ export interface PictureKind {
   readonly form: PuffForm;
   readonly volumes: Volumes;
   readonly view?: DebugView;
+  /** Whether volumes are drawn in tiles, which gives the same picture. */
+  readonly isTiled?: boolean;
 }
 
 /** The modules that a picture needs, with their names in error messages. */
-function needsOf({ renderer, form, volumes, view }: PictureKind): Partial<Record<Name, string>> {
+function needsOf({ renderer, form, volumes, view, isTiled }: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -42,6 +46,7 @@ function needsOf({ renderer, form, volumes, view }: PictureKind): Partial<Record
     }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
+    ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
 
@@ -86,6 +91,8 @@ export class ExtraPasses implements FrameExtras {
   private readonly sources: ShadowMapSources;
   private madeComparisons: ComparisonRenderers | undefined;
   private madeVolumes: CountedVolumesPass | undefined;
+  private madeTiles: TiledVolumesPass | undefined;
+  private requested: Promise<void> | undefined;
   private madeViews: DebugViews | undefined;
 
   constructor(sources: ShadowMapSources) {
@@ -103,6 +110,14 @@ export class ExtraPasses implements FrameExtras {
     return this.madeVolumes;
   }
 
+  /** Undefined until its module is loaded, which starts on first access. Without it, pictures only take longer. */
+  get tiledVolumes(): TiledVolumesPass | undefined {
+    const { eye, puffs } = this.sources;
+    if (here.tiledVolumes) this.madeTiles ??= new here.tiledVolumes.TiledVolumesPass(eye, puffs);
+    else this.requested ??= bring('tiledVolumes', 'Volumes in tiles').catch(() => {});
+    return this.madeTiles;
+  }
+
   get debugViews(): DebugViews | undefined {
     if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
@@ -117,6 +132,7 @@ export class ExtraPasses implements FrameExtras {
   dispose(): void {
     this.madeComparisons?.dispose();
     this.madeVolumes?.dispose();
+    this.madeTiles?.dispose();
     this.madeViews?.dispose();
   }
 }

@@ -29,7 +29,7 @@ import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
-await fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'counted', view: 'normals' });
+await fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'counted', view: 'normals', isTiled: true });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
