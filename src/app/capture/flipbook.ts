@@ -25,6 +25,9 @@ export interface FlipbookLayout {
 
 const FILES = { color: 'color.png', channels: 'channels.png', normals: 'normals.png' } as const;
 
+/** The normal towards the viewer. */
+const FACING = [128, 128, 255];
+
 /** Encodes a seamless loop as atlases and their layout, in a zip. */
 export async function makeFlipbook(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
   const archive = new Archive();
@@ -98,6 +101,9 @@ class MapCamera {
       channels.data[at + 1] = Math.round(255 * Math.max(0, linear(bright.data[at + 1]) - linear(dark.data[at + 1])));
       channels.data[at + 2] = depth.data[at];
       channels.data[at + 3] = color.data[at + 3];
+      // Smoothed edges and ink cover pixels that no puff does.
+      if (normals.data[at + 3] === 0) normals.data.set(FACING, at);
+      normals.data[at + 3] = color.data[at + 3];
     }
     return [color, channels, normals];
   }

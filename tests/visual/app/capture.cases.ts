@@ -146,7 +146,7 @@ export function flipbook() {
     const [colors, light, directions] = await Promise.all([color, channels, normals].map(pixelsOfBytes));
     const straight = Object.values(unzipSync(await bytesOf(await captured({ ...settings, format: 'zip' }))));
     const first = await pixelsOfBytes(straight[0]);
-    const cells = [0, 1, 2, 3, 4, 5].map((cell) => cut(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
+    const cells = [0, 1, 2, 3, 4, 5].map((cell) => cropped(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
     return {
       names: Object.keys(entries).sort(),
       layout,
@@ -161,7 +161,7 @@ export function flipbook() {
   });
 }
 
-function cut({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {
+function cropped({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {
   const result = new ImageData(columns, rows);
   for (let y = 0; y < rows; ++y) {
     const at = 4 * ((top + y) * width + left);
