@@ -129,6 +129,25 @@ export function sequence(inLayers: boolean) {
   });
 }
 
+/** Pixels in the colour of the smoke, in the flats and among the surfaces. */
+export function withoutSmoke() {
+  return untouched(async () => {
+    const stage = await lamp();
+    const { 'style.smokeColor': before } = stage.get();
+    stage.set({ 'style.smokeColor': '#00ff00' });
+    const entries = unzipSync(await bytesOf(await captured({ format: 'zip', inLayers: true, seconds: 0.04 })));
+    stage.set({ 'style.smokeColor': before });
+    const [flats, surfaces] = await Promise.all(
+      ['flats', 'surfaces'].map((layer) => pixelsOfBytes(entries[`${layer}/0001.png`])),
+    );
+    return { flats: countGreen(flats), surfaces: countGreen(surfaces), drawn: commonest(surfaces, 50).length };
+  });
+}
+
+function countGreen({ data }: ImageData): number {
+  return data.filter((value, at) => at % 4 === 1 && value > 90 + Math.max(data[at - 1], data[at + 1])).length;
+}
+
 /** Composes flats, shadow and ink and compares the result with the picture: mean difference of a channel, 0 to 255. */
 async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
   const [width, height] = [2 * WIDTH, 2 * HEIGHT];

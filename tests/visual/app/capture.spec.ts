@@ -52,6 +52,14 @@ test('composited layers equal the picture', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
+test('the layer of surfaces has everything but the smoke', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutSmoke());
+  expect(report.flats).toBeGreaterThan(100);
+  expect(report.surfaces).toBe(0);
+  expect(report.drawn).toBe(50);
+  expect(report.isUntouched).toBe(true);
+});
+
 test('a flipbook has its frames in rows, loops, and covers the same pixels in all atlases', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.flipbook());
   expect(report.names).toEqual(['channels.png', 'color.png', 'flipbook.json', 'normals.png']);
