@@ -152,12 +152,6 @@ export const strings = {
     rejected: (file: string, reason: string) => `${file} could not be opened. ${reason}`,
     tooLarge: (megabytes: number) => `The file is too large. The limit is ${megabytes} MB.`,
   },
-  film: {
-    badLink: (problems: readonly string[]) => `The link has mistakes: ${problems.join(' ')}`,
-    otherState: (saved: string, found: string) =>
-      `A saved state has the hash ${saved}, but ${found} after it was read: delete the folder of the states.`,
-    failed: (what: string, status: number) => `${what}: the command answered ${status}.`,
-  },
   capture: {
     button: 'Capture',
     title: 'Capture the smoke',

@@ -11,6 +11,7 @@ import { cameraAt } from './cameraPath.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
 import { encodeDepth, encodeExr } from './exr.ts';
+import { messages } from './messages.ts';
 import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder } from './order.ts';
 import type { Receiver } from './receiver.ts';
 
@@ -79,7 +80,7 @@ async function openShot(order: ShotOrder): Promise<Shot> {
   const environment = readEnvironment(search);
   const decoded = await decode(hash);
   const problems = [...decoded.notices, ...environment.notices].map(({ message }) => message);
-  if (problems.length > 0) throw new Error(strings.film.badLink(problems));
+  if (problems.length > 0) throw new Error(messages.badLink(problems));
   const canvas = document.createElement('canvas');
   const stage = await createStage(canvas, {
     values: decoded.state.values,
@@ -180,7 +181,7 @@ class Shooting {
     if (!state) return;
     const { stage } = this.studio;
     stage.rewind(state.bytes);
-    if (stage.hash() !== state.hash) throw new Error(strings.film.otherState(state.hash, stage.hash()));
+    if (stage.hash() !== state.hash) throw new Error(messages.otherState(state.hash, stage.hash()));
   }
 
   /** Takes the steps up to a frame and saves the states on the way. */

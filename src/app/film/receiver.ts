@@ -1,4 +1,4 @@
-import { strings } from '../strings.ts';
+import { messages } from './messages.ts';
 import type { Beginning, DrawnFrame, FilmOrder, FlipbookOrder } from './order.ts';
 
 /** The command that opened the page, over HTTP; scripts/film/server.mjs answers. */
@@ -58,6 +58,6 @@ export class Receiver {
 
 async function request(method: string, path: string, body?: BodyInit, headers?: HeadersInit): Promise<Response> {
   const response = await fetch(`./${path}`, { method, body, headers });
-  if (!response.ok) throw new Error(strings.film.failed(`${method} ${path}`, response.status));
+  if (!response.ok) throw new Error(messages.failed(`${method} ${path}`, response.status));
   return response;
 }
