@@ -24,8 +24,12 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
  * renderer; and the models that most scenes share.
  */
 const TOGETHER = [
-  { name: 'errors', test: /preset\/(errors|assetUrls)\.ts$/, priority: 4 },
-  { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/, priority: 3 },
+  { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  {
+    name: 'cartoonSmokeElement',
+    test: /(element\/(cartoonSmokeElement|attributes\/names)|preset\/assetUrls)\.ts$/,
+    priority: 3,
+  },
   {
     name: 'session',
     test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
