@@ -1,5 +1,5 @@
 /** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
-import { fetched } from '../preset/timeout.ts';
+import { LoadError } from '../preset/errors.ts';
 import type { Engine } from './engine.ts';
 import { demandOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
 import { sourceOf, type PuffTarget } from './target.ts';
@@ -52,9 +52,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
   let calls = new AbortController();
 
   const open = async (): Promise<Engine> => {
-    opening ??= fetched('The smoke', import('./engine.ts')).then(({ openEngine }) =>
-      openEngine({ canvas, onEnd: () => (opening = undefined) }),
-    );
+    opening ??= fetchEngine().then(({ openEngine }) => openEngine({ canvas, onEnd: () => (opening = undefined) }));
     try {
       const engine = await opening;
       if (isKept) engine.keep();
@@ -103,6 +101,15 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     create: (own: HTMLCanvasElement) => makePuff(own),
     dispose: () => end((engine) => engine.dispose()),
   });
+}
+
+/** Not by `fetched`, which would bring code of the element into the download before the first call. */
+async function fetchEngine() {
+  try {
+    return await import('./engine.ts');
+  } catch (cause) {
+    throw new LoadError(`The smoke could not be fetched: ${(cause as Error).message}`, { cause });
+  }
 }
 
 export const puff: Puff = makePuff();

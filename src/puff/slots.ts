@@ -1,11 +1,10 @@
 /** The simulator's emitters and obstacles, handed out to calls. */
 import { LIST_LIMIT } from '../preset/lists.ts';
-import { cos, sin } from '../sim/exact/sine.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { DRAG, type Emission, type Extent } from './effects.ts';
 
 /** Air in which a puff neither rises nor falls at temperature 1, and keeps its temperature. */
-const PULL = 2;
+const PULL = 6;
 export const AIR: Values = {
   scene: 'air',
   'emission.rate': 0,
@@ -127,8 +126,9 @@ function shapeOf({ shape, direction = 90, halfWidth, halfHeight }: Emission): Re
       'extent.x': rounded(halfWidth),
       'extent.y': rounded(halfHeight),
       'extent.z': THIN,
-      'direction.x': cos(direction * DEGREE),
-      'direction.y': sin(direction * DEGREE),
+      // Rounded, because the last bits differ between engines.
+      'direction.x': rounded(Math.cos(direction * DEGREE)),
+      'direction.y': rounded(Math.sin(direction * DEGREE)),
       'direction.z': 0,
     };
   }
