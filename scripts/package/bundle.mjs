@@ -50,7 +50,7 @@ export async function bundleAll(folder, plugins = shortening()) {
   const modules = {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
-    puff: 'src/puff/puff.ts',
+    puff: 'src/puff.ts',
     errors: 'src/preset/errors.ts',
   };
   const external = /^three(\/|$)/;

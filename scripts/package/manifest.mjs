@@ -37,7 +37,7 @@ export const manifest = {
     './react': { types: './types/jsx/react.d.ts', default: './dist/element.js' },
     './preact': { types: './types/jsx/preact.d.ts', default: './dist/element.js' },
     './solid': { types: './types/jsx/solid.d.ts', default: './dist/element.js' },
-    './puff': { types: './types/puff/puff.d.ts', default: './dist/puff.js' },
+    './puff': { types: './types/puff.d.ts', default: './dist/puff.js' },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
     './puff.min.js': { types: './types/puff/script.d.ts', default: './dist/puff.min.js' },

@@ -47,7 +47,8 @@ interface EffectDesign {
   emissions(extent: Extent): readonly Emission[];
 }
 
-const DEGREES_OF_HALF_A_TURN = 180;
+/** Half angle of a cone of all directions, degrees. */
+const ALL_AROUND = 180;
 /** Drag of the air, 1/s: a puff of speed v comes to rest after v / DRAG metres. */
 export const DRAG = 2.4;
 /** Puffs for each metre of the target's outline, relative to those of a point. */
@@ -60,7 +61,7 @@ const emission = (given: Partial<Emission>): Emission => ({
   halfWidth: 0.03,
   halfHeight: 0.03,
   direction: 90,
-  spread: DEGREES_OF_HALF_A_TURN,
+  spread: ALL_AROUND,
   speed: 1,
   speedVariation: 0.4,
   size: 0.22,

@@ -89,6 +89,8 @@ export class Engine {
   private readonly obstacles = new Obstacles();
   private readonly tints = new Tints();
   private waiting: Waiting[] = [];
+  /** Calls whose emitters are on the way to the stage. */
+  private starting: Waiting[] = [];
   private running: Running[] = [];
   private look: Values;
   private seed: number | undefined;
@@ -120,11 +122,11 @@ export class Engine {
 
   /** Resolves when the last particle of the call is gone, or after `clear`. */
   async play(call: PuffCall): Promise<void> {
-    const look = call.preset === undefined ? undefined : await lookOf(call.preset);
-    const color = call.color === undefined ? undefined : hexOf(call.color);
-    if (call.signal.aborted) return;
-    if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
     clearTimeout(this.idle);
+    const look = call.preset === undefined ? undefined : await this.lookFor(call.preset);
+    const color = call.color === undefined ? undefined : hexOf(call.color);
+    if (call.signal.aborted) return this.playing ? undefined : this.rest();
+    if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
     await new Promise<void>((resolve, reject) => {
       this.waiting.push({ call, look, color, resolve, reject });
       if (!this.isStarting) this.startAll().catch((error) => this.fail(error));
@@ -134,10 +136,7 @@ export class Engine {
   /** Removes all smoke. */
   clear(): void {
     for (const each of this.takeAll()) each.resolve();
-    if (!this.playing || this.hasEnded) return;
-    // The stage is empty after a restart, also without a look at it.
-    this.stage.restart().catch(() => undefined);
-    this.endPlay();
+    if (this.playing) this.empty();
   }
 
   dispose(): void {
@@ -160,7 +159,16 @@ export class Engine {
 
   private takeAll(): Waiting[] {
     for (const { stopFollowing } of this.running) stopFollowing();
-    return [...this.waiting.splice(0), ...this.running.splice(0)];
+    return [...this.waiting.splice(0), ...this.starting.splice(0), ...this.running.splice(0)];
+  }
+
+  private async lookFor(preset: string): Promise<Values> {
+    try {
+      return await lookOf(preset);
+    } catch (error) {
+      if (!this.playing) this.rest();
+      throw error;
+    }
   }
 
   private async startAll(): Promise<void> {
@@ -176,16 +184,17 @@ export class Engine {
 
   /** Starts as many of the waiting calls as there are emitters for. */
   private async startSome(): Promise<void> {
-    if (this.playing && (await this.stage.stats()).time > LATEST) this.clear();
+    const time = this.playing ? (await this.stage.stats()).time : 0;
+    if (this.playing && (time > LATEST || this.placement.isFar)) this.restart();
     const isFirst = !this.playing;
-    const now = isFirst ? 0 : (await this.stage.stats()).time;
+    const now = isFirst ? 0 : time;
     if (isFirst) this.emitters.clear();
     const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
-    const taken = this.takeWaiting(this.emitters.free(now));
-    if (taken.length === 0) return delay(LOOK_MS);
-    this.place(isFirst, taken, changes);
+    this.starting = this.takeWaiting(this.emitters.free(now));
+    if (this.starting.length === 0) return delay(LOOK_MS);
+    this.place(isFirst, this.starting, changes);
     const start = isFirst ? 0 : now + LEAD;
-    const begun = taken.map((each) => this.emit(each, start, now, changes));
+    const begun = this.starting.map((each) => this.emit(each, start, now, changes));
     if (isFirst) await this.sendFirst(begun, changes);
     else await this.send(begun, changes, start);
   }
@@ -214,10 +223,6 @@ export class Engine {
 
   private move(isEmpty: boolean): void {
     this.placement.move(isEmpty);
-    if (!this.placement.isInReach) {
-      this.clear();
-      this.placement.move(true);
-    }
     const { width, height, pixelRatio } = this.placement.canvasSize;
     this.stage.resize(width, height, pixelRatio).catch(() => undefined);
   }
@@ -259,7 +264,9 @@ export class Engine {
 
   private run({ each, emissions, indices }: Begun, start: number): void {
     const { call } = each;
-    if (call.signal.aborted || this.hasEnded) return each.resolve();
+    // Cleared in the meantime.
+    if (!this.starting.includes(each)) return;
+    this.starting = this.starting.filter((other) => other !== each);
     const isTrail = call.effect === 'trail';
     const stopFollowing = isTrail
       ? follow(this.stage, this.placement, call.source, indices[0], emissions[0].at)
@@ -280,6 +287,7 @@ export class Engine {
 
   private moveVisible(): void {
     if (!this.placement.isOff) return;
+    if (this.placement.isFar) return this.clear();
     this.move(false);
     this.stage.set(this.placement.values).catch(() => undefined);
   }
@@ -295,14 +303,26 @@ export class Engine {
       const over = this.running.filter(({ end }) => end < time);
       this.running = this.running.filter(({ end }) => end >= time);
       for (const each of over) this.end(each);
-      if (this.running.length + this.waiting.length === 0 && !this.isStarting) this.endPlay();
+      if (this.running.length === 0 && !this.isStarting) this.endPlay();
     }
   }
 
   private end(each: Running): void {
     each.stopFollowing();
-    this.stage.set(this.obstacles.release(each.call)).catch(() => undefined);
+    const gone = this.obstacles.release(each.call);
+    if (Object.keys(gone).length > 0) this.stage.set(gone).catch(() => undefined);
     each.resolve();
+  }
+
+  /** Ends the visible smoke, whose place or time the simulation cannot reach any more. */
+  private restart(): void {
+    for (const each of this.running.splice(0)) this.end(each);
+    this.empty();
+  }
+
+  private empty(): void {
+    this.stage.restart().catch(() => undefined);
+    this.endPlay();
   }
 
   private endPlay(): void {

@@ -24,9 +24,12 @@ export class Placement {
     this.size = size;
   }
 
-  /** Whether the smoke still has its place in the scene after the canvas has moved. */
-  get isInReach(): boolean {
-    return Math.max(Math.abs(this.camera.x), Math.abs(this.camera.y)) < FARTHEST;
+  /** Whether what is visible now is too far from the smoke for one camera. */
+  get isFar(): boolean {
+    const { left, top } = this.sheet.rectangle();
+    const { x, y } = this.camera;
+    const isFar = Math.max(Math.abs(x - left / PIXELS_PER_METRE), Math.abs(y + top / PIXELS_PER_METRE)) > FARTHEST;
+    return this.sheet.followsWindow && isFar;
   }
 
   /** Whether too little of the canvas is visible. */
@@ -36,7 +39,7 @@ export class Placement {
     const isOut =
       visible(top, bottom, innerHeight) < MIN_VISIBLE * height ||
       visible(left, right, innerWidth) < MIN_VISIBLE * width;
-    return isOut || this.hasOtherSize;
+    return this.sheet.followsWindow && (isOut || this.hasOtherSize);
   }
 
   private get hasOtherSize(): boolean {

@@ -5,16 +5,6 @@ import { demandOptions, EFFECTS, type Effect, type PuffOptions } from './options
 import { sourceOf, type PuffTarget } from './target.ts';
 import { visibilityChange } from './visibility.ts';
 
-export type { Effect, PuffOptions, PuffTarget };
-export {
-  ContextError,
-  LoadError,
-  ParameterError,
-  SimulatorError,
-  SmokeError,
-  UnsupportedError,
-} from '../preset/errors.ts';
-
 export interface Puff {
   /**
    * Shows smoke.
