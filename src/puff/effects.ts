@@ -1,5 +1,5 @@
 /** The effects: emitters in a vertical plane, in metres and seconds. One metre is 150 CSS pixels. */
-import type { Effect, PuffOptions } from './options.ts';
+import { RANGES, type Effect, type PuffOptions } from './options.ts';
 
 /** An emitter for a while. Directions are in degrees: 0 is right, 90 up. */
 export interface Emission {
@@ -42,8 +42,6 @@ interface EffectDesign {
   readonly isAround: boolean;
   /** Default of the option, degrees. */
   readonly direction: number;
-  /** Default of the option for effects without an end of their own, seconds. */
-  readonly duration?: number;
   emissions(extent: Extent): readonly Emission[];
 }
 
@@ -51,6 +49,14 @@ interface EffectDesign {
 const ALL_AROUND = 180;
 /** Drag of the air, 1/s: a puff of speed v comes to rest after v / DRAG metres. */
 export const DRAG = 2.4;
+/** Seconds in which a burst's number of puffs appears when it is asked to last. */
+const BURST_SECONDS = 0.5;
+/** A shorter emission is a burst, seconds. */
+const MIN_DURATION = 0.05;
+/** Puffs of a call. */
+const MAX_COUNT = RANGES.count[1];
+/** The simulator's limit, m/s. */
+const MAX_SPEED = 50;
 /** Puffs for each metre of the target's outline, relative to those of a point. */
 const CROWD = 0.3;
 
@@ -140,7 +146,6 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
   trail: {
     isAround: false,
     direction: 90,
-    duration: 4,
     emissions: () => [
       emission({ speed: 0.25, size: 0.17, life: 1.3, lifeVariation: 0.1, temperature: 1.04, duration: 4, count: 150 }),
     ],
@@ -273,28 +278,32 @@ export function flowsAround(effect: Effect): boolean {
 /** The emitters of an effect with these options. */
 export function emissionsOf(effect: Effect, extent: Extent, asked: Asked): Emission[] {
   const { emissions, direction: usual } = designs[effect];
-  const { count, size = 1, spread, direction = usual, speed = 1, duration } = asked;
-  const all = emissions(extent);
+  const { size = 1, spread, direction = usual, speed = 1, duration } = asked;
+  const all = emissions(extent).map((each) => lasting(each, duration));
   const total = all.reduce((sum, each) => sum + each.count, 0);
+  const share = Math.min(asked.count ?? total, MAX_COUNT) / total;
   return all.map((each) => {
-    const isDisc = each.direction === undefined || each.shape !== 'box';
-    const lasts = duration ?? each.duration;
+    const isDisc = each.shape !== 'box';
     return {
       ...each,
       direction: isDisc ? undefined : each.direction! + direction - usual,
       spread: isDisc || spread === undefined ? each.spread : spread / 2,
-      speed: each.speed * speed * Math.sqrt(size),
+      speed: Math.min(each.speed * speed * Math.sqrt(size), MAX_SPEED),
       size: each.size * size,
-      duration: lasts,
-      count: Math.max(1, Math.round(count === undefined ? longer(each, lasts) : (each.count * count) / total)),
+      count: Math.max(1, Math.round(each.count * share)),
     };
   });
 }
 
-/** Seconds in which a burst's number of puffs appears when it is asked to last. */
-const BURST_SECONDS = 0.5;
-
-/** The number of puffs of an effect that is asked to last: as many in each second. */
-function longer({ count, duration }: Emission, lasts: number): number {
-  return lasts > duration ? (count * lasts) / Math.max(duration, Math.min(BURST_SECONDS, lasts)) : count;
+/** An emission that lasts as long as asked, with as many puffs in each second. */
+function lasting(emission: Emission, asked: number | undefined): Emission {
+  if (asked === undefined) return emission;
+  const duration = asked < MIN_DURATION ? 0 : asked;
+  const { count } = emission;
+  if (duration <= emission.duration) return { ...emission, duration };
+  return {
+    ...emission,
+    duration,
+    count: (count * duration) / Math.max(emission.duration, Math.min(BURST_SECONDS, duration)),
+  };
 }

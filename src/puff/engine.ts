@@ -229,7 +229,7 @@ export class Engine {
 
   private emit(each: Waiting, start: number, now: number, changes: Changes): Begun {
     const { call } = each;
-    const box = call.source.box()!;
+    const box = this.placement.clipped(call.source.box()!);
     const at = this.placement.pointOf(box);
     const extent = this.placement.extentOf(box);
     const tint = this.tints.take(each.color, changes);

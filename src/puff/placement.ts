@@ -10,6 +10,8 @@ import type { TargetBox } from './target.ts';
 const PIXELS_PER_METRE = 150;
 /** The camera can be this far from the middle of the scene, metres. */
 const FARTHEST = 49;
+/** Places of the scene are up to this far, metres. */
+const FARTHEST_PLACE = 400;
 /** The canvas moves when less than this fraction of its height is visible. */
 const MIN_VISIBLE = 0.75;
 
@@ -72,18 +74,35 @@ export class Placement {
     return { 'camera.target.x': rounded(this.camera.x), 'camera.target.y': rounded(this.camera.y) };
   }
 
+  /** The part of a box on the canvas; all of it if it is beside the canvas. */
+  clipped(box: TargetBox): TargetBox {
+    const around = this.sheet.rectangle();
+    const [left, top] = [Math.max(box.left, around.left), Math.max(box.top, around.top)];
+    const width = Math.min(box.left + box.width, around.right) - left;
+    const height = Math.min(box.top + box.height, around.bottom) - top;
+    return width > 0 && height > 0 ? { left, top, width, height } : box;
+  }
+
   /** The middle of a box in the plane of the page, metres. */
   pointOf(box: TargetBox): ScenePoint {
     const around = middle(this.sheet.rectangle());
     const { x, y } = middle(box);
     const metres = this.sheet.scale / PIXELS_PER_METRE;
-    return { x: this.camera.x + (x - around.x) * metres, y: this.camera.y - (y - around.y) * metres };
+    return {
+      x: limited(this.camera.x + (x - around.x) * metres),
+      y: limited(this.camera.y - (y - around.y) * metres),
+    };
   }
 
+  /** Half sides of a box in the plane of the page, metres. */
   extentOf({ width, height }: TargetBox): Extent {
     const metres = this.sheet.scale / PIXELS_PER_METRE;
-    return { halfWidth: (width / 2) * metres, halfHeight: (height / 2) * metres };
+    return { halfWidth: limited((width / 2) * metres), halfHeight: limited((height / 2) * metres) };
   }
+}
+
+function limited(metres: number): number {
+  return Math.min(Math.max(metres, -FARTHEST_PLACE), FARTHEST_PLACE);
 }
 
 function middle({ left, top, width, height }: TargetBox): ScenePoint {

@@ -23,6 +23,8 @@ export const AIR: Values = {
 const DEPTH = 20;
 /** Half depth of emitters, metres. */
 const THIN = 0.08;
+/** The simulator's limit, particles/s. */
+const MAX_RATE = 20_000;
 /** Where unused obstacles are, metres. */
 const AWAY = 900;
 /** A little longer than two steps: after this time an emitter has emitted all that it owes. */
@@ -77,10 +79,13 @@ export class Emitters {
     const rates = this.taken.map((each) => (each ? rateOf(each.emission) : 0));
     const total = rates.reduce((sum, rate) => sum + rate, 0);
     return Object.assign(
-      // Shares that add up to 0 would be rejected.
-      { 'emission.rate': total },
+      { 'emission.rate': Math.min(total, MAX_RATE) },
       ...this.taken.map((each, index) =>
-        underKey(`emitters.${index}`, { share: total > 0 ? rates[index] : 1, ...emitter(each) }),
+        underKey(`emitters.${index}`, {
+          // Shares that add up to 0 would be rejected.
+          share: total > 0 ? rates[index] / total : 1,
+          ...emitter(each),
+        }),
       ),
     ) as Values;
   }
