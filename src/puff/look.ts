@@ -2,12 +2,11 @@
 import { ParameterError } from '../preset/errors.ts';
 import { fetchPreset } from '../preset/byScene/fetchPreset.ts';
 import type { Values } from '../preset/parameter.ts';
+import { isOfLook } from './ofLook.ts';
 import { fetched } from '../preset/timeout.ts';
 import { defaults, presetValues } from '../preset/values.ts';
 
 const USUAL = 'air';
-/** What the look of a preset is. The rest of it is the motion, which the effects have. */
-const PARTS = ['style.', 'light.', 'puff.'];
 /** Number of tints of the simulator. */
 const TINTS = 3;
 
@@ -33,13 +32,11 @@ async function valuesOfPreset(name: string): Promise<Values> {
   return presetValues(preset);
 }
 
-function pick(values: Values): Values {
-  const isLook = (key: string) => PARTS.some((part) => key.startsWith(part)) && key in USUAL_KEYS;
-  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
-}
-
 /** Only values that every preset has, so that a look replaces all of the one before. */
-const USUAL_KEYS = defaults();
+function pick(values: Values): Values {
+  const usual = defaults();
+  return Object.fromEntries(Object.entries(values).filter(([key]) => isOfLook(key) && key in usual));
+}
 
 /** The tints of the simulator, handed out to colours. */
 export class Tints {
