@@ -42,7 +42,7 @@ interface EffectDesign {
   readonly isAround: boolean;
   /** Default of the option, degrees. */
   readonly direction: number;
-  emissions(extent: Extent): readonly Emission[];
+  readonly emissions: (extent: Extent) => readonly Emission[];
 }
 
 /** Half angle of a cone of all directions, degrees. */
@@ -60,7 +60,7 @@ const MAX_SPEED = 50;
 /** Puffs for each metre of the target's outline, relative to those of a point. */
 const CROWD = 0.3;
 
-const emission = (given: Partial<Emission>): Emission => ({
+const made = (given: Partial<Emission>): Emission => ({
   shape: 'box',
   x: 0,
   y: 0,
@@ -89,7 +89,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: true,
     direction: 90,
     emissions: (extent) => [
-      emission({
+      made({
         ...extent,
         speed: 1.3,
         speedVariation: 0.6,
@@ -105,7 +105,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 90,
     emissions: (extent) => [
-      emission({
+      made({
         shape: 'front',
         halfWidth: 0.12,
         spread: 86,
@@ -125,7 +125,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) =>
       [-1, 1].map((side) =>
-        emission({
+        made({
           x: (side * halfWidth) / 2,
           y: -halfHeight,
           halfWidth: halfWidth / 2,
@@ -147,7 +147,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 90,
     emissions: () => [
-      emission({ speed: 0.25, size: 0.17, life: 1.3, lifeVariation: 0.1, temperature: 1.04, duration: 4, count: 150 }),
+      made({ speed: 0.25, size: 0.17, life: 1.3, lifeVariation: 0.1, temperature: 1.04, duration: 4, count: 150 }),
     ],
   },
   /** A fountain: small puffs shoot up, spread and fall. */
@@ -155,7 +155,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) => [
-      emission({
+      made({
         y: halfHeight,
         halfWidth: halfWidth / 2,
         spread: 26,
@@ -174,7 +174,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 0,
     emissions: ({ halfWidth, halfHeight }) => [
-      emission({
+      made({
         halfWidth,
         halfHeight: Math.max(halfHeight, 0.08),
         direction: 0,
@@ -194,7 +194,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) => [
-      emission({
+      made({
         halfWidth,
         halfHeight,
         speed: 2.6,
@@ -204,7 +204,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
         temperature: 1.43,
         count: 26,
       }),
-      emission({
+      made({
         shape: 'ground',
         y: -halfHeight,
         halfWidth: 0.15,
@@ -215,7 +215,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
         life: 1.5,
         count: 22,
       }),
-      emission({
+      made({
         spread: 20,
         speed: 1.6,
         size: 0.24,
@@ -232,7 +232,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     isAround: false,
     direction: 90,
     emissions: (extent) => [
-      emission({
+      made({
         ...extent,
         spread: 50,
         speed: 0.5,
@@ -250,7 +250,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) =>
       [-1, 1].map((side) =>
-        emission({
+        made({
           x: side * (halfWidth + 1),
           halfHeight: halfHeight + 0.25,
           direction: side < 0 ? 0 : 180,

@@ -7,11 +7,11 @@ const FADE = { vanish: { duration: 450, delay: 60 }, appear: { duration: 320, de
 /** The change of an element's visibility. */
 export interface VisibilityChange {
   /** Starts to fade. */
-  begin(): void;
+  readonly begin: () => void;
   /** Hides or shows the element, at once if it has not faded. */
-  end(): void;
+  readonly end: () => void;
   /** Ends after the fade, if it has begun. */
-  finished(): Promise<void>;
+  readonly finished: () => Promise<void>;
 }
 
 /** @param element that the effect hides or shows, if any */

@@ -31,7 +31,7 @@ function card(effect: Effect): HTMLElement {
     if (effect === 'vanish') subject!.style.removeProperty('visibility');
     show(puff(subject ?? (effect === 'trail' ? event : button), { effect, ...options }));
   });
-  const code = create('code', { tabindex: 0 });
+  const code = create('code');
   const copy = textButton('quiet', 'Copy', () => void copyText(code.textContent));
   copy.setAttribute('aria-label', `Copy the code of ${effect}`);
   cards.push({ effect, code, target });

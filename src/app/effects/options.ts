@@ -71,12 +71,17 @@ function sliderRow(
   const id = uniqueId();
   const input = create('input', { type: 'range', id, ...range, value: start });
   const shown = create('output', { for: id }, 'auto');
+  const fill = () =>
+    input.style.setProperty('--filled', String((input.valueAsNumber - range.min) / (range.max - range.min)));
+  fill();
   input.addEventListener('input', () => {
+    fill();
     shown.textContent = `${input.valueAsNumber}${unit}`;
     change({ [name]: input.valueAsNumber });
   });
   resets.push(() => {
     input.valueAsNumber = start;
+    fill();
     shown.textContent = 'auto';
   });
   return create('div', { class: 'row' }, create('label', { for: id }, label), input, shown);

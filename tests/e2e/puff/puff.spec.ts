@@ -71,7 +71,7 @@ test('draws smoke around a button, lets clicks through, and leaves nothing behin
     document.documentElement.scrollWidth,
     document.documentElement.scrollHeight,
   ]);
-  const over = page.evaluate(() => puff(document.querySelector('button')!));
+  const over = page.evaluate(() => puff(document.querySelector('button')));
   await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
   const box = (await page.locator('#button').boundingBox())!;
   const { x, y } = await smoke(page);

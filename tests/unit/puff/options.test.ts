@@ -11,7 +11,7 @@ describe('options', () => {
     for (const [name, [min, max]] of Object.entries(RANGES)) {
       for (const value of [min, max]) expect(() => demandOptions({ [name]: value })).not.toThrow();
       for (const value of [min - 1, max + 1, NaN, Infinity, '1', null]) {
-        expect(() => demandOptions({ [name]: value } as PuffOptions), `${name}: ${value}`).toThrow(ParameterError);
+        expect(() => demandOptions({ [name]: value }), `${name}: ${value}`).toThrow(ParameterError);
       }
     }
   });
