@@ -267,13 +267,15 @@ export class Engine {
     // Cleared in the meantime.
     if (!this.starting.includes(each)) return;
     this.starting = this.starting.filter((other) => other !== each);
-    const isTrail = call.effect === 'trail';
-    const stopFollowing = isTrail
-      ? follow(this.stage, this.placement, call.source, indices[0], emissions[0].at)
-      : () => undefined;
+    const stopFollowing = call.effect === 'trail' ? this.follow(call, emissions[0], indices[0]) : () => undefined;
     const life = Math.max(...emissions.map(lifeOf));
     this.running.push({ ...each, end: start + life, stopFollowing });
     call.onBegin();
+  }
+
+  private follow({ source }: PuffCall, emission: PlacedEmission, index: number): () => void {
+    const isOwn = () => this.emitters.holds(index, emission);
+    return follow(this.stage, this.placement, source, { index, from: emission.at, isOwn });
   }
 
   private beginPlay(): void {

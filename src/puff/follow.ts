@@ -7,18 +7,24 @@ import type { Source } from './target.ts';
 /** Moves below this length are not sent, metres. */
 const STILL = 0.001;
 
+/** An emitter that follows a source. */
+export interface Follower {
+  /** Index of the emitter. */
+  readonly index: number;
+  readonly from: ScenePoint;
+  /** Whether the emitter still belongs to the call. */
+  readonly isOwn: () => boolean;
+}
+
 /**
  * Moves an emitter with an element or with the pointer.
- * @param index of the emitter
- * @param from its place
  * @returns a function that stops
  */
 export function follow(
   stage: RemoteStage,
   placement: Placement,
   source: Source,
-  index: number,
-  from: ScenePoint,
+  { index, from, isOwn }: Follower,
 ): () => void {
   const end = new AbortController();
   const { signal } = end;
@@ -31,7 +37,7 @@ export function follow(
   let wasMoving = false;
   let isBehind = false;
   const step = () => {
-    if (signal.aborted) return;
+    if (signal.aborted || !isOwn()) return end.abort();
     requestAnimationFrame(step);
     const box = pointer ? { ...pointer, width: 0, height: 0 } : source.box();
     if (isBehind || !box) return;

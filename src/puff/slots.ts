@@ -69,6 +69,11 @@ export class Emitters {
     return index;
   }
 
+  /** Whether an emitter still belongs to an emission. */
+  holds(index: number, emission: PlacedEmission): boolean {
+    return this.taken[index]?.emission === emission;
+  }
+
   /** Starts emissions at another time. */
   delay(indices: readonly number[], start: number): void {
     for (const index of indices) this.taken[index] = { ...this.taken[index]!, start };

@@ -73,6 +73,7 @@ describe('emitters', () => {
     for (let index = 0; index < 8; index++) expect(emitters.take(burst, 1, 0)).toBe(index);
     expect(emitters.free(1)).toBe(0);
     expect(emitters.free(1.1)).toBe(8);
+    expect([emitters.holds(3, burst), emitters.holds(3, stream)]).toEqual([true, false]);
     emitters.delay([3], 5);
     expect(emitters.free(1.1)).toBe(7);
     expect(emitters.values()['emitters.3.envelope.start']).toBe(5);
@@ -98,6 +99,7 @@ describe('obstacles', () => {
     const gone = obstacles.release(owners[3]);
     expect(gone['colliders.3.position.x']).toBeGreaterThan(100);
     expect(() => validate(gone)).not.toThrow();
-    expect(Object.keys(obstacles.release())).toHaveLength(3 * 7);
+    expect(Object.keys(obstacles.take({}, { x: 0, y: 0 }, BUTTON))[0]).toMatch(/^colliders\.3\./);
+    expect(Object.keys(obstacles.release())).toHaveLength(3 * 8);
   });
 });
