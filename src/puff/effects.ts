@@ -95,7 +95,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
         speedVariation: 0.6,
         size: 0.26,
         life: 1.5,
-        temperature: 1.11,
+        temperature: 1.2,
         count: 18 * crowd(extent),
       }),
     ],
