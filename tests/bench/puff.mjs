@@ -20,7 +20,7 @@ import { spread } from './support/spread.mjs';
 const FOLDER = '.cache/bench-puff';
 const CONFETTI = 'canvas-confetti';
 const VERSION = '1.9.4';
-const CONFETTI_FILE = `${FOLDER}/node_modules/${CONFETTI}/dist/confetti.module.mjs`;
+const CONFETTI_FILE = `${FOLDER}/node_modules/${CONFETTI}/dist/confetti.browser.js`;
 const VIEW = { width: 640, height: 360 };
 const ROUNDS = 5;
 const CALLS = 500;
@@ -35,10 +35,7 @@ const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Bench<
     import { puff } from '/package/dist/puff.js';
     window.puff = puff;
   </script>`;
-const WITH_CONFETTI = `${PAGE}<script type="module">
-    import confetti from '/${CONFETTI_FILE}';
-    window.confetti = confetti;
-  </script>`;
+const WITH_CONFETTI = `${PAGE}<script src="/${CONFETTI_FILE}"></script>`;
 
 /**
  * @param {import('./support/page.mjs').Choice} choice

@@ -39,7 +39,7 @@ test('writes the options into the code, by keyboard, and copies it', async ({ pa
   const expected = "puff(button, { effect: 'boom', size: 1.05, preset: 'lamp-noir' });";
   await expect(code(page, 'boom')).toHaveText(expected);
   await page.getByRole('button', { name: 'Copy the code of boom' }).press('Enter');
-  await expect(page.getByRole('status')).toHaveText('Copied.');
+  await expect(page.locator('#status')).toHaveText('Copied.');
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(expected);
   await page.getByRole('button', { name: 'Reset' }).click();
   await expect(code(page, 'boom')).toHaveText("puff(button, { effect: 'boom' });");
@@ -51,7 +51,7 @@ test('shows smoke at the press of a button, and the error of a call', async ({ p
   await page.getByRole('button', { name: 'pop', exact: true }).press('Enter');
   await expect(page.locator('canvas')).toHaveCount(1);
   await page.getByRole('button', { name: 'Clear the smoke' }).click();
-  await expect(page.getByRole('status')).toHaveText('');
+  await expect(page.locator('#status')).toHaveText('');
   await page.getByRole('button', { name: 'vanish', exact: true }).click();
   await expect(page.locator('.subject').first()).toHaveCSS('visibility', 'hidden');
 });
