@@ -14,8 +14,9 @@ import { Placement } from './placement.ts';
 import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
 import type { Source } from './target.ts';
 
-/** Interval in which the engine reads the simulated time, milliseconds. */
+/** Shortest and longest interval in which the engine reads the simulated time, milliseconds. */
 const LOOK_MS = 80;
+const MAX_LOOK_MS = 400;
 /** Simulated seconds until a call begins while smoke is visible: longer than a message to the worker takes. */
 const LEAD = 0.05;
 /** The canvas goes this long after the last particle, milliseconds. The page's worker goes 5 s later. */
@@ -241,11 +242,12 @@ export class Engine {
   /** Starts the simulation again, so that a seed decides all of its smoke. */
   private async sendFirst(begun: readonly Begun[], changes: Changes): Promise<void> {
     const seed = begun[0].each.call.seed ?? Math.floor(Math.random() * 2 ** 32);
+    // First, because a stage that plays does not draw the empty scene for a change.
+    this.beginPlay();
     const set = this.stage.set({ ...changes, ...this.emitters.values(), seed });
     // Only another seed starts it by itself.
     const restart = seed === this.seed ? this.stage.restart() : undefined;
     this.seed = seed;
-    this.beginPlay();
     await Promise.all([set, restart]);
     for (const each of begun) this.run(each, 0);
   }
@@ -296,10 +298,14 @@ export class Engine {
 
   /** Ends calls whose smoke is gone. */
   private async watch(signal: AbortSignal): Promise<void> {
+    let now = 0;
     while (!signal.aborted) {
-      await delay(LOOK_MS);
+      const ends = this.running.map(({ end }) => 1000 * (end - now));
+      // Simulated time is never faster than real time.
+      await delay(Math.max(LOOK_MS, Math.min(...ends, MAX_LOOK_MS)));
       if (signal.aborted) return;
       const { time, waiting } = await this.stage.stats();
+      now = time;
       // Particles that wait for others to die live longer.
       if (signal.aborted || waiting > 0) continue;
       const over = this.running.filter(({ end }) => end < time);
