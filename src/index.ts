@@ -9,6 +9,7 @@ export {
   type DeviceCanvas,
   type DeviceOptions,
 } from './device/device.ts';
+export { setAssetUrls, type AssetUrls } from './preset/assetUrls.ts';
 export {
   ContextError,
   FileError,

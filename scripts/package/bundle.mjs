@@ -25,7 +25,7 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
  * renderer; and the models that most scenes share.
  */
 const TOGETHER = [
-  { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  { name: 'errors', test: /preset\/(errors|assetUrls)\.ts$/, priority: 4 },
   { name: 'cartoonSmokeElement', test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/, priority: 3 },
   {
     name: 'session',

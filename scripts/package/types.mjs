@@ -11,6 +11,9 @@ const ENTRIES = ['src/index.ts', 'src/element/define.ts', 'src/preset.ts', 'src/
 /** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['sim/wasm/core/bindings.d.ts', 'sim/wasm/physics/bindings.d.ts'];
 
+/** Declarations of a file that a bundler's file loader imports as its URL. */
+const ASSET = 'declare const url: string;\nexport default url;\n';
+
 /**
  * @param {string} folder
  * @param {(line: string) => void} say
@@ -30,6 +33,7 @@ export async function writeTypes(folder, say) {
     if (file.endsWith('.d.ts')) nameBuiltFiles(join(folder, file));
   }
   writeElementTypes(folder);
+  writeFileSync(join(folder, 'asset.d.ts'), ASSET);
 }
 
 /** Sources import `.ts` files; the package contains `.js` files. */

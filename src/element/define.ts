@@ -30,4 +30,5 @@ function warnOfSecond(first: CustomElementConstructor): void {
   }
 }
 
+export { setAssetUrls, type AssetUrls } from '../preset/assetUrls.ts';
 export { CartoonSmokeElement };

@@ -1,3 +1,4 @@
+import { assetUrls } from '../preset/assetUrls.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import { pageWorker, type Holder } from './pageWorker.ts';
 import { PortStage } from './portStage.ts';
@@ -37,7 +38,8 @@ export async function enterWorker(): Promise<WorkerSlot> {
       const { port1, port2 } = new MessageChannel();
       const moved = canvas.transferControlToOffscreen();
       stage = new PortStage(port1, 'worker', leave, onProgress);
-      worker.postMessage({ canvas: moved, options, port: port2 } satisfies OpenRequest, [moved, port2]);
+      const request: OpenRequest = { canvas: moved, options, assets: assetUrls(), port: port2 };
+      worker.postMessage(request, [moved, port2]);
       await unlessAborted(stage, signal);
       return stage.face;
     },

@@ -1,3 +1,5 @@
+import { assetUrl } from '../preset/assetUrls.ts';
+
 /** The policy name that the page's `trusted-types` directive must allow. */
 const POLICY = 'cartoon-smoke';
 
@@ -22,12 +24,17 @@ function start(): Worker {
  * emits an error event
  */
 export function startWorker(): Worker {
+  const own = assetUrl('worker');
+  if (own) return startFrom(own);
   try {
     return start();
   } catch {
-    const address = addressOf(start);
-    return new Worker(trusted(sameOrigin(address)), { type: 'module', name: 'cartoon-smoke' });
+    return startFrom(addressOf(start));
   }
+}
+
+function startFrom(address: string): Worker {
+  return new Worker(trusted(sameOrigin(address)), { type: 'module', name: 'cartoon-smoke' });
 }
 
 /** The URL that the bundler has written into the Worker call. */

@@ -1,4 +1,5 @@
 /** The worker of a page: it runs all stages of the page on one device. Its first message says whether it can draw. */
+import { setAssetUrls, type AssetUrls } from '../preset/assetUrls.ts';
 import type { RemoteStageOptions } from './contract.ts';
 import { BEAT, beatWhile } from './heartbeat.ts';
 import { demandDrawing, openHere } from './openHere.ts';
@@ -10,6 +11,8 @@ import { serveStage } from './serveStage.ts';
 export interface OpenRequest {
   readonly canvas: OffscreenCanvas;
   readonly options: RemoteStageOptions;
+  /** URLs that the page has set. */
+  readonly assets: AssetUrls;
   readonly port: MessagePort;
 }
 
@@ -28,10 +31,11 @@ const beat = () => worker.postMessage(BEAT);
 /** Long batches of steps block the event loop, so they send the heartbeat themselves. */
 const onStep = beatWhile(beat);
 
-async function open({ canvas, options, port }: OpenRequest): Promise<void> {
+async function open({ canvas, options, assets, port }: OpenRequest): Promise<void> {
   if (import.meta.env.DEV && options.fault === 'workerSilent') return worker.close();
   const onProgress = (progress: unknown) => port.postMessage(notificationOf('progress', progress));
   try {
+    setAssetUrls(assets);
     serveStage(port, await openHere(canvas, { ...options, onProgress, onStep }, 'worker'));
     port.postMessage({ id: OPENING });
   } catch (error) {

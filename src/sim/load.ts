@@ -1,4 +1,5 @@
 /** Fetches and instantiates the simulator's WASM module, once per variant, and creates simulators from it. */
+import { assetUrl } from '../preset/assetUrls.ts';
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
 import { inTime, whenLate } from '../preset/timeout.ts';
 import type { TakeInfo } from './input.ts';
@@ -157,6 +158,8 @@ async function compile(
 
 /** Each URL is a literal, because bundlers only detect `new URL()` with a string literal. */
 function wasmAddress(physics: boolean): URL {
+  const own = assetUrl(physics ? 'physics' : 'core');
+  if (own) return new URL(own);
   return physics
     ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
     : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
@@ -184,9 +187,13 @@ async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.
   }
 }
 
+const HTML =
+  'the server answered with an HTML page instead of WebAssembly. Serve the file, or set its URL with setAssetUrls (docs/three.md#asset-urls)';
+
 /** Uses streaming compilation if the server sends the type `application/wasm`, which browsers require for it. */
 async function compileAnswer(response: Response, report: Listener): Promise<WebAssembly.Module> {
   if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
+  if (response.headers.get('content-type')?.startsWith('text/html')) throw new Error(HTML);
   // The compiler reports an interrupted download.
   follow(response.clone(), report).catch(() => undefined);
   if (response.headers.get('content-type')?.startsWith('application/wasm')) {

@@ -51,6 +51,24 @@ test('webpack without configuration', async ({ page, project }) => {
   await expectTitle(page, join(place, 'dist'), READY);
 });
 
+const ESBUILD = `import { build } from 'esbuild';
+const entryPoints = [{ in: 'main.ts', out: 'main' }, { in: 'cartoon-smoke/worker.js', out: 'worker' }];
+const loader = { '.wasm': 'file' };
+await build({ entryPoints, bundle: true, format: 'esm', outdir: 'dist', publicPath: '/', loader });
+`;
+
+test('esbuild, which copies no files by itself', async ({ page, project }) => {
+  const urls = `import core from 'cartoon-smoke/core.wasm';
+import physics from 'cartoon-smoke/physics.wasm';
+import { setAssetUrls } from 'cartoon-smoke';
+setAssetUrls({ core, physics, worker: 'worker.js' });
+`;
+  const place = project(['esbuild'], { 'main.ts': urls + MAIN, 'build.mjs': ESBUILD });
+  bin(place, '../build.mjs');
+  writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script type="module" src="main.js"></script>`);
+  await expectTitle(page, join(place, 'dist'), READY);
+});
+
 test('TypeScript in its strictest mode, including the declarations of the package', ({ project }) => {
   const place = project(['typescript@7', '@types/three@0.187'], { 'main.ts': MAIN });
   expectTypes(place, {}, ['main.ts']);

@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import type { AssetUrls } from '../../../src/preset/assetUrls.ts';
 import { LoadError, ParameterError, SimulatorError, UnsupportedError } from '../../../src/preset/errors.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';
 import { JET, loadVariant, wasmBytes } from '../../support/sim/simWasm.ts';
@@ -231,6 +232,39 @@ describe('loading', () => {
     expect((error as Error).message).toMatch(/core\/bindings_bg\.wasm: the server answered 404 Not Found/);
     serve(wasmBytes('core'));
     expect((await load({ physics: false })).create({ capacity: 1, seed: 0 }).alive).toBe(0);
+  });
+
+  it('names the remedy when a server answers with its page', async () => {
+    vi.stubGlobal('fetch', async () => new Response('<!doctype html>', { headers: { 'content-type': 'text/html' } }));
+    const { loadSimulators: load } = await fresh();
+    const error = await load({ physics: true }).catch((reason: unknown) => reason as Error);
+    expect((error as Error).name).toBe(new LoadError().name);
+    expect((error as Error).message).toMatch(/physics\/bindings_bg\.wasm: .* HTML page .* setAssetUrls/);
+  });
+
+  it('loads from the URL that the page has set', async () => {
+    const fetched = serve(wasmBytes('core'));
+    const { loadSimulators: load } = await fresh();
+    const { setAssetUrls } = await import('../../../src/preset/assetUrls.ts');
+    setAssetUrls({ core: 'https://cdn.example/core.wasm', physics: new URL('https://cdn.example/physics.wasm') });
+    await load({ physics: false });
+    expect(fetched).toHaveBeenCalledWith(new URL('https://cdn.example/core.wasm'), expect.anything());
+    vi.stubGlobal('fetch', async () => new Response('', { status: 403 }));
+    await expect(load({ physics: true })).rejects.toThrow('https://cdn.example/physics.wasm: the server answered 403');
+  });
+
+  it.each([
+    [{ simulator: 'https://cdn.example/core.wasm' }, /^setAssetUrls\.simulator cannot .* core, physics, worker/],
+    [{ core: 'https://cdn.example/core.wasm', worker: 5 }, /^setAssetUrls\.worker cannot be 5: it takes a URL\.$/],
+    [{ core: '' }, /^setAssetUrls\.core cannot be “”/],
+    [{ core: 'http://[' }, /^setAssetUrls\.core cannot be “http:\/\/\[”/],
+  ])('rejects the URLs %j and changes none', async (urls, message) => {
+    const fetched = serve(wasmBytes('core'));
+    const { loadSimulators: load } = await fresh();
+    const { setAssetUrls } = await import('../../../src/preset/assetUrls.ts');
+    expect(() => setAssetUrls(urls as AssetUrls)).toThrow(message);
+    await load({ physics: false });
+    expect(String((fetched.mock.calls as unknown[][])[0][0])).toMatch(/wasm\/core\/bindings_bg\.wasm$/);
   });
 
   it('reports missing SIMD before it downloads anything', async () => {

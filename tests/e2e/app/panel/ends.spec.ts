@@ -71,10 +71,12 @@ test.describe('with all pixels', () => {
       stage.step(110);
     });
     await ask(page, async (stage) => {
-      // All renderers are loaded together when the first one is requested; after that each change is immediate.
-      stage.set({ 'style.renderer': 'selle', 'style.volumes': 'counted' });
+      // Optional passes load when they are first requested, all renderers together; after that each change is immediate.
+      stage.set({ 'style.simplify': 1, 'style.volumes': 'counted' });
       await stage.complete();
-      stage.set({ 'style.renderer': 'nailboards', 'style.volumes': 'receiver' });
+      stage.set({ 'style.renderer': 'selle' });
+      await stage.complete();
+      stage.set({ 'style.renderer': 'nailboards', 'style.volumes': 'receiver', 'style.simplify': 0 });
     });
     expect(await withoutEffectOnPicture(page, singleTrials('style', 'light', 'camera'))).toEqual([]);
   });

@@ -1,0 +1,49 @@
+/** URLs of the files that the library fetches, for pages whose bundler does not copy them. */
+import { ParameterError } from './errors.ts';
+
+/** URLs by file. Relative URLs are resolved against the document. */
+export interface AssetUrls {
+  /** `cartoon-smoke/core.wasm`: the simulator without rigid bodies. */
+  readonly core?: string | URL;
+  /** `cartoon-smoke/physics.wasm`: the simulator with rigid bodies. */
+  readonly physics?: string | URL;
+  /** `cartoon-smoke/worker.js` */
+  readonly worker?: string | URL;
+}
+
+const NAMES = ['core', 'physics', 'worker'] as const;
+const urls = new Map<string, string>();
+
+/**
+ * Sets where the library fetches its files. Applies to downloads that start after the call; files that are not named
+ * keep their URLs.
+ * @throws ParameterError if a name is unknown or a value is no URL. Nothing is changed then
+ */
+export function setAssetUrls(given: AssetUrls): void {
+  const resolved = Object.entries(given).map(([name, url]: [string, unknown]) => {
+    if (!NAMES.some((known) => known === name)) {
+      throw new ParameterError(`setAssetUrls.${name}`, url, `no value: the files are ${NAMES.join(', ')}`);
+    }
+    return [name, resolve(name, url)] as const;
+  });
+  for (const [name, url] of resolved) urls.set(name, url);
+}
+
+function resolve(name: string, url: unknown): string {
+  try {
+    if (url instanceof URL || (typeof url === 'string' && url)) return new URL(url, globalThis.document?.baseURI).href;
+  } catch {
+    // The same error as for values that are no strings.
+  }
+  throw new ParameterError(`setAssetUrls.${name}`, url, 'a URL');
+}
+
+/** @returns the URL that the page has set for a file, or undefined */
+export function assetUrl(name: keyof AssetUrls): string | undefined {
+  return urls.get(name);
+}
+
+/** All URLs that the page has set. */
+export function assetUrls(): AssetUrls {
+  return Object.fromEntries(urls);
+}
