@@ -19,13 +19,9 @@ export async function playPuff(effect: Effect): Promise<Played> {
   box.setAttribute('style', 'position: fixed; left: 40%; top: 40%; width: 60px; height: 30px');
   document.body.append(box);
   let most = 0;
-  let isOver = false;
-  const call = puff(box, { effect, count: 10, seed: 5 }).finally(() => (isOver = true));
-  while (!isOver) {
-    most = Math.max(most, opaque());
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
-  await call;
+  const timer = setInterval(() => (most = Math.max(most, opaque())), 20);
+  await puff(box, { effect, count: 10, seed: 5 });
+  clearInterval(timer);
   // The last picture may be on its way from the worker.
   for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
   const { visibility } = box.style;
