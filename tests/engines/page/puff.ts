@@ -19,7 +19,8 @@ export async function playPuff(effect: Effect): Promise<Played> {
   box.setAttribute('style', 'position: fixed; left: 40%; top: 40%; width: 60px; height: 30px');
   document.body.append(box);
   let most = 0;
-  const timer = setInterval(() => (most = Math.max(most, opaque())), 20);
+  // After the stage's own callback of the frame: WebKitGTK draws on the canvas itself, which is empty after the frame.
+  const timer = setInterval(() => requestAnimationFrame(() => (most = Math.max(most, opaque()))), 20);
   await puff(box, { effect, count: 10, seed: 5 });
   clearInterval(timer);
   // The last picture may be on its way from the worker.
