@@ -31,9 +31,9 @@ export default defineConfig({
     sourcemap: true,
     chunkSizeWarningLimit: 800,
     rolldownOptions: {
-      input: ['index.html', 'paper.html'],
+      input: ['index.html', 'paper.html', 'puff.html'],
       // These files only export. Otherwise the first load would contain every module that they name.
-      treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset)\.ts$/, sideEffects: false }] },
+      treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset|puff)\.ts$/, sideEffects: false }] },
     },
   },
 });

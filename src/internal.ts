@@ -17,6 +17,7 @@ export { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from './pr
 export { isAccepted } from './preset/values.ts';
 export { channelSheet, lobeSheet, type ChannelPicture } from './puffs/billboards/channelSheet.ts';
 export { bakePuffs } from './puffs/billboards/layers.ts';
+export { isOfLook } from './puff/ofLook.ts';
 export { LOBE_SHAPES } from './puffs/lobeShapes.ts';
 export { billboardShapes } from './puffs/shapes.ts';
 export { inPieces } from './puffs/work.ts';

@@ -12,7 +12,8 @@ import { withoutWords } from './withoutWords.mjs';
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
-const SCRIPT = 'cartoon-smoke.min';
+/** The scripts for CDNs, each with its entry. */
+const SCRIPTS = { 'cartoon-smoke.min': 'src/element/script.ts', 'puff.min': 'src/puff/script.ts' };
 /**
  * A single file.
  * @type {import('rolldown').OutputOptions}
@@ -43,14 +44,19 @@ const SPLIT = { codeSplitting: { groups: TOGETHER } };
 const ERRORS = inRoot('src/preset/errors.ts');
 
 /**
- * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the script for
- * CDNs. Copies the simulator beside both.
+ * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the scripts for
+ * CDNs. Copies the simulator beside them.
  *
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
 export async function bundleAll(folder, plugins = shortening()) {
-  const modules = { index: 'src/index.ts', element: 'src/element/define.ts', errors: 'src/preset/errors.ts' };
+  const modules = {
+    index: 'src/index.ts',
+    element: 'src/element/define.ts',
+    puff: 'src/puff.ts',
+    errors: 'src/preset/errors.ts',
+  };
   const external = /^three(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
@@ -58,18 +64,20 @@ export async function bundleAll(folder, plugins = shortening()) {
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
-  await bundleScript(folder, plugins);
+  await bundleScript('cartoon-smoke.min', folder, plugins);
+  await bundleScript('puff.min', folder, plugins);
 }
 
 /**
- * Writes only the script for CDNs, with the simulator beside it.
+ * Writes only a script for CDNs, with the simulator beside it.
  *
+ * @param {keyof typeof SCRIPTS} name
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleScript(folder, plugins = shortening()) {
-  const input = entries({ [SCRIPT]: 'src/element/script.ts' });
-  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
+export async function bundleScript(name, folder, plugins = shortening()) {
+  const input = entries({ [name]: SCRIPTS[name] });
+  await bundle({ input, plugins: [...plugins, workerAt(`./${name}.js`)] }, folder, ALONE);
   copyWasm(folder);
 }
 

@@ -16,6 +16,7 @@ const SOURCES = [
   'package-lock.json',
   'paper.html',
   'public',
+  'puff.html',
   'scripts/package',
   'scripts/site',
   'shaders',

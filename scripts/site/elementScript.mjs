@@ -24,7 +24,7 @@ const MADE = '.cache/element';
 export async function buildElementScript() {
   const made = inRoot(MADE);
   rmSync(made, { recursive: true, force: true });
-  await bundleScript(made);
+  await bundleScript('cartoon-smoke.min', made);
   await writeLicenses(made);
   const hash = integrity(join(made, FILE));
   const folder = `element/${nameOf(hash)}`;

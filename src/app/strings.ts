@@ -128,6 +128,7 @@ export const strings = {
     embed: 'Embed in your page',
     frame: 'Iframe without controls',
     element: 'Custom element with its script',
+    puff: 'A puff of this look by one call',
     copyCode: 'Copy',
   },
   own: {
@@ -252,6 +253,7 @@ export const strings = {
     button: 'Help',
     title: 'Play with smoke',
     paper: 'Comparison with the 2006 paper',
+    puff: 'Smoke by one call: puff()',
     licenses: 'Third-party licences',
     close: 'Close',
     hand: (thing: string) => `Drag ${thing}`,

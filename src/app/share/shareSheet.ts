@@ -7,6 +7,7 @@ import type { SmokeFiles } from './files.ts';
 import { icon } from '../ui/icons.ts';
 import { linkToMoment } from './moment.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
+import { puffCall } from './puffCall.ts';
 import { strings } from '../strings.ts';
 import { elementCode, frameCode, type ElementScript } from './embed.ts';
 import type { Bitmap2D } from 'lean-qr';
@@ -53,6 +54,7 @@ export class ShareSheet {
     this.element.showModal();
     const moment = linkToMoment(this.editor.state, this.stage);
     this.links = { look: await linkTo(this.editor), moment: await moment };
+    this.embed.showCall(await puffCall(this.editor.state));
     this.show(this.kind.chosen);
     if (mesh !== undefined) this.notify(strings.ownShape.unshared(mesh));
     this.copy.focus();
@@ -122,18 +124,26 @@ async function copyText(text: string): Promise<boolean> {
 }
 
 /** Embed code, initially collapsed. @param copy copies a text */
-function createEmbed(copy: (text: string) => void): { element: HTMLElement; show(link?: string): void } {
+function createEmbed(copy: (text: string) => void): {
+  element: HTMLElement;
+  show(link?: string): void;
+  showCall(code: string): void;
+} {
   const frame = createSnippet(words.frame, copy);
   const component = createSnippet(words.element, copy);
+  const call = createSnippet(words.puff, copy);
   const element = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
-  element.append(frame.element, component.element);
+  element.append(frame.element, component.element, call.element);
   return {
     element,
-    show(link) {
+    show(link?: string) {
       element.hidden = link === undefined;
       if (link === undefined) return;
       frame.field.value = frameCode(link, strings.title);
       component.field.value = elementCode(link, publishedScript());
+    },
+    showCall(code: string) {
+      call.field.value = code;
     },
   };
 }

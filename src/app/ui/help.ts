@@ -11,7 +11,7 @@ export class Help {
   private readonly byKeys = create('dl', {});
 
   constructor(stage: Stage) {
-    const { title, keyboard, paper, licenses, close } = strings.help;
+    const { title, keyboard, paper, puff, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
     // On a phone the other close button is far below.
@@ -20,6 +20,7 @@ export class Help {
       'p',
       { class: 'help-links' },
       create('a', { href: './paper.html' }, paper),
+      create('a', { href: './puff.html' }, puff),
       create('a', { href: './third-party-licenses.txt' }, licenses),
     );
     // Otherwise the first link, far below, would get the initial focus.

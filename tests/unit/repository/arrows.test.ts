@@ -7,9 +7,8 @@ import { Project } from '../../support/project.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const CONFIG = '.oxlintrc.arrows.json';
-const FOLDERS = 'app element iframe page remote stage three scenes smoke passes rows puffs sim device preset'.split(
-  ' ',
-);
+const FOLDERS =
+  'app element iframe puff page remote stage three scenes smoke passes rows puffs sim device preset'.split(' ');
 
 let project: Project;
 beforeEach(() => {
@@ -18,7 +17,7 @@ beforeEach(() => {
   for (const folder of FOLDERS)
     project.write(`src/${folder}/thing.ts`, 'export interface Type {}\nexport const value = 1;\n');
   project.write('src/preset/errors.ts', 'export class Problem extends Error {}\n');
-  for (const entry of ['index', 'internal', 'preset'])
+  for (const entry of ['index', 'internal', 'preset', 'puff'])
     project.write(`src/${entry}.ts`, `export { value } from './preset/thing.ts';\n`);
 });
 afterEach(() => project.dispose());
@@ -43,6 +42,7 @@ const right: Record<string, string> = {
   app: '',
   iframe: 'element remote stage scenes smoke passes rows puffs sim device preset',
   element: 'page remote stage scenes smoke passes rows puffs sim device preset',
+  puff: 'page remote stage scenes smoke passes rows puffs sim device preset',
   page: 'stage sim preset',
   remote: 'stage scenes smoke passes rows puffs sim device preset',
   stage: 'scenes smoke passes rows puffs sim device preset',
@@ -109,6 +109,8 @@ test.each([
   ['app', `export { value } from '../index.ts';`, 0],
   ['app', `export { value } from '../internal.ts';`, 0],
   ['app', `export { value } from '../preset.ts';`, 0],
+  ['app', `export { value } from '../puff.ts';`, 0],
+  ['element', `export { value } from '../puff.ts';`, 1],
   ['app', `export { value } from '../internal';`, 1],
 ])('src/%s: %s is rejected %i times', (folder, code, count) => {
   expect(lintLine(folder, code)).toHaveLength(count);

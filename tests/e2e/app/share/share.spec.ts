@@ -59,6 +59,10 @@ test('the sheet copies link and code, shows a QR code, and works by keyboard', a
   expect(await sheet(page).getByLabel('Custom element').inputValue()).toMatch(
     /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
   );
+  // The look of the preset, without its motion.
+  expect(await sheet(page).getByLabel('A puff of this look').inputValue()).toBe(
+    "import { puff } from 'cartoon-smoke/puff';\npuff(button, { preset: '#v=1&preset=air&puff.variations=1' });",
+  );
   await closeSheet(page);
 });
 

@@ -1,0 +1,366 @@
+/** The smoke of all calls on one canvas: one stage, whose emitters and obstacles the calls share. */
+import { ContextError, LoadError, SmokeError } from '../preset/errors.ts';
+import type { Values } from '../preset/parameter.ts';
+import { defaults } from '../preset/values.ts';
+import { sizeOf } from '../page/size.ts';
+import type { RemoteStage } from '../remote/contract.ts';
+import { openStage } from '../remote/openStage.ts';
+import { emissionsOf, flowsAround } from './effects.ts';
+import { follow } from './follow.ts';
+import { hexOf, lookOf, Tints } from './look.ts';
+import type { Effect, PuffOptions } from './options.ts';
+import { Overlay, OwnCanvas, type Sheet } from './overlay.ts';
+import { Placement } from './placement.ts';
+import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
+import type { Source } from './target.ts';
+
+/** Shortest and longest interval in which the engine reads the simulated time, milliseconds. */
+const LOOK_MS = 80;
+const MAX_LOOK_MS = 400;
+/** Simulated seconds until a call begins while smoke is visible: longer than a message to the worker takes. */
+const LEAD = 0.05;
+/** The canvas goes this long after the last particle, milliseconds. The page's worker goes 5 s later. */
+const IDLE_MS = 5_000;
+/** Simulated seconds after which the simulation starts again. Emitters cannot start after 3600 s. */
+const LATEST = 3000;
+
+/** A call with valid options. */
+export interface PuffCall extends PuffOptions {
+  readonly effect: Effect;
+  readonly source: Source;
+  /** Aborted by `clear`. */
+  readonly signal: AbortSignal;
+  /** Called when the smoke begins. */
+  readonly onBegin: () => void;
+}
+
+interface Waiting {
+  readonly call: PuffCall;
+  readonly look: Values | undefined;
+  readonly color: string | undefined;
+  readonly resolve: () => void;
+  readonly reject: (error: Error) => void;
+}
+
+interface Running extends Waiting {
+  /** Simulated time at which the last particle is gone. */
+  readonly end: number;
+  readonly stopFollowing: () => void;
+}
+
+/** What a call emits, and from which emitters. */
+interface Begun {
+  readonly each: Waiting;
+  readonly emissions: readonly PlacedEmission[];
+  readonly indices: readonly number[];
+}
+
+type Changes = Record<string, Values[string]>;
+
+export interface EngineOptions {
+  /** A canvas of the page. Default: one over the page. */
+  canvas?: HTMLCanvasElement;
+  /** Called when the engine has ended: after a failure, or because it was not used. */
+  onEnd: () => void;
+}
+
+/** @throws LoadError, UnsupportedError or ContextError when smoke cannot be drawn */
+export async function openEngine({ canvas, onEnd }: EngineOptions): Promise<Engine> {
+  const look = await lookOf();
+  const sheet = canvas ? new OwnCanvas(canvas) : new Overlay();
+  try {
+    const values = { ...defaults(), ...AIR, ...look };
+    const size = sizeOf(sheet.canvas);
+    const options = { values, ...size, quality: 'auto', background: false, historyBytes: 0 } as const;
+    const stage = await openStage(() => sheet.makeCanvas(), options);
+    return new Engine(stage, sheet, new Placement(sheet, size), look, onEnd);
+  } catch (error) {
+    sheet.remove();
+    throw asSmokeError(error);
+  }
+}
+
+export class Engine {
+  private readonly stage: RemoteStage;
+  private readonly sheet: Sheet;
+  private readonly placement: Placement;
+  private readonly usualLook: Values;
+  private readonly onEnd: () => void;
+  private readonly emitters = new Emitters();
+  private readonly obstacles = new Obstacles();
+  private readonly tints = new Tints();
+  private waiting: Waiting[] = [];
+  /** Calls whose emitters are on the way to the stage. */
+  private starting: Waiting[] = [];
+  private running: Running[] = [];
+  private look: Values;
+  private seed: number | undefined;
+  private isStarting = false;
+  private isKept = false;
+  private hasEnded = false;
+  /** Ends the listeners of visible smoke; set while there is some. */
+  private playing: AbortController | undefined;
+  private idle: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(stage: RemoteStage, sheet: Sheet, placement: Placement, look: Values, onEnd: () => void) {
+    this.stage = stage;
+    this.sheet = sheet;
+    this.placement = placement;
+    this.usualLook = this.look = look;
+    this.onEnd = onEnd;
+    stage.on('error', (error) => {
+      // The stage goes on without what could not be fetched.
+      if (!(error instanceof LoadError)) this.fail(error);
+    });
+    this.rest();
+  }
+
+  /** Keeps everything while there is no smoke. */
+  keep(): void {
+    this.isKept = true;
+    clearTimeout(this.idle);
+  }
+
+  /** Resolves when the last particle of the call is gone, or after `clear`. */
+  async play(call: PuffCall): Promise<void> {
+    clearTimeout(this.idle);
+    const look = call.preset === undefined ? undefined : await this.lookFor(call.preset);
+    const color = call.color === undefined ? undefined : hexOf(call.color);
+    if (call.signal.aborted) return this.playing ? undefined : this.rest();
+    if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
+    await new Promise<void>((resolve, reject) => {
+      this.waiting.push({ call, look, color, resolve, reject });
+      if (!this.isStarting) this.startAll().catch((error) => this.fail(error));
+    });
+  }
+
+  /** Removes all smoke. */
+  clear(): void {
+    for (const each of this.takeAll()) each.resolve();
+    if (this.playing) this.empty();
+  }
+
+  dispose(): void {
+    if (this.hasEnded) return;
+    this.hasEnded = true;
+    clearTimeout(this.idle);
+    this.playing?.abort();
+    for (const each of this.takeAll()) each.resolve();
+    this.stage.dispose().catch(() => undefined);
+    this.sheet.remove();
+    this.onEnd();
+  }
+
+  private fail(error: unknown): void {
+    if (this.hasEnded) return;
+    const failure = asSmokeError(error);
+    for (const each of this.takeAll()) each.reject(failure);
+    this.dispose();
+  }
+
+  private takeAll(): Waiting[] {
+    for (const { stopFollowing } of this.running) stopFollowing();
+    return [...this.waiting.splice(0), ...this.starting.splice(0), ...this.running.splice(0)];
+  }
+
+  private async lookFor(preset: string): Promise<Values> {
+    try {
+      return await lookOf(preset);
+    } catch (error) {
+      if (!this.playing) this.rest();
+      throw error;
+    }
+  }
+
+  private async startAll(): Promise<void> {
+    this.isStarting = true;
+    try {
+      // The calls of one task start together.
+      await Promise.resolve();
+      while (this.waiting.length > 0 && !this.hasEnded) await this.startSome();
+    } finally {
+      this.isStarting = false;
+    }
+  }
+
+  /** Starts as many of the waiting calls as there are emitters for. */
+  private async startSome(): Promise<void> {
+    const time = this.playing ? (await this.stage.stats()).time : 0;
+    if (this.playing && (time > LATEST || this.placement.isFar)) this.restart();
+    const isFirst = !this.playing;
+    const now = isFirst ? 0 : time;
+    if (isFirst) this.emitters.clear();
+    const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
+    this.starting = this.takeWaiting(this.emitters.free(now));
+    if (this.starting.length === 0) return delay(LOOK_MS);
+    this.place(isFirst, this.starting, changes);
+    const start = isFirst ? 0 : now + LEAD;
+    const begun = this.starting.map((each) => this.emit(each, start, now, changes));
+    if (isFirst) await this.sendFirst(begun, changes);
+    else await this.send(begun, changes, start);
+  }
+
+  private takeWaiting(free: number): Waiting[] {
+    const taken: Waiting[] = [];
+    for (let [next] = this.waiting; next; [next] = this.waiting) {
+      free -= emissionsOf(next.call.effect, { halfWidth: 0, halfHeight: 0 }, next.call).length;
+      if (free < 0) break;
+      taken.push(next);
+      this.waiting.shift();
+    }
+    return taken;
+  }
+
+  /** Moves the canvas to what is visible, and gives it the look and the layer of the latest call that asks for one. */
+  private place(isFirst: boolean, taken: readonly Waiting[], changes: Changes): void {
+    if (isFirst || this.placement.isOff) this.move(isFirst);
+    Object.assign(changes, this.placement.values);
+    const look = taken.findLast((each) => each.look)?.look ?? (isFirst ? this.usualLook : this.look);
+    if (look !== this.look) Object.assign(changes, look);
+    this.look = look;
+    const { call } = taken.findLast((each) => isLayered(each)) ?? taken.at(-1)!;
+    if (isFirst || isLayered({ call })) this.sheet.style(call.layer, call.zIndex);
+  }
+
+  private move(isEmpty: boolean): void {
+    this.placement.move(isEmpty);
+    const { width, height, pixelRatio } = this.placement.canvasSize;
+    this.stage.resize(width, height, pixelRatio).catch(() => undefined);
+  }
+
+  private emit(each: Waiting, start: number, now: number, changes: Changes): Begun {
+    const { call } = each;
+    const box = this.placement.clipped(call.source.box()!);
+    const at = this.placement.pointOf(box);
+    const extent = this.placement.extentOf(box);
+    const tint = this.tints.take(each.color, changes);
+    const emissions = emissionsOf(call.effect, extent, call).map((emission) => ({ ...emission, at, tint }));
+    if (flowsAround(call.effect) && box.width > 0) Object.assign(changes, this.obstacles.take(call, at, extent));
+    return { each, emissions, indices: emissions.map((emission) => this.emitters.take(emission, start, now)) };
+  }
+
+  /** Starts the simulation again, so that a seed decides all of its smoke. */
+  private async sendFirst(begun: readonly Begun[], changes: Changes): Promise<void> {
+    const seed = begun[0].each.call.seed ?? Math.floor(Math.random() * 2 ** 32);
+    // First, because a stage that plays does not draw the empty scene for a change.
+    this.beginPlay();
+    const set = this.stage.set({ ...changes, ...this.emitters.values(), seed });
+    // Only another seed starts it by itself.
+    const restart = seed === this.seed ? this.stage.restart() : undefined;
+    this.seed = seed;
+    await Promise.all([set, restart]);
+    for (const each of begun) this.run(each, 0);
+  }
+
+  private async send(begun: readonly Begun[], changes: Changes, start: number): Promise<void> {
+    for (let lead = LEAD; ; lead *= 2) {
+      const sent = this.stage.set({ ...changes, ...this.emitters.values() });
+      const [{ time }] = await Promise.all([this.stage.stats(), sent]);
+      if (time <= start || this.hasEnded) break;
+      // A burst does not start in the past.
+      start = time + 2 * lead;
+      for (const { indices } of begun) this.emitters.delay(indices, start);
+    }
+    for (const each of begun) this.run(each, start);
+  }
+
+  private run({ each, emissions, indices }: Begun, start: number): void {
+    const { call } = each;
+    // Cleared in the meantime.
+    if (!this.starting.includes(each)) return;
+    this.starting = this.starting.filter((other) => other !== each);
+    const stopFollowing = call.effect === 'trail' ? this.follow(call, emissions[0], indices[0]) : () => undefined;
+    const life = Math.max(...emissions.map(lifeOf));
+    this.running.push({ ...each, end: start + life, stopFollowing });
+    call.onBegin();
+  }
+
+  private follow({ source }: PuffCall, emission: PlacedEmission, index: number): () => void {
+    const isOwn = () => this.emitters.holds(index, emission);
+    return follow(this.stage, this.placement, source, { index, from: emission.at, isOwn });
+  }
+
+  private beginPlay(): void {
+    this.playing = new AbortController();
+    const { signal } = this.playing;
+    this.stage.play().catch((error) => this.fail(error));
+    addEventListener('keydown', ({ key }) => key === 'Escape' && this.clear(), { signal, capture: true });
+    addEventListener('resize', () => this.moveVisible(), { signal });
+    this.watch(signal).catch((error) => this.fail(error));
+  }
+
+  private moveVisible(): void {
+    if (!this.placement.isOff) return;
+    if (this.placement.isFar) return this.clear();
+    this.move(false);
+    this.stage.set(this.placement.values).catch(() => undefined);
+  }
+
+  /** Ends calls whose smoke is gone. */
+  private async watch(signal: AbortSignal): Promise<void> {
+    let now = 0;
+    while (!signal.aborted) {
+      const ends = this.running.map(({ end }) => 1000 * (end - now));
+      // Simulated time is never faster than real time.
+      await delay(Math.max(LOOK_MS, Math.min(...ends, MAX_LOOK_MS)));
+      if (signal.aborted) return;
+      const { time, waiting } = await this.stage.stats();
+      now = time;
+      // Particles that wait for others to die live longer.
+      if (signal.aborted || waiting > 0) continue;
+      const over = this.running.filter(({ end }) => end < time);
+      this.running = this.running.filter(({ end }) => end >= time);
+      for (const each of over) this.end(each);
+      if (this.running.length === 0 && !this.isStarting) this.endPlay();
+    }
+  }
+
+  private end(each: Running): void {
+    each.stopFollowing();
+    const gone = this.obstacles.release(each.call);
+    if (Object.keys(gone).length > 0) this.stage.set(gone).catch(() => undefined);
+    each.resolve();
+  }
+
+  /** Ends the visible smoke, whose place or time the simulation cannot reach any more. */
+  private restart(): void {
+    for (const each of this.running.splice(0)) this.end(each);
+    this.empty();
+  }
+
+  private empty(): void {
+    this.stage.restart().catch(() => undefined);
+    this.endPlay();
+  }
+
+  private endPlay(): void {
+    this.playing?.abort();
+    this.playing = undefined;
+    this.stage.pause().catch(() => undefined);
+    this.rest();
+  }
+
+  /** Ends the engine if it is not used. */
+  private rest(): void {
+    clearTimeout(this.idle);
+    if (!this.isKept) this.idle = setTimeout(() => this.dispose(), IDLE_MS);
+  }
+}
+
+function isLayered({ call }: Pick<Waiting, 'call'>): boolean {
+  return call.layer !== undefined || call.zIndex !== undefined;
+}
+
+/** Seconds from the start of an emission until its last particle is gone. */
+function lifeOf({ delay: wait, duration, life, lifeVariation }: PlacedEmission): number {
+  return wait + duration + life * (1 + lifeVariation);
+}
+
+function delay(milliseconds: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, milliseconds));
+}
+
+function asSmokeError(error: unknown): SmokeError {
+  if (error instanceof SmokeError) return error;
+  return new LoadError(`The smoke stopped: ${(error as Error).message}`, { cause: error });
+}

@@ -1,0 +1,81 @@
+/** Colours, ink and light of the smoke. */
+import { ParameterError } from '../preset/errors.ts';
+import { fetchPreset } from '../preset/byScene/fetchPreset.ts';
+import type { Values } from '../preset/parameter.ts';
+import { isOfLook } from './ofLook.ts';
+import { fetched } from '../preset/timeout.ts';
+import { defaults, presetValues } from '../preset/values.ts';
+
+const USUAL = 'air';
+/** Number of tints of the simulator. */
+const TINTS = 3;
+
+/**
+ * The values of a look, by flat key.
+ * @param preset name of a preset, a share link, or its hash
+ * @throws ParameterError for an unknown preset, LoadError when it cannot be fetched
+ */
+export async function lookOf(preset = USUAL): Promise<Values> {
+  return pick(preset.includes('#') ? await valuesOfLink(preset) : await valuesOfPreset(preset));
+}
+
+async function valuesOfLink(link: string): Promise<Values> {
+  const { decode } = await fetched('The link', import('../preset/codec.ts'));
+  const { state, notices } = await decode(link.slice(link.indexOf('#')));
+  if (notices.length > 0) throw new ParameterError('preset', link, `a share link: ${notices[0].message}`);
+  return state.values;
+}
+
+async function valuesOfPreset(name: string): Promise<Values> {
+  const preset = await fetchPreset(name);
+  if (!preset) throw new ParameterError('preset', name, 'the name of a preset, such as lamp-noir, or a share link');
+  return presetValues(preset);
+}
+
+/** Only values that every preset has, so that a look replaces all of the one before. */
+function pick(values: Values): Values {
+  const usual = defaults();
+  return Object.fromEntries(Object.entries(values).filter(([key]) => isOfLook(key) && key in usual));
+}
+
+/** The tints of the simulator, handed out to colours. */
+export class Tints {
+  /** The latest last. */
+  private colors: string[] = [];
+  private indices: number[] = [];
+
+  /**
+   * The number of a colour's tint; 0 without a colour. A new colour takes the tint of the oldest one.
+   * @param values receives the colour
+   */
+  take(color: string | undefined, values: Record<string, Values[string]>): number {
+    if (color === undefined) return 0;
+    const known = this.colors.indexOf(color);
+    const tint = known >= 0 ? this.indices[known] : this.next();
+    this.forget(tint);
+    this.colors.push(color);
+    this.indices.push(tint);
+    values[`style.tint${tint}`] = color;
+    return tint;
+  }
+
+  private next(): number {
+    return this.indices.length < TINTS ? this.indices.length + 1 : this.indices[0];
+  }
+
+  private forget(tint: number): void {
+    const index = this.indices.indexOf(tint);
+    if (index < 0) return;
+    this.indices.splice(index, 1);
+    this.colors.splice(index, 1);
+  }
+}
+
+/** `#rrggbb` of a CSS colour, without its opacity. */
+export function hexOf(color: string): string {
+  const context = document.createElement('canvas').getContext('2d')!;
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
+  return `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}`;
+}

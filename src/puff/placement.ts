@@ -1,0 +1,115 @@
+/** Where the canvas is on the page, and where places of the page are in the scene. */
+import { sizeOf, type Size } from '../page/size.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { Extent } from './effects.ts';
+import type { Sheet } from './overlay.ts';
+import type { ScenePoint } from './slots.ts';
+import type { TargetBox } from './target.ts';
+
+/** CSS pixels per metre of the scene `air`. */
+const PIXELS_PER_METRE = 150;
+/** The camera can be this far from the middle of the scene, metres. */
+const FARTHEST = 49;
+/** Places of the scene are up to this far, metres. */
+const FARTHEST_PLACE = 400;
+/** The canvas moves when less than this fraction of its height is visible. */
+const MIN_VISIBLE = 0.75;
+
+/** The camera in front of the plane of the page. */
+export class Placement {
+  private readonly sheet: Sheet;
+  private camera: ScenePoint = { x: 0, y: 0 };
+  private size: Size;
+
+  constructor(sheet: Sheet, size: Size) {
+    this.sheet = sheet;
+    this.size = size;
+  }
+
+  /** Whether what is visible now is too far from the smoke for one camera. */
+  get isFar(): boolean {
+    const { left, top } = this.sheet.rectangle();
+    const { x, y } = this.camera;
+    const isFar = Math.max(Math.abs(x - left / PIXELS_PER_METRE), Math.abs(y + top / PIXELS_PER_METRE)) > FARTHEST;
+    return this.sheet.followsWindow && isFar;
+  }
+
+  /** Whether too little of the canvas is visible. */
+  get isOff(): boolean {
+    const { top, bottom, height, left, right, width } = this.sheet.rectangle();
+    const visible = (from: number, to: number, end: number) => Math.min(to, end) - Math.max(from, 0);
+    const isOut =
+      visible(top, bottom, innerHeight) < MIN_VISIBLE * height ||
+      visible(left, right, innerWidth) < MIN_VISIBLE * width;
+    return this.sheet.followsWindow && (isOut || this.hasOtherSize);
+  }
+
+  private get hasOtherSize(): boolean {
+    const { clientWidth, clientHeight } = document.documentElement;
+    return (
+      this.sheet.followsWindow &&
+      (clientWidth !== this.size.width || Math.min(innerHeight, clientHeight) !== this.size.height)
+    );
+  }
+
+  /** Moves the canvas to what is visible. @param isEmpty whether the scene has no smoke whose place must stay */
+  move(isEmpty: boolean): void {
+    const before = middle(this.sheet.rectangle());
+    this.sheet.place();
+    const after = middle(this.sheet.rectangle());
+    const { x, y } = this.camera;
+    this.camera = isEmpty
+      ? { x: 0, y: 0 }
+      : { x: x + (after.x - before.x) / PIXELS_PER_METRE, y: y - (after.y - before.y) / PIXELS_PER_METRE };
+    this.size = sizeOf(this.sheet.canvas);
+  }
+
+  /** The size of the canvas. */
+  get canvasSize(): Size {
+    return this.size;
+  }
+
+  /** Values of the camera. */
+  get values(): Values {
+    return { 'camera.target.x': rounded(this.camera.x), 'camera.target.y': rounded(this.camera.y) };
+  }
+
+  /** The part of a box on the canvas; all of it if it is beside the canvas. */
+  clipped(box: TargetBox): TargetBox {
+    const around = this.sheet.rectangle();
+    const [left, top] = [Math.max(box.left, around.left), Math.max(box.top, around.top)];
+    const width = Math.min(box.left + box.width, around.right) - left;
+    const height = Math.min(box.top + box.height, around.bottom) - top;
+    return width > 0 && height > 0 ? { left, top, width, height } : box;
+  }
+
+  /** The middle of a box in the plane of the page, metres. */
+  pointOf(box: TargetBox): ScenePoint {
+    const around = middle(this.sheet.rectangle());
+    const { x, y } = middle(box);
+    const metres = this.sheet.scale / PIXELS_PER_METRE;
+    return {
+      x: limited(this.camera.x + (x - around.x) * metres),
+      y: limited(this.camera.y - (y - around.y) * metres),
+    };
+  }
+
+  /** Half sides of a box in the plane of the page, metres. */
+  extentOf({ width, height }: TargetBox): Extent {
+    const metres = this.sheet.scale / PIXELS_PER_METRE;
+    return { halfWidth: limited((width / 2) * metres), halfHeight: limited((height / 2) * metres) };
+  }
+}
+
+function limited(metres: number): number {
+  return Math.min(Math.max(metres, -FARTHEST_PLACE), FARTHEST_PLACE);
+}
+
+function middle({ left, top, width, height }: TargetBox): ScenePoint {
+  return { x: left + width / 2, y: top + height / 2 };
+}
+
+/** The precision with which the camera keeps its values. */
+function rounded(metres: number): number {
+  return Math.round(metres * 10_000) / 10_000;
+}

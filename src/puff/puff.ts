@@ -1,0 +1,105 @@
+/** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
+import { LoadError } from '../preset/errors.ts';
+import type { Engine } from './engine.ts';
+import { demandOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
+import { sourceOf, type PuffTarget } from './target.ts';
+import { visibilityChange } from './visibility.ts';
+
+export interface Puff {
+  /**
+   * Shows smoke.
+   *
+   * @param target an element, which smoke leaves and flows around; an event with coordinates; or a point in client
+   * pixels. Default: the middle of the window
+   * @returns resolves when the last particle is gone. It resolves at once if there is nothing to show: for an element
+   * without a box, or with reduced motion. Rejects with a ParameterError for invalid arguments, an UnsupportedError
+   * without WebGL2 or WASM, a LoadError when code cannot be fetched, a ContextError when the context is lost for good
+   */
+  (target?: PuffTarget, options?: PuffOptions): Promise<void>;
+  /** The names of the effects. */
+  readonly effects: readonly Effect[];
+  /**
+   * Loads everything, so that later calls start at once, and keeps it.
+   * @throws as a call does
+   */
+  preload(): Promise<void>;
+  /** Removes all smoke. The promises of its calls resolve; elements that vanish or appear have done so. */
+  clear(): void;
+  /** A `puff` that draws on this canvas instead of one over the page. The canvas must not have a context. */
+  create(canvas: HTMLCanvasElement): OwnPuff;
+}
+
+/** A `puff` on a canvas of the page. */
+export interface OwnPuff extends Puff {
+  /** Releases everything. The canvas stays in the page. */
+  dispose(): void;
+}
+
+function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
+  let opening: Promise<Engine> | undefined;
+  let isKept = canvas !== undefined;
+  /** The calls before the latest `clear`. */
+  let calls = new AbortController();
+
+  const open = async (): Promise<Engine> => {
+    opening ??= fetchEngine().then(({ openEngine }) => openEngine({ canvas, onEnd: () => (opening = undefined) }));
+    try {
+      const engine = await opening;
+      if (isKept) engine.keep();
+      return engine;
+    } catch (error) {
+      opening = undefined;
+      throw error;
+    }
+  };
+
+  const end = (act: (engine: Engine) => void) => {
+    calls.abort();
+    calls = new AbortController();
+    opening?.then(act).catch(() => undefined);
+  };
+
+  const puff = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
+    demandOptions(options);
+    const source = sourceOf(target);
+    const { effect = 'poof', reducedMotion = 'skip' } = options;
+    const change = visibilityChange(effect, source.element);
+    const { signal } = calls;
+    signal.addEventListener('abort', change.end);
+    try {
+      const isCalm = reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches;
+      if (isCalm || !source.box()) return change.end();
+      const engine = await open();
+      if (signal.aborted) return;
+      await engine.play({ ...options, effect, source, signal, onBegin: change.begin });
+      await change.finished();
+    } catch (error) {
+      change.end();
+      throw error;
+    } finally {
+      signal.removeEventListener('abort', change.end);
+    }
+  };
+
+  return Object.assign(puff, {
+    effects: EFFECTS,
+    async preload() {
+      isKept = true;
+      await open();
+    },
+    clear: () => end((engine) => engine.clear()),
+    create: (own: HTMLCanvasElement) => makePuff(own),
+    dispose: () => end((engine) => engine.dispose()),
+  });
+}
+
+/** Not by `fetched`, which would bring code of the element into the download before the first call. */
+async function fetchEngine() {
+  try {
+    return await import('./engine.ts');
+  } catch (cause) {
+    throw new LoadError(`The smoke could not be fetched: ${(cause as Error).message}`, { cause });
+  }
+}
+
+export const puff: Puff = makePuff();

@@ -1,0 +1,255 @@
+/**
+ * `npm run bench -- puff`: `puff()` as published, beside canvas-confetti in the same page: download sizes, time to the
+ * first smoke, main-thread time of 1 and 20 calls, and what 500 calls leave behind.
+ */
+
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
+import { chromium } from '@playwright/test';
+import { run as runCommand } from '../../scripts/lib/command.mjs';
+import { inRoot } from '../../scripts/lib/paths.mjs';
+import { UserError } from '../../scripts/lib/userError.mjs';
+import { CHROMIUM_FLAGS, findBrowser } from '../../scripts/setup/browser.mjs';
+import * as packaged from '../../scripts/setup/package.mjs';
+import { serveSite } from '../../scripts/site/serve.mjs';
+import { spread } from './support/spread.mjs';
+
+/** @typedef {import('../../scripts/bench/table.mjs').Figure} Figure */
+
+const FOLDER = '.cache/bench-puff';
+const CONFETTI = 'canvas-confetti';
+const VERSION = '1.9.4';
+const CONFETTI_FILE = `${FOLDER}/node_modules/${CONFETTI}/dist/confetti.browser.js`;
+const VIEW = { width: 640, height: 360 };
+const ROUNDS = 5;
+const CALLS = 500;
+/** Calls at a time. */
+const BATCH = 25;
+/** After this time without smoke everything is gone: 5 s for the canvas, 5 s for the worker, and some more. */
+const IDLE_MS = 13_000;
+
+const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">
+  <button style="margin: 120px 250px">Press</button>
+  <script type="module">
+    import { puff } from '/package/dist/puff.js';
+    window.puff = puff;
+  </script>`;
+const WITH_CONFETTI = `${PAGE}<script src="/${CONFETTI_FILE}"></script>`;
+
+/**
+ * @param {import('./support/page.mjs').Choice} choice
+ * @returns {Promise<Figure[]>}
+ */
+export async function run({ quick, say }) {
+  if (!packaged.isFresh()) await packaged.bring(say);
+  await bringConfetti(say);
+  writeFileSync(inRoot(`${FOLDER}/puff.html`), PAGE);
+  writeFileSync(inRoot(`${FOLDER}/both.html`), WITH_CONFETTI);
+  const rounds = quick ? 3 : ROUNDS;
+  const server = await serveSite(inRoot('.'), '/');
+  const browser = await chromium.launch({
+    executablePath: await findBrowser(),
+    args: [...CHROMIUM_FLAGS, '--js-flags=--expose-gc', '--enable-precise-memory-info'],
+  });
+  const open = (/** @type {string} */ page) => openPage(browser, `${server.address}${FOLDER}/${page}.html`);
+  try {
+    say('download and first smoke');
+    const starts = await measureStarts(open, server.sent, rounds);
+    say('main thread');
+    const costs = await measureCosts(open, rounds, say);
+    say(`${CALLS} calls`);
+    return [...starts, ...costs, ...(await measureLeaks(open, quick ? CALLS / 5 : CALLS))];
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** @param {(line: string) => void} say */
+async function bringConfetti(say) {
+  if (existsSync(inRoot(CONFETTI_FILE))) return;
+  say(`fetching ${CONFETTI}`);
+  const folder = inRoot(FOLDER);
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, 'package.json'), JSON.stringify({ private: true, dependencies: { [CONFETTI]: VERSION } }));
+  const { status, output } = await runCommand('npm', ['install', '--ignore-scripts', '--no-audit', '--no-fund'], {
+    folder,
+  });
+  if (status !== 0) throw new UserError(`${CONFETTI} could not be fetched from npm.`, output);
+}
+
+/** @param {import('@playwright/test').Browser} browser @param {string} address */
+async function openPage(browser, address) {
+  const context = await browser.newContext({ viewport: VIEW, deviceScaleFactor: 1 });
+  const page = await context.newPage();
+  page.setDefaultTimeout(120_000);
+  await page.addInitScript(helpers);
+  await page.goto(address);
+  await page.waitForFunction(() => 'puff' in window);
+  return page;
+}
+
+/** Runs in the page. */
+function helpers() {
+  const scope = /** @type {any} */ (window);
+  scope.contexts = 0;
+  const native = /** @type {any} */ (HTMLCanvasElement.prototype.getContext);
+  /** @this {HTMLCanvasElement} @param {unknown[]} given */
+  HTMLCanvasElement.prototype.getContext = /** @type {any} */ (
+    function (...given) {
+      scope.contexts += 1;
+      return native.apply(this, given);
+    }
+  );
+  /** Milliseconds from a call until its smoke is on the canvas. */
+  scope.untilSmoke = async () => {
+    const copy = new OffscreenCanvas(80, 45).getContext('2d', { willReadFrequently: true });
+    const begin = performance.now();
+    const over = scope.puff(document.querySelector('button'));
+    for (;;) {
+      await new Promise(requestAnimationFrame);
+      const canvas = document.querySelector('canvas');
+      if (!canvas || canvas.width === 0) continue;
+      copy.clearRect(0, 0, 80, 45);
+      copy.drawImage(canvas, 0, 0, 80, 45);
+      if (copy.getImageData(0, 0, 80, 45).data.some((/** @type {number} */ byte) => byte > 0)) break;
+    }
+    const seconds = performance.now() - begin;
+    await over;
+    return seconds;
+  };
+  /** Number of frames of the page while an effect runs. */
+  scope.framesOf = async (/** @type {() => Promise<unknown>} */ act) => {
+    let frames = 0;
+    let isOver = false;
+    const count = () => {
+      frames += 1;
+      if (!isOver) requestAnimationFrame(count);
+    };
+    requestAnimationFrame(count);
+    await act();
+    isOver = true;
+    return frames;
+  };
+}
+
+/** @typedef {import('@playwright/test').Page} Page */
+/** @typedef {(page: string) => Promise<Page>} Open */
+
+/** @param {Open} open @param {{ file: string, bytes: number }[]} sent @param {number} rounds @returns {Promise<Figure[]>} */
+async function measureStarts(open, sent, rounds) {
+  const cold = [];
+  const warm = [];
+  let first = 0;
+  let total = 0;
+  for (let round = 0; round < rounds; round++) {
+    sent.length = 0;
+    const page = await open('puff');
+    const bytes = () => sent.filter(({ file }) => /\.(js|wasm)$/.test(file)).reduce((sum, each) => sum + each.bytes, 0);
+    first = bytes();
+    cold.push(await page.evaluate('untilSmoke()'));
+    total = bytes();
+    await page.evaluate('puff.preload()');
+    warm.push(await page.evaluate('untilSmoke()'));
+    await page.context().close();
+  }
+  return [
+    { name: 'puff.firstKb', value: first / 1000, unit: 'kB', note: 'gzip, before the first call; at most 6' },
+    { name: 'puff.totalKb', value: total / 1000, unit: 'kB', note: 'gzip, with worker and simulator' },
+    { name: 'puff.coldMs', ...spread(/** @type {number[]} */ (cold)), unit: 'ms', note: 'to the first smoke' },
+    { name: 'puff.preloadedMs', ...spread(/** @type {number[]} */ (warm)), unit: 'ms', note: 'at most 150' },
+  ];
+}
+
+/** One page, so that both draw in the same window. */
+const CONTESTS = /** @type {const} */ ([
+  ['puff.main1Ms', "puff(document.querySelector('button'))"],
+  ['confetti.main1Ms', 'confetti()'],
+  ['puff.main20Ms', 'Promise.all(Array.from({ length: 20 }, (_, at) => puff({ x: 30 * at, y: 200 })))'],
+  ['confetti.main20Ms', 'Promise.all(Array.from({ length: 20 }, () => confetti()))'],
+]);
+
+/** @param {Open} open @param {number} rounds @param {(line: string) => void} say @returns {Promise<Figure[]>} */
+async function measureCosts(open, rounds, say) {
+  const page = await open('both');
+  const session = await page.context().newCDPSession(page);
+  // The time of the processor: on a machine without a GPU, the worker takes it from the page.
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  await page.evaluate('puff.preload()');
+  await page.evaluate('Promise.all([puff(), confetti()])');
+  const seconds = async () => valueOf((await session.send('Performance.getMetrics')).metrics, 'TaskDuration');
+  /** @type {Record<string, number[]>} */
+  const found = Object.fromEntries(CONTESTS.map(([name]) => [name, []]));
+  for (let round = 0; round < rounds; round++) {
+    for (const [name, code] of CONTESTS) {
+      say(`main thread, ${name}, round ${round + 1} of ${rounds}`);
+      const before = await seconds();
+      const frames = /** @type {number} */ (await page.evaluate(`framesOf(() => ${code})`));
+      found[name].push((1000 * ((await seconds()) - before)) / frames);
+    }
+  }
+  await page.context().close();
+  const ratio = (/** @type {number} */ count) =>
+    found[`puff.main${count}Ms`].map((ms, round) => ms / found[`confetti.main${count}Ms`][round]);
+  return [
+    ...CONTESTS.map(([name]) => ({
+      name,
+      ...spread(found[name]),
+      unit: 'ms',
+      note: 'processor time of the main thread for each frame',
+    })),
+    { name: 'puff.main1Ratio', ...spread(ratio(1)), unit: 'x', note: `of ${CONFETTI} ${VERSION}; at most 1` },
+    { name: 'puff.main20Ratio', ...spread(ratio(20)), unit: 'x', note: `of ${CONFETTI} ${VERSION}` },
+  ];
+}
+
+/** @param {Open} open @param {number} count @returns {Promise<Figure[]>} */
+async function measureLeaks(open, count) {
+  const page = await open('puff');
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable');
+  const batch = () =>
+    page.evaluate(
+      (calls) =>
+        Promise.all(
+          Array.from({ length: calls }, (_, at) =>
+            /** @type {any} */ (window).puff({ x: 20 * at, y: 100 }, { effect: 'pop', count: 4 }),
+          ),
+        ),
+      BATCH,
+    );
+  const state = async () => {
+    await pause(IDLE_MS);
+    await page.evaluate('gc()');
+    const { metrics } = await session.send('Performance.getMetrics');
+    const [listeners, nodes, heap] = ['JSEventListeners', 'Nodes', 'JSHeapUsedSize'].map((name) =>
+      valueOf(metrics, name),
+    );
+    const [canvases, contexts] = /** @type {[number, number]} */ (
+      await page.evaluate('[document.querySelectorAll("canvas").length, contexts]')
+    );
+    return { listeners, nodes, heap: heap / 1e6, canvases, contexts, workers: page.workers().length };
+  };
+  // The modules stay in memory.
+  await batch();
+  const before = await state();
+  for (let calls = 0; calls < count; calls += BATCH) await batch();
+  const after = await state();
+  await page.context().close();
+  const note = `more after ${count} calls, when idle`;
+  return [
+    { name: 'puff.heapMb', value: after.heap - before.heap, unit: 'MB', note },
+    .../** @type {const} */ (['listeners', 'nodes', 'canvases', 'contexts', 'workers']).map((name) => ({
+      name: `puff.${name}`,
+      value: after[name] - before[name],
+      unit: '',
+      note,
+    })),
+  ];
+}
+
+/** @param {{ name: string, value: number }[]} metrics @param {string} wanted */
+function valueOf(metrics, wanted) {
+  return metrics.find(({ name }) => name === wanted)?.value ?? 0;
+}

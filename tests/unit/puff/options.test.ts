@@ -1,0 +1,47 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { ParameterError } from '../../../src/preset/errors.ts';
+import { Tints } from '../../../src/puff/look.ts';
+import { demandOptions, EFFECTS, RANGES, type PuffOptions } from '../../../src/puff/options.ts';
+
+beforeEach(() => vi.stubGlobal('CSS', { supports: (_: string, value: string) => value === 'tomato' }));
+afterEach(() => vi.unstubAllGlobals());
+
+describe('options', () => {
+  it('are accepted up to both ends of each range', () => {
+    for (const [name, [min, max]] of Object.entries(RANGES)) {
+      for (const value of [min, max]) expect(() => demandOptions({ [name]: value })).not.toThrow();
+      for (const value of [min - 1, max + 1, NaN, Infinity, '1', null]) {
+        expect(() => demandOptions({ [name]: value }), `${name}: ${value}`).toThrow(ParameterError);
+      }
+    }
+  });
+
+  it('can be undefined', () => {
+    expect(() => demandOptions({ effect: undefined, count: undefined, color: undefined })).not.toThrow();
+  });
+
+  it.each([
+    [{ effect: 'bang' }, EFFECTS.join(', ')],
+    [{ effect: 'toString' }, EFFECTS.join(', ')],
+    [{ layer: 'beside' }, 'above, below'],
+    [{ color: 'none' }, 'a CSS colour'],
+    [{ preset: 4 }, 'the name of a preset'],
+    [{ colour: 'tomato' }, 'The options are effect, layer'],
+    [{ count: 2.5 }, 'a whole number from 1 to 500'],
+  ])('%o is rejected with what is accepted', (options, accepted) => {
+    expect(() => demandOptions(options as PuffOptions)).toThrow(accepted);
+  });
+});
+
+describe('tints', () => {
+  it('keep a colour and give the oldest away', () => {
+    const tints = new Tints();
+    const values = {};
+    expect(tints.take(undefined, values)).toBe(0);
+    expect(['#111111', '#222222', '#333333', '#111111'].map((color) => tints.take(color, values))).toEqual([
+      1, 2, 3, 1,
+    ]);
+    expect(tints.take('#444444', values)).toBe(2);
+    expect(values).toEqual({ 'style.tint1': '#111111', 'style.tint2': '#444444', 'style.tint3': '#333333' });
+  });
+});
