@@ -1,6 +1,6 @@
 /** Files that are either whole or not there, and one sentence for each error of the disk. */
 
-import { createWriteStream, mkdirSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createWriteStream, existsSync, mkdirSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { createHash, randomBytes } from 'node:crypto';
 import { once } from 'node:events';
 import { basename, dirname, join } from 'node:path';
@@ -54,13 +54,25 @@ export function removeParts() {
  */
 export async function prepareFolder(folder) {
   try {
-    mkdirSync(folder, { recursive: true });
+    createFolder(folder);
   } catch (error) {
     throw diskError(folder, error);
   }
   const probe = join(folder, `.probe-${randomBytes(4).toString('hex')}`);
   await writeWhole(probe, '');
   rmSync(probe, { force: true });
+}
+
+/** One level at a time: Node's recursive mkdir does not return for a folder in /proc. */
+function createFolder(/** @type {string} */ folder) {
+  if (existsSync(folder)) return;
+  createFolder(dirname(folder));
+  try {
+    mkdirSync(folder);
+  } catch (error) {
+    // Another shard may have created it.
+    if (!existsSync(folder)) throw error;
+  }
 }
 
 /**

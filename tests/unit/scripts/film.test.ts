@@ -8,6 +8,8 @@ import { nameOf, type Keyframe } from '../../../src/app/film/order.ts';
 // @ts-expect-error -- a script without declarations
 import * as options from '../../../scripts/film/options.mjs';
 // @ts-expect-error -- a script without declarations
+import * as files from '../../../scripts/film/files.mjs';
+// @ts-expect-error -- a script without declarations
 import * as frames from '../../../scripts/film/frames.mjs';
 // @ts-expect-error -- a script without declarations
 import * as browser from '../../../scripts/film/browser.mjs';
@@ -129,6 +131,32 @@ describe('options of a flipbook', () => {
     [['--frames', '1-2'], /^Unknown option '--frames'/],
   ])('%j is rejected in one line', (words, message) => {
     expect(() => flip(...words)).toThrow(message);
+  });
+});
+
+describe('prepareFolder', () => {
+  const prepareFolder = files.prepareFolder as (folder: string) => Promise<void>;
+  let place: string;
+
+  beforeEach(() => (place = mkdtempSync(join(tmpdir(), 'folder-'))));
+  afterEach(() => rmSync(place, { recursive: true }));
+
+  it('creates folders in folders and leaves nothing in them', async () => {
+    const folder = join(place, 'a/b/c');
+    await prepareFolder(folder);
+    await prepareFolder(folder);
+    expect(readdirSync(folder)).toEqual([]);
+  });
+
+  it('rejects a file and a folder in a file', async () => {
+    writeFileSync(join(place, 'file'), '');
+    for (const path of ['file', 'file/a/b']) {
+      await expect(prepareFolder(join(place, path))).rejects.toThrow(/cannot be written: \w+/);
+    }
+  });
+
+  it.runIf(process.platform === 'linux')('rejects a folder in /proc', async () => {
+    await expect(prepareFolder('/proc/frames/of')).rejects.toThrow(/^\/proc\/frames\/of cannot be written: ENOENT/);
   });
 });
 
