@@ -37,7 +37,8 @@ export async function writeWhole(path, content) {
   } catch (error) {
     throw diskError(path, error);
   } finally {
-    rmSync(part, { force: true });
+    // Without this condition, a file in place of the folder would hide the error.
+    if (existsSync(part)) rmSync(part);
     open.delete(part);
   }
 }
