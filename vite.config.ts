@@ -34,6 +34,8 @@ export default defineConfig({
       input: ['index.html', 'paper.html', 'puff.html'],
       // These files only export. Otherwise the first load would contain every module that they name.
       treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset|puff)\.ts$/, sideEffects: false }] },
+      // The page needs all presets at once. Otherwise each scene's presets are a file, because puff.html loads them singly.
+      output: { codeSplitting: { groups: [{ name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/ }] } },
     },
   },
 });
