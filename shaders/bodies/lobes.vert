@@ -48,12 +48,25 @@ void main() {
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+#ifdef DEFORMED
+    lobes[ i ].xyz *= unfolded(UNROLLED_LOOP_INDEX, ageOf(attributes));
+#endif
     lobes[ i ].xyz = viewFromPuff * lobes[ i ].xyz;
     lowest = min(lowest, lobes[ i ].xy - lobes[ i ].w);
     highest = max(highest, lobes[ i ].xy + lobes[ i ].w);
   }
   #pragma unroll_loop_end
+#ifdef DEFORMED
+  vec4 sum = vec4(0.0);
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    sum += vec4(lobes[ i ].xyz, 1.0) * (lobes[ i ].w * lobes[ i ].w * lobes[ i ].w);
+  }
+  #pragma unroll_loop_end
+  vec3 middle = sum.xyz / sum.w;
+#else
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
+#endif
 
   vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);

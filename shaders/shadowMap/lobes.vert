@@ -23,6 +23,9 @@ void main() {
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+#ifdef DEFORMED
+    lobes[ i ].xyz *= unfolded(UNROLLED_LOOP_INDEX, casterAgeOf(attributes));
+#endif
     lobes[ i ] = vec4(centre + viewFromPuff * lobes[ i ].xyz, place.w * lobes[ i ].w);
   }
   #pragma unroll_loop_end

@@ -49,7 +49,7 @@ const float CAP_SLACK = 0.02;
 const float NEAREST = 1.2;
 
 // The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
-mat3 viewFromPuffOf(uvec2 attributes) {
+mat3 viewFromPuffOf(uvec4 attributes) {
   if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
   vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
   return mat3(vec3(rotation.x, rotation.y, 0.0), vec3(-rotation.y, rotation.x, 0.0), vec3(0.0, 0.0, 1.0));
@@ -73,12 +73,22 @@ float shearOf(vec3 travel, vec3 centre) {
   return grown * (straight + aside);
 }
 
+#ifdef DEFORMED
+// Distance from the centre to the farthest centre of a lobe, in radii along the light's travel. No lobe has a lit point
+// farther behind; the form of deformed puffs is not baked.
+float farthest;
+#endif
+
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
+#ifdef DEFORMED
+  float cap = farthest;
+#else
   vec3 towards = -travel * viewFromPuff;
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
+#endif
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
   return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
 }
@@ -105,9 +115,19 @@ vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
 float spreadDiscs(mat3 frameFromPuff, float growth) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float widest = 0.0;
+#ifdef DEFORMED
+  farthest = 0.0;
+#endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
+#ifdef DEFORMED
+    vec4 lobe = texelFetch(casterTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+    lobe.xyz *= unfolded(UNROLLED_LOOP_INDEX, casterAgeOf(attributes));
+    discs[ i ] = discOf(lobe, frameFromPuff, growth);
+    farthest = max(farthest, dot(vec3(frameFromPuff[0].z, frameFromPuff[1].z, frameFromPuff[2].z), lobe.xyz));
+#else
     discs[ i ] = discOf(texelFetch(casterTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0), frameFromPuff, growth);
+#endif
     widest = max(widest, length(discs[ i ].xy) + sqrt(discs[ i ].z));
   }
   #pragma unroll_loop_end

@@ -15,7 +15,7 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { withLobes } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */
@@ -24,7 +24,7 @@ export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
   private readonly rows: DrawnRows;
-  /** Materials by lobe count, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
+  /** Materials by {@link keyOf}, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
@@ -127,7 +127,8 @@ export class BodiesPass {
     this.puffUniforms.lobeTable.value = lobeTable;
     this.puffUniforms.fillet.value = puffs.fillet;
     this.puffUniforms.blend.value = puffs.blend;
-    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat));
+    const { isDeformed } = this.puffs;
+    return this.materialOf(keyOf(lobeCount, isDeformed), lobeBodyShaders(lobeCount, this.isFlat, isDeformed));
   }
 
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
@@ -136,10 +137,10 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat) });
+    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat, false) });
   }
 
-  private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
+  private materialOf(key: number, shaders: Shaders): RawShaderMaterial {
     const { common, isFlat } = this;
     const made = () =>
       new RawShaderMaterial({
@@ -148,21 +149,26 @@ export class BodiesPass {
         uniforms: common,
         ...(isFlat ? { side: DoubleSide } : {}),
       });
-    const material = this.materials.get(lobes) ?? made();
-    this.materials.set(lobes, material);
+    const material = this.materials.get(key) ?? made();
+    this.materials.set(key, material);
     return material;
   }
 }
 
 /** The shaders of puffs with a number of lobes, with their loops unrolled. */
-export function lobeBodyShaders(lobes: number, isFlat: boolean): Shaders {
+export function lobeBodyShaders(lobes: number, isFlat: boolean, isDeformed: boolean): Shaders {
   return {
     vertexShader: withLobes(lobesVertexShader, lobes),
     fragmentShader: withLobes(lobesFragmentShader, lobes),
-    defines: definesOf(isFlat),
+    defines: definesOf(isFlat, isDeformed),
   };
 }
 
-function definesOf(isFlat: boolean): Shaders['defines'] {
-  return isFlat ? { FLAT: '' } : {};
+/** Key of a material: the lobe count, negative if its puffs are deformed. */
+function keyOf(lobes: number, isDeformed: boolean): number {
+  return isDeformed ? -lobes : lobes;
+}
+
+function definesOf(isFlat: boolean, isDeformed: boolean): Shaders['defines'] {
+  return { ...(isFlat ? { FLAT: '' } : {}), ...(isDeformed ? DEFORMED : {}) };
 }

@@ -8,6 +8,7 @@ import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
 import { LivePuffs } from './livePuffs.ts';
+import { styleOf } from './style.ts';
 
 /**
  * Computes everything that passes derive from surfaces, in steps of one mesh or one pair of meshes. Results are
@@ -41,8 +42,9 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
-  device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth));
-  device.programs.compile(device.renderer, volumeShaders(lobes));
+  const { isDeformed } = styleOf(values);
+  device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth, isDeformed));
+  device.programs.compile(device.renderer, volumeShaders(lobes, isDeformed));
   await device.programs.finished(device.renderer);
 }
 

@@ -168,6 +168,7 @@ export class SmokeRenderer {
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
+    this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     body.setForm(extras.billboardsOf(style.form));
     volumes.follow(style.form, litThresholdOf(style));
     extras.countedVolumes?.follow(style.form, litThresholdOf(style));

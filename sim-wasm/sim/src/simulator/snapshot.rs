@@ -14,12 +14,17 @@ use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::table::Parameters;
 use crate::math::random::Random;
 use crate::particles::Particles;
+use crate::particles::flow::FlowLaw;
 use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 
 const KIND: &[u8; 4] = b"smok";
 const VERSION: u32 = 4;
 const NAME: &str = "saved simulation";
+
+/// Bits of the word that says which columns follow the others.
+const HOLDS: u32 = 1;
+const FOLLOWS: u32 = 2;
 
 /// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
 macro_rules! sections {
@@ -108,6 +113,7 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     saved_state.put_into(simulator);
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
+    simulator.particles.follow(FlowLaw::new(&simulator.parameters).is_some());
     Ok(())
 }
 
@@ -196,8 +202,12 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
     particles.attributes[..alive]
         .iter()
         .for_each(|attributes| body.word(*attributes));
-    body.word(u32::from(particles.held.is_some()));
+    let [holds, follows] = [particles.held.is_some(), particles.flow.is_some()].map(u32::from);
+    body.word(holds * HOLDS | follows * FOLLOWS);
     for column in particles.held.iter().flat_map(|held| held.columns()) {
+        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+    }
+    for column in particles.flow.iter().flat_map(|flow| flow.columns()) {
         column[..alive].iter().for_each(|value| body.word(value.to_bits()));
     }
 }
@@ -222,8 +232,15 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
             "the saved simulation holds a particle without a lifetime",
         ));
     }
-    particles.hold(reader.word()? != 0);
+    let columns = reader.word()?;
+    particles.hold(columns & HOLDS != 0);
+    particles.follow(columns & FOLLOWS != 0);
     for column in particles.held_columns_mut() {
+        column[..alive]
+            .iter_mut()
+            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+    }
+    for column in particles.flow.iter_mut().flat_map(|flow| flow.columns_mut()) {
         column[..alive]
             .iter_mut()
             .try_for_each(|value| reader.float().map(|saved| *value = saved))?;

@@ -6,8 +6,8 @@ use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
-use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
-use crate::arrange::row_layout::{END_STEPS, NO_END};
+use crate::arrange::coverage::solids::{Orientations, RotatedBalls, undeformed};
+use crate::arrange::row_layout::{Attributes, END_STEPS, NO_END};
 use crate::math::scalar::{clamped, greater};
 use crate::math::simd::{LANES, positive_part};
 
@@ -67,15 +67,23 @@ struct ProjectedPuff {
 pub(crate) struct Outliner<'a> {
     plan: &'a Plan<'a>,
     orientations: &'a Orientations,
+    /// Share by which young puffs are folded; none if all puffs have their baked shapes.
+    billow: Option<f32>,
     corner: [f32; 2],
     density: f32,
 }
 
 impl<'a> Outliner<'a> {
-    pub(crate) fn new(plan: &'a Plan, grid: &CoverageGrid, orientations: &'a Orientations) -> Self {
+    pub(crate) fn new(
+        plan: &'a Plan,
+        grid: &CoverageGrid,
+        orientations: &'a Orientations,
+        billow: Option<f32>,
+    ) -> Self {
         Self {
             plan,
             orientations,
+            billow,
             corner: grid.corner,
             density: grid.density,
         }
@@ -92,10 +100,22 @@ impl<'a> Outliner<'a> {
 
     /// Writes the discs of the row that `place` projected.
     #[inline(always)]
-    pub(crate) fn draw(&self, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+    pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
             PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
+        }
+    }
+
+    /// Rows of the map from a puff's frame to the axes of the chart, for a puff fixed in world space.
+    #[inline(always)]
+    fn standing(&self, attributes: Attributes) -> [[f32; 3]; 3] {
+        let axes = &self.plan.chart.axes;
+        match self.billow {
+            None => self.orientations.standing(attributes, axes),
+            Some(_) => self
+                .orientations
+                .standing(attributes, &axes.map(|row| undeformed(attributes, row))),
         }
     }
 
@@ -167,7 +187,7 @@ impl<'a> Outliner<'a> {
         true
     }
 
-    fn draw_body(&self, bodies: &Bodies, attributes: [u32; 2], outline: &mut Outline) {
+    fn draw_body(&self, bodies: &Bodies, attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
         outline.inner.count = 0;
         if !projected.covers {
@@ -177,9 +197,9 @@ impl<'a> Outliner<'a> {
         let rotation = if bodies.solids.faces_eye {
             self.orientations.facing(attributes, &VIEW_AXES)
         } else {
-            self.orientations.standing(attributes, &self.plan.chart.axes)
+            self.standing(attributes)
         };
-        bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
+        bodies.solids.rotate(attributes, &rotation, self.billow, &mut outline.balls);
         let cells = f32x4::splat(projected.radius * projected.density);
         let line = bodies.pad * projected.w * projected.density;
         let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
@@ -243,19 +263,20 @@ impl<'a> Outliner<'a> {
 
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
-    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
         let rotation = if shadows.solids.faces_eye {
             self.orientations.facing(attributes, &shadows.axes_in_view)
         } else {
-            self.orientations.standing(attributes, &self.plan.chart.axes)
+            self.standing(attributes)
         };
-        shadows.solids.rotate(attributes, &rotation, &mut outline.balls);
+        shadows.solids.rotate(attributes, &rotation, self.billow, &mut outline.balls);
         let [_, shear] = shadows.seen(place);
-        let starts = shadows
-            .caps
-            .of(attributes, rotation[2])
-            .map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let caps = match self.billow {
+            Some(_) if !shadows.solids.faces_eye => [shadows.caps.behind(outline.balls.groups()); 2],
+            _ => shadows.caps.of(attributes, rotation[2]),
+        };
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
         let cells = place[3] * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack

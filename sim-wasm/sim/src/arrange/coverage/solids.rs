@@ -2,7 +2,10 @@
 
 use wide::f32x4;
 
-use crate::arrange::row_layout::{ROLL, SEED, VARIATION};
+use crate::arrange::row_layout::{
+    AGE, Attributes, MAX_STRETCH, NO_TURN, ROLL, SEED, STRETCH, STRETCH_AXIS, TURN, TURN_LARGEST, TURN_STEPS, VARIATION,
+};
+use crate::math::scalar::{clamped, greater};
 use crate::math::simd::LANES;
 
 /// Maximum number of lobes of a puff.
@@ -14,6 +17,10 @@ const SEEDS: usize = 256;
 const SINES: usize = 4096;
 /// Rotation of the seed axes about z from one seed to the next.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+/// See src/constants.ts.
+const BILLOW_DEPTH: f32 = 0.6;
+const BILLOW_DELAY: f32 = 0.5;
+const BILLOW_STEP: f32 = 0.618_034;
 
 /// The shapes of puffs. Lengths in particle radii.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +68,13 @@ impl<'v> Solids<'v> {
 
     /// Rotates the puff with these packed attributes by `rotation`.
     #[inline(always)]
-    pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
+    pub(crate) fn rotate(
+        &self,
+        attributes: Attributes,
+        rotation: &[[f32; 3]; 3],
+        billow: Option<f32>,
+        into: &mut RotatedBalls,
+    ) {
         let size = 4 * self.balls;
         let variation = VARIATION.of(attributes) as usize % (self.table.len() / size);
         let columns = &self.table[variation * size..(variation + 1) * size];
@@ -73,7 +86,15 @@ impl<'v> Solids<'v> {
         into.count = self.balls / LANES;
         for (at, group) in into.groups[..into.count].iter_mut().enumerate() {
             let at = at * LANES;
-            let (x, y, z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            let (mut x, mut y, mut z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            if let Some(billow) = billow
+                && billow > 0.0
+                && !self.faces_eye
+            {
+                let age = AGE.of(attributes) as f32 / AGE.max as f32;
+                let unfolded = f32x4::new(std::array::from_fn(|lane| unfolded(at + lane, age, billow)));
+                (x, y, z) = (x * unfolded, y * unfolded, z * unfolded);
+            }
             let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
             *group = BallGroup {
                 x: along(rotation[0]),
@@ -83,6 +104,69 @@ impl<'v> Solids<'v> {
             };
         }
     }
+}
+
+/// Factor on the centre of lobe `index` at `age`, a fraction of the lifetime: lobes unfold one after another over the
+/// first half of life. As in shaders/lib/orientation.glsl.
+fn unfolded(index: usize, age: f32, billow: f32) -> f32 {
+    let phase = (index as f32 * BILLOW_STEP).fract();
+    let share = clamped((2.0 * age - BILLOW_DELAY * phase) / (1.0 - BILLOW_DELAY), 0.0, 1.0);
+    1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
+}
+
+/// The transpose of a puff's stretch and turn, without its roll, applied to `row`.
+pub(crate) fn undeformed(attributes: Attributes, row: [f32; 3]) -> [f32; 3] {
+    let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let ratio = 1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32;
+    let mut row = row;
+    if ratio > 1.0 {
+        let axis = stretch_axis(attributes);
+        let along = (ratio - 1.0) * dot(row, axis);
+        let across = 1.0 / libm::cbrtf(ratio);
+        row = std::array::from_fn(|i| (row[i] + along * axis[i]) * across);
+    }
+    let [x, y, z, w] = turn(attributes);
+    // The rotation by the conjugate: row + 2 v x (v x row + w row) with v = -(x, y, z).
+    let v = [-x, -y, -z];
+    let cross = |a: [f32; 3], b: [f32; 3]| {
+        [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ]
+    };
+    let inner = cross(v, row);
+    let outer = cross(v, std::array::from_fn(|i| inner[i] + w * row[i]));
+    std::array::from_fn(|i| row[i] + 2.0 * outer[i])
+}
+
+/// The unit vector along which a puff is stretched.
+fn stretch_axis(attributes: Attributes) -> [f32; 3] {
+    let [u, v] = STRETCH_AXIS.map(|bits| (bits.of(attributes) as f32 - 127.0) / 127.0);
+    let z = 1.0 - u.abs() - v.abs();
+    let sign = |value: f32| if value < 0.0 { -1.0 } else { 1.0 };
+    let [x, y] = if z < 0.0 {
+        [(1.0 - v.abs()) * sign(u), (1.0 - u.abs()) * sign(v)]
+    } else {
+        [u, v]
+    };
+    let inverse = 1.0 / (x * x + y * y + z * z).sqrt();
+    [x * inverse, y * inverse, z * inverse]
+}
+
+/// The unit quaternion of a puff's turn: x, y, z, w.
+fn turn(mut attributes: Attributes) -> [f32; 4] {
+    attributes[TURN_LARGEST.word] ^= NO_TURN;
+    let largest = TURN_LARGEST.of(attributes) as usize;
+    let mut turn = [0.0; 4];
+    let mut square = 1.0;
+    for (place, bits) in TURN.into_iter().enumerate() {
+        let component = (bits.of(attributes) as f32 - 512.0) / TURN_STEPS;
+        turn[(largest + 1 + place) % 4] = component;
+        square -= component * component;
+    }
+    turn[largest] = greater(square, 0.0).sqrt();
+    turn
 }
 
 /// The sine table, and the rotation axes of the seeds.
@@ -111,14 +195,14 @@ impl Orientations {
 
     /// Sine and cosine of the roll in packed attributes.
     #[inline(always)]
-    fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
+    fn roll(&self, attributes: Attributes) -> (f32, f32) {
         let index = (ROLL.of(attributes) as usize * SINES + 0x8000) >> 16;
         (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
     }
 
     /// Rows of the rotation from a puff's frame to `axes`, for a puff fixed in world space.
     #[inline(always)]
-    pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+    pub(crate) fn standing(&self, attributes: Attributes, axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
         let axis = self.axes[SEED.of(attributes) as usize];
         axes.map(|row| {
@@ -134,7 +218,7 @@ impl Orientations {
 
     /// Same for a puff that faces the eye and rolls, with axes in view space.
     #[inline(always)]
-    pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+    pub(crate) fn facing(&self, attributes: Attributes, axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
         axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
     }

@@ -2,7 +2,10 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use crate::arrange::row_layout::VARIATION;
+use wide::f32x4;
+
+use crate::arrange::coverage::solids::BallGroup;
+use crate::arrange::row_layout::{Attributes, VARIATION};
 use crate::math::scalar::{greater, lesser};
 
 /// Azimuths and polar angles of a variation's table.
@@ -27,9 +30,19 @@ impl<'v> StartCaps<'v> {
         Self { table, range }
     }
 
+    /// The same for a deformed puff: the farthest centre of its lobes, none of which has a lit point farther behind. `balls`
+    /// are those of the puff, z towards the light.
+    pub(crate) fn behind(&self, balls: &[BallGroup]) -> f32 {
+        let farthest = |ball: &BallGroup| {
+            let present = ball.radius.simd_gt(f32x4::ZERO) & (f32x4::ZERO - ball.z);
+            present.to_array().into_iter().fold(0.0, greater)
+        };
+        greater(balls.iter().map(farthest).fold(0.0, greater), self.range[0])
+    }
+
     /// Minimum and maximum that the renderer may read for packed attributes, by the direction towards the light in the
     /// puff's frame.
-    pub(crate) fn of(&self, attributes: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
+    pub(crate) fn of(&self, attributes: Attributes, [x, y, z]: [f32; 3]) -> [f32; 2] {
         if self.table.is_empty() {
             return self.range;
         }
