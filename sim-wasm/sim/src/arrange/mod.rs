@@ -2,7 +2,7 @@
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
-//! written as rows.
+//! written as rows. The memory of the attributes holds the entries while sorting.
 
 pub(crate) mod coverage;
 pub mod row_layout;
@@ -21,12 +21,11 @@ use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::{LANES, Vector4, blocks};
 use crate::particles::Particles;
 
-/// The rows of the last call, and scratch memory. 48 bytes per particle.
+/// The rows of the last call, and scratch memory. 40 bytes per particle.
 #[derive(Debug)]
 pub struct Arranger {
     place: Vec<[f32; PLACE_FLOATS]>,
     attributes: Vec<Attributes>,
-    found: Vec<Entry>,
     order: Vec<Entry>,
     histogram: Histogram,
     coverage: Coverage,
@@ -40,7 +39,6 @@ impl Arranger {
             // Places are written in whole blocks.
             place: vec![[0.0; PLACE_FLOATS]; capacity.next_multiple_of(LANES)],
             attributes: vec![[0; ATTRIBUTE_WORDS]; capacity],
-            found: vec![[0; 2]; capacity],
             order: vec![[0; 2]; capacity],
             histogram: Histogram::new(),
             coverage: Coverage::new(capacity),
@@ -80,7 +78,7 @@ impl Arranger {
         let mut chart_extent = view.coverage.map(|plan| ChartExtent::new(&plan.chart));
         let count = self.collect(particles, view, sampler, chart_extent.as_mut());
         radix_sort::sort(
-            &mut self.found[..count],
+            &mut entries(&mut self.attributes)[..count],
             &mut self.order[..count],
             &mut self.histogram,
         );
@@ -129,6 +127,7 @@ impl Arranger {
         let direction = Vector4::splat(view.direction);
         let mut extent = RowBounds::new();
         let mut count = 0;
+        let found = entries(&mut self.attributes);
         for block in 0..particles.padded_alive() / LANES {
             let (place, radius) = blend(particles, sampler, block);
             let seen = radius.simd_gt(f32x4::ZERO) & living(particles, block);
@@ -146,7 +145,7 @@ impl Arranger {
             let depth = place.dot(direction).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
-                    self.found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
+                    found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
                     count += 1;
                 }
             }
@@ -154,6 +153,11 @@ impl Arranger {
         self.bounds = extent.corners();
         count
     }
+}
+
+/// The memory of attributes as entries, at least one for each row.
+fn entries(attributes: &mut [Attributes]) -> &mut [Entry] {
+    attributes.as_flattened_mut().as_chunks_mut().0
 }
 
 /// Places and radii of a block. Same arithmetic as [`RowSampler::place`].
