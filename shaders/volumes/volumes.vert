@@ -102,9 +102,20 @@ float exitOf(float ball, float growth) {
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
 }
 
+vec4 lobeOf(int index, int variation) {
+  vec4 lobe = texelFetch(casterTable, ivec2(index, variation), 0);
+#ifdef DEFORMED
+  lobe.xyz *= unfolded(index, casterAgeOf(attributes));
+#endif
+  return lobe;
+}
+
 // The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
 vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
+#ifdef DEFORMED
+  farthest = max(farthest, seen.z);
+#endif
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
   float slope = radius * growth;
@@ -120,14 +131,7 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 #endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-#ifdef DEFORMED
-    vec4 lobe = texelFetch(casterTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
-    lobe.xyz *= unfolded(UNROLLED_LOOP_INDEX, casterAgeOf(attributes));
-    discs[ i ] = discOf(lobe, frameFromPuff, growth);
-    farthest = max(farthest, dot(vec3(frameFromPuff[0].z, frameFromPuff[1].z, frameFromPuff[2].z), lobe.xyz));
-#else
-    discs[ i ] = discOf(texelFetch(casterTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0), frameFromPuff, growth);
-#endif
+    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
     widest = max(widest, length(discs[ i ].xy) + sqrt(discs[ i ].z));
   }
   #pragma unroll_loop_end

@@ -92,13 +92,18 @@ export class PuffTextures {
   }
 }
 
+/** Factor on the distance of a lobe along the axis of a stretch, by the ratio of the axes, at the same volume. */
+export function spreadOf(ratio: number): number {
+  return ratio ** (2 / 3);
+}
+
 /**
  * Lobe puffs whose centres are up to the power 2/3 of a ratio farther out than in the baked shape. Their shadow volumes
  * start behind the farthest centre of their lobes, instead of where the table says.
  */
 function deformed(lobes: FormTextures, ratio: number): FormTextures {
   const { startCaps, casterTable, casterLobes, capTable, solids } = lobes;
-  const spread = ratio ** (2 / 3);
+  const spread = spreadOf(ratio);
   const reach = spread * lobes.reach;
   return {
     ...{ startCaps, casterTable, casterLobes, capTable, reach, spread },

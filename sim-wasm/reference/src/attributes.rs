@@ -2,13 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use glam::{DMat3, DVec3};
-use sim::arrange::row_layout::{AGE, Attributes, ROLL, SEED, TEMPERATURE, TINT, VARIATION};
+use glam::{DMat3, DQuat, DVec3};
+use sim::arrange::row_layout::{
+    AGE, Attributes, CASTER_AGE, NO_TURN, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
+    VARIATION,
+};
 
 use crate::scene::Bands;
 
 const TINTS: usize = 3;
 const SEEDS: f64 = 256.0;
+const TURN_STEPS: f64 = 720.0;
+const MAX_STRETCH: f64 = 4.0;
+const BILLOW_DEPTH: f64 = 0.6;
+const BILLOW_DELAY: f64 = 0.5;
+const BILLOW_STEP: f64 = 0.618034;
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 #[derive(Clone, Copy)]
@@ -23,6 +31,11 @@ impl PackedAttributes {
     /// Age as a share of the lifetime.
     pub fn age(self) -> f64 {
         f64::from(AGE.of(self.0)) / f64::from(AGE.max)
+    }
+
+    /// The same in a row of a caster.
+    pub fn caster_age(self) -> f64 {
+        f64::from(CASTER_AGE.of(self.0)) / f64::from(CASTER_AGE.max)
     }
 
     pub fn variation(self) -> usize {
@@ -48,6 +61,43 @@ impl PackedAttributes {
         let z = 1.0 - (2.0 * seed + 1.0) / SEEDS;
         let (sin, cos) = (GOLDEN_ANGLE * seed).sin_cos();
         let axis = DVec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z);
-        DMat3::from_axis_angle(axis.normalize(), self.roll())
+        self.stretching() * DMat3::from_quat(self.turn()) * DMat3::from_axis_angle(axis.normalize(), self.roll())
     }
+
+    /// The turn by the air: a quaternion without its largest component.
+    fn turn(self) -> DQuat {
+        let mut attributes = self.0;
+        attributes[TURN_LARGEST.word] ^= NO_TURN;
+        let rest = TURN.map(|bits| (f64::from(bits.of(attributes)) - 512.0) / TURN_STEPS);
+        let largest = TURN_LARGEST.of(attributes) as usize;
+        let mut turn = [0.0; 4];
+        for (place, component) in rest.into_iter().enumerate() {
+            turn[(largest + 1 + place) % 4] = component;
+        }
+        turn[largest] = (1.0 - rest.iter().map(|component| component * component).sum::<f64>()).sqrt();
+        DQuat::from_array(turn)
+    }
+
+    /// Longer along the axis of the stretch and thinner across it, at the same volume.
+    fn stretching(self) -> DMat3 {
+        let ratio = 1.0 + (MAX_STRETCH - 1.0) * f64::from(STRETCH.of(self.0)) / f64::from(STRETCH.max);
+        let [u, v] = STRETCH_AXIS.map(|bits| (f64::from(bits.of(self.0)) - 127.0) / 127.0);
+        let z = 1.0 - u.abs() - v.abs();
+        let axis = if z < 0.0 {
+            DVec3::new((1.0 - v.abs()).copysign(u), (1.0 - u.abs()).copysign(v), z)
+        } else {
+            DVec3::new(u, v, z)
+        };
+        let axis = axis.normalize();
+        let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+        (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.cbrt().recip()
+    }
+}
+
+/// Factor on the centre of lobe `index` at `age`, a share of the lifetime: lobes of young puffs are folded, and unfold one
+/// after another.
+pub fn unfolded(index: usize, age: f64, billow: f64) -> f64 {
+    let delay = BILLOW_DELAY * (index as f64 * BILLOW_STEP).fract();
+    let share = ((2.0 * age - delay) / (1.0 - BILLOW_DELAY)).clamp(0.0, 1.0);
+    1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
 }

@@ -92,6 +92,7 @@ impl<'a> Body<'a> {
                     Puff::Lobes(Lobes::new(
                         &scene.puffs,
                         attributes.variation(),
+                        attributes.age(),
                         turn * attributes.world_from_puff(),
                     ))
                 },

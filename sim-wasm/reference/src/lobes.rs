@@ -2,6 +2,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
+use crate::attributes::unfolded;
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
@@ -30,11 +31,13 @@ pub struct Meeting {
 }
 
 impl Lobes {
-    pub fn new(puffs: &Puffs, variation: usize, view_from_puff: DMat3) -> Self {
+    /// `age` is a share of the lifetime.
+    pub fn new(puffs: &Puffs, variation: usize, age: f64, view_from_puff: DMat3) -> Self {
         let lobes: Vec<Lobe> = puffs.lobes[variation % puffs.lobes.len()]
             .iter()
-            .map(|&[x, y, z, radius]| Lobe {
-                center: view_from_puff * DVec3::new(x, y, z),
+            .enumerate()
+            .map(|(index, &[x, y, z, radius])| Lobe {
+                center: view_from_puff * DVec3::new(x, y, z) * unfolded(index, age, puffs.billow),
                 radius,
             })
             .collect();

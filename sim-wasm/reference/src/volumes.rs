@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
-use crate::attributes::PackedAttributes;
+use crate::attributes::{PackedAttributes, unfolded};
 use crate::bodies::grown;
 use crate::light::Light;
 use crate::ray::{Camera, Ray};
@@ -102,8 +102,9 @@ fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) ->
     let attributes = PackedAttributes(row.attributes);
     let world_from_puff = world_from_puff(scene, camera, attributes);
     let lobes = &scene.puffs.lobes[attributes.variation() % scene.puffs.lobes.len()];
-    let disc = |&[x, y, z, radius]: &[f64; 4]| {
-        let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
+    let disc = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| {
+        let unfolded = unfolded(index, attributes.caster_age(), scene.puffs.billow);
+        let center = row.radius * (world_from_puff * DVec3::new(x, y, z)) * unfolded;
         let nearness = 1.0 / (1.0 + growth * center.dot(axis));
         // The cone of rays that touch the lobe.
         let seen = radius * row.radius * nearness;
@@ -112,7 +113,7 @@ fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) ->
             radius: seen / (1.0 - (seen * growth).powi(2)).sqrt(),
         }
     };
-    lobes.iter().map(disc).collect()
+    lobes.iter().enumerate().map(disc).collect()
 }
 
 fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes) -> DMat3 {
@@ -127,11 +128,24 @@ fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes)
 fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
     let attributes = PackedAttributes(row.attributes);
     let towards_light = light.towards(DVec3::from(row.place));
-    let in_puff = world_from_puff(scene, camera, attributes).transpose() * towards_light;
+    let world_from_puff = world_from_puff(scene, camera, attributes);
     let variation = attributes.variation() % scene.puffs.lobes.len();
-    tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.min_cap)
-        + shear(scene, camera, row, towards_light)
-        + SLACK
+    let cap = if scene.puffs.is_deformed {
+        // No lobe has a lit point farther behind than its centre.
+        let behind = |(index, &[x, y, z, _]): (usize, &[f64; 4])| {
+            let center = world_from_puff * DVec3::new(x, y, z);
+            -center.dot(towards_light) * unfolded(index, attributes.caster_age(), scene.puffs.billow)
+        };
+        let lobes = scene.puffs.lobes[variation].iter().enumerate();
+        lobes.map(behind).fold(0.0, f64::max)
+    } else {
+        tabled(
+            &scene.puffs.start_caps,
+            variation,
+            world_from_puff.transpose() * towards_light,
+        )
+    };
+    cap.max(scene.style.min_cap) + shear(scene, camera, row, towards_light) + SLACK
 }
 
 /// A board shows its relief along view rays instead of the view axis: a point at a height over the board is displaced

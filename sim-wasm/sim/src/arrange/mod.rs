@@ -14,7 +14,9 @@ use wide::f32x4;
 
 use crate::arrange::coverage::Coverage;
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::row_layout::{AGE, ATTRIBUTE_WORDS, Attributes, CASTER_AGE, END, NO_END, PLACE_FLOATS, ROLL, SEED, VARIATION};
+use crate::arrange::row_layout::{
+    AGE, ATTRIBUTE_WORDS, Attributes, CASTER_AGE, END, NO_END, PLACE_FLOATS, ROLL, SEED, VARIATION,
+};
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
 use crate::math::radix_sort::{self, Entry, Histogram};

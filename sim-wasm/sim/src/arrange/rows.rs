@@ -66,7 +66,12 @@ impl RowSampler {
         let age = self.age(particles, i);
         let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
         let [turn, stretch] = self.flow(particles, i);
-        [ROLL.packed(roll(attributes, age)) | worn, constant(attributes), turn, stretch]
+        [
+            ROLL.packed(roll(attributes, age)) | worn,
+            constant(attributes),
+            turn,
+            stretch,
+        ]
     }
 
     fn flow(&self, particles: &Particles, i: usize) -> [u32; 2] {

@@ -168,7 +168,10 @@ impl Flow {
 
     /// All columns that are allocated, mutable.
     pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Vec<f32>> {
-        self.now.iter_mut().chain(&mut self.held).filter(|column| !column.is_empty())
+        self.now
+            .iter_mut()
+            .chain(&mut self.held)
+            .filter(|column| !column.is_empty())
     }
 
     /// Starts or stops holding.

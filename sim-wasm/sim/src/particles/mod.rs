@@ -225,7 +225,12 @@ impl Particles {
         }
         if let Some(flow) = &self.flow {
             resized.follow(true);
-            for (to, from) in resized.flow.iter_mut().flat_map(|flow| flow.columns_mut()).zip(flow.columns()) {
+            for (to, from) in resized
+                .flow
+                .iter_mut()
+                .flat_map(|flow| flow.columns_mut())
+                .zip(flow.columns())
+            {
                 kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
             }
         }

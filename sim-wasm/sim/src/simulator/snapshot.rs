@@ -113,7 +113,9 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     saved_state.put_into(simulator);
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
-    simulator.particles.follow(FlowLaw::new(&simulator.parameters).is_some());
+    simulator
+        .particles
+        .follow(FlowLaw::new(&simulator.parameters).is_some());
     Ok(())
 }
 

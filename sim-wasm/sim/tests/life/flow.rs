@@ -72,7 +72,10 @@ fn a_puff_in_a_solid_rotation_turns_with_it() {
         let turned = angle_about_z(rows(&mut simulator, 1.0)[0].1) - first;
         assert!((turned - share * speed * 1.5).abs() < 0.01, "{turned} at {speed} rad/s");
         let half = angle_about_z(rows(&mut simulator, 0.5)[0].1) - first;
-        assert!((half - share * speed * (1.5 - 0.5 / 60.0)).abs() < 0.01, "{half} half a step before");
+        assert!(
+            (half - share * speed * (1.5 - 0.5 / 60.0)).abs() < 0.01,
+            "{half} half a step before"
+        );
     }
 }
 
@@ -101,7 +104,10 @@ fn the_stretch_rises_with_the_speed_to_its_limit() {
         steps(&mut simulator, 120);
         let (_, attributes) = rows(&mut simulator, 1.0)[0];
         // The octahedral map has x at the right end of the first coordinate.
-        assert!(speed == 0.0 || attributes[3] & 0xffff == 127 << 8 | 254, "{attributes:x?}");
+        assert!(
+            speed == 0.0 || attributes[3] & 0xffff == 127 << 8 | 254,
+            "{attributes:x?}"
+        );
         ratio(attributes)
     });
     assert!(ratios[0] == 1.0 && ratios.is_sorted() && ratios[3] <= 3.0, "{ratios:?}");
@@ -137,9 +143,16 @@ fn drawing_does_not_change_the_state() {
     }
     let (plain, turning) = (rows(&mut plain, 0.4), rows(&mut turning, 0.4));
     assert!(plain.iter().all(|(_, attributes)| attributes[2..] == [0, 0]));
-    let changed = turning.iter().filter(|(_, attributes)| attributes[2] != 0 && attributes[3] != 0);
+    let changed = turning
+        .iter()
+        .filter(|(_, attributes)| attributes[2] != 0 && attributes[3] != 0);
     assert!(2 * changed.count() > turning.len());
-    assert!(plain.iter().zip(&turning).all(|(a, b)| a.0 == b.0 && a.1[..2] == b.1[..2]));
+    assert!(
+        plain
+            .iter()
+            .zip(&turning)
+            .all(|(a, b)| a.0 == b.0 && a.1[..2] == b.1[..2])
+    );
 }
 
 #[test]
@@ -155,7 +168,10 @@ fn saved_and_restored_rows_are_equal_to_the_bit() {
             for blend in [0.0, 0.7] {
                 let [expected, found] = [&mut original, &mut restored].map(|simulator| rows(simulator, blend));
                 let different = expected.iter().zip(&found).find(|(a, b)| a != b);
-                assert!(expected.len() == found.len() && different.is_none(), "hold {hold}: {different:?}");
+                assert!(
+                    expected.len() == found.len() && different.is_none(),
+                    "hold {hold}: {different:?}"
+                );
             }
             steps(&mut original, 1);
             steps(&mut restored, 1);
@@ -174,7 +190,11 @@ fn a_larger_simulator_keeps_the_turns() {
 
 #[test]
 fn a_gap_is_filled_with_the_whole_particle() {
-    let mut simulator = simulator(2, 1, &[STILL, BOTH, &[("forces.wind.x", 5.0), ("emission.growthTime", 0.0)]]);
+    let mut simulator = simulator(
+        2,
+        1,
+        &[STILL, BOTH, &[("forces.wind.x", 5.0), ("emission.growthTime", 0.0)]],
+    );
     simulator.add(&Newborn {
         lifetime: 0.3,
         ..newborn([0.0; 3])
@@ -184,5 +204,8 @@ fn a_gap_is_filled_with_the_whole_particle() {
     let before = ratio(rows(&mut simulator, 1.0)[1].1);
     steps(&mut simulator, 15);
     let left = rows(&mut simulator, 1.0);
-    assert!(left.len() == 1 && ratio(left[0].1) >= before && before > 1.5, "{left:?}");
+    assert!(
+        left.len() == 1 && ratio(left[0].1) >= before && before > 1.5,
+        "{left:?}"
+    );
 }

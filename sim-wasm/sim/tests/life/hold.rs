@@ -1,8 +1,8 @@
 //! Drawing on twos, threes and fours: rows change at held moments only, and nothing else changes.
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
-use sim::arrange::row_layout::Attributes;
 use sim::Simulator;
+use sim::arrange::row_layout::Attributes;
 use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::particles::Newborn;
 

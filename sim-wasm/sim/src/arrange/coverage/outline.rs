@@ -199,7 +199,9 @@ impl<'a> Outliner<'a> {
         } else {
             self.standing(attributes)
         };
-        bodies.solids.rotate(attributes, &rotation, self.billow, &mut outline.balls);
+        bodies
+            .solids
+            .rotate(attributes, &rotation, self.billow, &mut outline.balls);
         let cells = f32x4::splat(projected.radius * projected.density);
         let line = bodies.pad * projected.w * projected.density;
         let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
@@ -270,7 +272,9 @@ impl<'a> Outliner<'a> {
         } else {
             self.standing(attributes)
         };
-        shadows.solids.rotate(attributes, &rotation, self.billow, &mut outline.balls);
+        shadows
+            .solids
+            .rotate(attributes, &rotation, self.billow, &mut outline.balls);
         let [_, shear] = shadows.seen(place);
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => [shadows.caps.behind(outline.balls.groups()); 2],
