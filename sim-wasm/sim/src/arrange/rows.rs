@@ -61,6 +61,8 @@ impl RowSampler {
 
     /// The part of the packed attributes that determines the shape of particle `i`: roll, age, variation, seed, turn,
     /// stretch and erosion.
+    // Called in three loops; inlining would repeat it in each.
+    #[inline(never)]
     pub fn shape(&self, particles: &Particles, i: usize) -> Attributes {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);

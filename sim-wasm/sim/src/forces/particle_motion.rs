@@ -163,6 +163,7 @@ impl ParticleMotion {
     }
 
     /// Adds the air velocity of all forces to the flow of `tile`.
+    #[inline(never)]
     pub fn blow(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
         self.air(tile, vortex_particles);
         self.forces.act(Phase::Swirl, tile);

@@ -37,14 +37,15 @@ const CORNERS: [[f32; 3]; 4] = [
 /// Number of columns of the current state, and of the state of held particles.
 const COLUMNS: usize = 10;
 const HELD_COLUMNS: usize = 7;
+/// First columns of the angular velocity and of the smoothed velocity.
+const SPIN: usize = 4;
+const VELOCITY: usize = 7;
 
-/// The columns, each of the length of those in [`Particles`].
+/// The columns, each of the length of those in [`Particles`]: turn as a unit quaternion x, y, z, w; angular velocity of the
+/// air (rad/s); smoothed velocity (m/s). While held, turn and smoothed velocity at the last held moment follow.
 #[derive(Clone, Debug)]
 pub struct Flow {
-    /// Turn as a unit quaternion x, y, z, w; angular velocity of the air (rad/s); smoothed velocity (m/s).
-    pub now: [Vec<f32>; COLUMNS],
-    /// Turn and smoothed velocity at the last held moment. Empty while drawing on ones.
-    pub held: [Vec<f32>; HELD_COLUMNS],
+    pub columns: Vec<Vec<f32>>,
 }
 
 /// The parameters of turning and stretching.
@@ -69,16 +70,15 @@ impl FlowLaw {
         (law.turn > 0.0 || law.stretch > 1.0).then_some(law)
     }
 
+    // Called from several loops; inlining would repeat it in each.
     /// Packed turn and stretch of particle `i`, `back` seconds before the current state.
+    #[inline(never)]
     pub fn packed(&self, particles: &Particles, i: usize, back: f32) -> [u32; 2] {
         let Some(flow) = &particles.flow else {
             return [0; 2];
         };
         let (turn, velocity) = match &particles.held {
-            Some(_) => (
-                std::array::from_fn(|at| flow.held[at][i]),
-                std::array::from_fn(|at| flow.held[4 + at][i]),
-            ),
+            Some(_) => (flow.values(COLUMNS, i), flow.values(COLUMNS + 4, i)),
             None => flow.at(particles, i, back, self.turn),
         };
         let size = particles.held.as_ref().map_or(&particles.size, |held| &held.size);
@@ -141,6 +141,7 @@ fn product(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
 }
 
 /// `turn`, then a rotation by the vector `by` (rad). The tangent of half the angle is a series up to the third order.
+#[inline(never)]
 fn turned(turn: [f32; 4], by: [f32; 3]) -> [f32; 4] {
     let square = by[0] * by[0] + by[1] * by[1] + by[2] * by[2];
     let half = 0.5 * (1.0 + square / 12.0);
@@ -153,71 +154,68 @@ fn turned(turn: [f32; 4], by: [f32; 3]) -> [f32; 4] {
 impl Flow {
     /// Columns for particles that do not turn, in columns of length `padded`.
     pub fn new(padded: usize) -> Self {
-        let mut now = std::array::from_fn(|_| vec![0.0; padded]);
-        now[3] = vec![1.0; padded];
-        Self {
-            now,
-            held: std::array::from_fn(|_| Vec::new()),
-        }
-    }
-
-    /// All columns that are allocated.
-    pub fn columns(&self) -> impl Iterator<Item = &Vec<f32>> {
-        self.now.iter().chain(&self.held).filter(|column| !column.is_empty())
-    }
-
-    /// All columns that are allocated, mutable.
-    pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Vec<f32>> {
-        self.now
-            .iter_mut()
-            .chain(&mut self.held)
-            .filter(|column| !column.is_empty())
+        let mut columns = vec![vec![0.0; padded]; COLUMNS];
+        columns[3].fill(1.0);
+        Self { columns }
     }
 
     /// Starts or stops holding.
     pub fn hold(&mut self, holds: bool) {
         if !holds {
-            self.held = std::array::from_fn(|_| Vec::new());
-        } else if self.held[0].is_empty() {
-            self.held = std::array::from_fn(|at| self.now[shown(at)].clone());
+            self.columns.truncate(COLUMNS);
+        } else if self.columns.len() == COLUMNS {
+            let held = (0..HELD_COLUMNS)
+                .map(|at| self.columns[shown(at)].clone())
+                .collect::<Vec<_>>();
+            self.columns.extend(held);
         }
     }
 
     /// Sets particle `i` to its state at birth.
     pub fn reset(&mut self, i: usize) {
-        for column in self.columns_mut() {
-            column[i] = 0.0;
-        }
-        self.now[3][i] = 1.0;
-        if let Some(w) = self.held[3].get_mut(i) {
-            *w = 1.0;
+        for (at, column) in self.columns.iter_mut().enumerate() {
+            column[i] = if at == 3 || at == COLUMNS + 3 { 1.0 } else { 0.0 };
         }
     }
 
     /// Holds the current state of particle `i`.
     pub fn hold_now(&mut self, i: usize) {
         for at in 0..HELD_COLUMNS {
-            self.held[at][i] = self.now[shown(at)][i];
+            self.columns[COLUMNS + at][i] = self.columns[shown(at)][i];
+        }
+    }
+
+    /// Values of particle `i` in the columns from `first` on.
+    fn values<const N: usize>(&self, first: usize, i: usize) -> [f32; N] {
+        std::array::from_fn(|at| self.columns[first + at][i])
+    }
+
+    fn set<const N: usize>(&mut self, first: usize, i: usize, values: [f32; N]) {
+        for (column, value) in self.columns[first..].iter_mut().zip(values) {
+            column[i] = value;
         }
     }
 
     /// Turn and smoothed velocity of particle `i`, `back` seconds before the current state.
     fn at(&self, particles: &Particles, i: usize, back: f32, share: f32) -> ([f32; 4], [f32; 3]) {
-        let spin = std::array::from_fn(|at| -self.now[4 + at][i] * share * back);
-        let turn = turned(std::array::from_fn(|at| self.now[at][i]), spin);
-        let ways = [
-            particles.x[i] - particles.px[i],
-            particles.y[i] - particles.py[i],
-            particles.z[i] - particles.pz[i],
-        ];
+        let spin: [f32; 3] = self.values(SPIN, i);
+        let turn = turned(self.values(0, i), spin.map(|rate| -rate * share * back));
         // The inverse of the smoothing over a part of a step.
-        let share = back / STEP as f32 * SMOOTHING;
-        let before = |at: usize| {
-            let now = self.now[7 + at][i];
-            now - (ways[at] / STEP as f32 - now) * (share / (1.0 - SMOOTHING))
-        };
-        (turn, std::array::from_fn(before))
+        let share = back / STEP as f32 * (SMOOTHING / (1.0 - SMOOTHING));
+        let current = velocity(particles, i);
+        let mut before: [f32; 3] = self.values(VELOCITY, i);
+        (0..3).for_each(|axis| before[axis] -= (current[axis] - before[axis]) * share);
+        (turn, before)
     }
+}
+
+/// Velocity (m/s) of particle `i` over the last step.
+fn velocity(particles: &Particles, i: usize) -> [f32; 3] {
+    [
+        (particles.x[i] - particles.px[i]) / STEP as f32,
+        (particles.y[i] - particles.py[i]) / STEP as f32,
+        (particles.z[i] - particles.pz[i]) / STEP as f32,
+    ]
 }
 
 /// The current column of held column `at`.
@@ -230,6 +228,7 @@ const SMOOTHING: f32 = 0.105;
 
 /// Turns the particles of a tile over a step and smooths their velocities, after they moved. `air` adds the air velocity
 /// to a tile of places; `steps` counts the steps before.
+#[inline(never)]
 pub fn follow(
     law: &FlowLaw,
     particles: &mut Particles,
@@ -240,41 +239,34 @@ pub fn follow(
     let Some(mut flow) = particles.flow.take() else {
         return;
     };
-    if law.turn > 0.0 {
-        if (first / TILE_BLOCKS) as u64 % PERIOD == steps % PERIOD {
-            measure(law, particles, &mut flow, (first, len), air);
-        }
-        turn(law, &mut flow, (first, len));
+    if law.turn > 0.0 && (first / TILE_BLOCKS) as u64 % PERIOD == steps % PERIOD {
+        measure(law, particles, &mut flow, (first, len), air);
     }
-    let smoothing = f32x4::splat(SMOOTHING);
-    let per_step = f32x4::splat((1.0 / STEP) as f32);
-    let columns = [
-        (&particles.x, &particles.px),
-        (&particles.y, &particles.py),
-        (&particles.z, &particles.pz),
-    ];
-    for (at, (now, before)) in columns.into_iter().enumerate() {
-        let count = first + len;
-        let velocity = &mut blocks_mut(&mut flow.now[7 + at], count)[first..];
-        let (now, before) = (&blocks(now, count)[first..], &blocks(before, count)[first..]);
-        for ((velocity, now), before) in velocity.iter_mut().zip(now).zip(before) {
-            let smooth = f32x4::new(*velocity);
-            let current = (f32x4::new(*now) - f32x4::new(*before)) * per_step;
-            *velocity = (smooth + (current - smooth) * smoothing).to_array();
-        }
+    let angle = law.turn * STEP as f32;
+    for i in first * LANES..(first + len) * LANES {
+        let spin: [f32; 3] = flow.values(SPIN, i);
+        let turn = turned(flow.values(0, i), spin.map(|rate| rate * angle));
+        flow.set(0, i, turn);
+        let current = velocity(particles, i);
+        let mut smooth: [f32; 3] = flow.values(VELOCITY, i);
+        (0..3).for_each(|axis| smooth[axis] += (current[axis] - smooth[axis]) * SMOOTHING);
+        flow.set(VELOCITY, i, smooth);
     }
     particles.flow = Some(flow);
 }
 
-fn turn(law: &FlowLaw, flow: &mut Flow, (first, len): (usize, usize)) {
-    let angle = law.turn * STEP as f32;
-    for i in first * LANES..(first + len) * LANES {
-        let by = [4, 5, 6].map(|at: usize| flow.now[at][i] * angle);
-        let next = turned(std::array::from_fn(|at| flow.now[at][i]), by);
-        for (at, component) in next.into_iter().enumerate() {
-            flow.now[at][i] = component;
+/// Loads the places of particles, moved by their extents along a vector.
+#[inline(never)]
+fn load_corner(tile: &mut Tile, places: [&[[f32; LANES]]; 3], extents: &[f32x4; TILE_BLOCKS], corner: [f32; 3]) {
+    let mut moved = [[[0.0; LANES]; TILE_BLOCKS]; 3];
+    for (axis, moved) in moved.iter_mut().enumerate() {
+        for ((moved, place), extent) in moved.iter_mut().zip(places[axis]).zip(extents) {
+            *moved = (f32x4::new(*place) + *extent * f32x4::splat(corner[axis])).to_array();
         }
     }
+    let len = places[0].len();
+    let moved = [&moved[0][..len], &moved[1][..len], &moved[2][..len]];
+    tile.load_places(moved, moved);
 }
 
 /// Angular velocity of the air: 3 / (8 d) times the sum of t x v(p + d t) over the corners t of a tetrahedron.
@@ -297,28 +289,19 @@ fn measure(
     }
     let mut sums = [Vector4::zero(); TILE_BLOCKS];
     let mut tile = Tile::new(STEP as f32, true);
-    for corner in CORNERS {
-        let mut moved = [[[0.0; LANES]; TILE_BLOCKS]; 3];
-        for axis in 0..3 {
-            for block in 0..len {
-                let place = f32x4::new(places[axis][block]) + extents[block] * f32x4::splat(corner[axis]);
-                moved[axis][block] = place.to_array();
-            }
-        }
-        let [x, y, z] = &moved;
-        let moved = [&x[..len], &y[..len], &z[..len]];
-        tile.load_places(moved, moved);
+    for corner in &CORNERS {
+        load_corner(&mut tile, places, &extents, *corner);
         air(&mut tile);
         let Columns { flow, .. } = tile.columns();
-        let corner = Vector4::splat(corner);
+        let corner = Vector4::splat(*corner);
         for (sum, flow) in sums.iter_mut().zip(flow) {
             *sum += corner.cross(*flow);
         }
     }
     for block in 0..len {
         let spin = sums[block] * (f32x4::splat(0.375) / extents[block]);
-        for (at, component) in [spin.x, spin.y, spin.z].into_iter().enumerate() {
-            blocks_mut(&mut flow.now[4 + at], count)[first + block] = component.to_array();
+        for (column, component) in flow.columns[SPIN..].iter_mut().zip([spin.x, spin.y, spin.z]) {
+            blocks_mut(column, count)[first + block] = component.to_array();
         }
     }
 }

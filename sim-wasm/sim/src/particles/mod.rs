@@ -142,7 +142,7 @@ impl Particles {
             held.columns_mut().into_iter().for_each(|column| column.swap(i, last));
         }
         if let Some(flow) = &mut self.flow {
-            flow.columns_mut().for_each(|column| column.swap(i, last));
+            flow.columns.iter_mut().for_each(|column| column.swap(i, last));
         }
         self.alive = last;
     }
@@ -228,8 +228,8 @@ impl Particles {
             for (to, from) in resized
                 .flow
                 .iter_mut()
-                .flat_map(|flow| flow.columns_mut())
-                .zip(flow.columns())
+                .flat_map(|flow| &mut flow.columns)
+                .zip(&flow.columns)
             {
                 kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
             }

@@ -195,11 +195,20 @@ fn read_capacity(reader: &mut Reader) -> Result<usize, RestoreError> {
     ))
 }
 
+fn write_column(body: &mut Writer, column: &[f32]) {
+    column.iter().for_each(|value| body.word(value.to_bits()));
+}
+
+fn read_column(reader: &mut Reader, column: &mut [f32]) -> Result<(), RestoreError> {
+    let mut values = column.iter_mut();
+    values.try_for_each(|value| reader.float().map(|saved| *value = saved))
+}
+
 fn write_particles(body: &mut Writer, particles: &Particles) {
     let alive = particles.alive();
     body.word(alive as u32);
     for column in particles.float_columns() {
-        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+        write_column(body, &column[..alive]);
     }
     particles.attributes[..alive]
         .iter()
@@ -207,10 +216,10 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
     let [holds, follows] = [particles.held.is_some(), particles.flow.is_some()].map(u32::from);
     body.word(holds * HOLDS | follows * FOLLOWS);
     for column in particles.held.iter().flat_map(|held| held.columns()) {
-        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+        write_column(body, &column[..alive]);
     }
-    for column in particles.flow.iter().flat_map(|flow| flow.columns()) {
-        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+    for column in particles.flow.iter().flat_map(|flow| &flow.columns) {
+        write_column(body, &column[..alive]);
     }
 }
 
@@ -222,9 +231,7 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     }
     let mut particles = Particles::new(capacity);
     for column in particles.float_columns_mut() {
-        column[..alive]
-            .iter_mut()
-            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+        read_column(reader, &mut column[..alive])?;
     }
     particles.attributes[..alive]
         .iter_mut()
@@ -238,14 +245,10 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     particles.hold(columns & HOLDS != 0);
     particles.follow(columns & FOLLOWS != 0);
     for column in particles.held_columns_mut() {
-        column[..alive]
-            .iter_mut()
-            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+        read_column(reader, &mut column[..alive])?;
     }
-    for column in particles.flow.iter_mut().flat_map(|flow| flow.columns_mut()) {
-        column[..alive]
-            .iter_mut()
-            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+    for column in particles.flow.iter_mut().flat_map(|flow| &mut flow.columns) {
+        read_column(reader, &mut column[..alive])?;
     }
     particles.set_alive(alive);
     Ok(particles)

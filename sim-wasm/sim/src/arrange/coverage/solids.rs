@@ -92,7 +92,7 @@ impl<'v> Solids<'v> {
                 && !self.faces_eye
             {
                 let age = AGE.of(attributes) as f32 / AGE.max as f32;
-                let unfolded = f32x4::new(std::array::from_fn(|lane| unfolded(at + lane, age, billow)));
+                let unfolded = unfolded(at, age, billow);
                 (x, y, z) = (x * unfolded, y * unfolded, z * unfolded);
             }
             let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
@@ -106,15 +106,20 @@ impl<'v> Solids<'v> {
     }
 }
 
-/// Factor on the centre of lobe `index` at `age`, a fraction of the lifetime: lobes unfold one after another over the
-/// first half of life. As in shaders/lib/orientation.glsl.
-fn unfolded(index: usize, age: f32, billow: f32) -> f32 {
-    let phase = (index as f32 * BILLOW_STEP).fract();
-    let share = clamped((2.0 * age - BILLOW_DELAY * phase) / (1.0 - BILLOW_DELAY), 0.0, 1.0);
-    1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
+/// Factors on the centres of four lobes from `index` on at `age`, a fraction of the lifetime: lobes unfold one after
+/// another over the first half of life. As in shaders/lib/orientation.glsl.
+#[inline(never)]
+fn unfolded(index: usize, age: f32, billow: f32) -> f32x4 {
+    let factor = |lane: usize| {
+        let phase = ((index + lane) as f32 * BILLOW_STEP).fract();
+        let share = clamped((2.0 * age - BILLOW_DELAY * phase) / (1.0 - BILLOW_DELAY), 0.0, 1.0);
+        1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
+    };
+    f32x4::new(std::array::from_fn(factor))
 }
 
 /// The transpose of a puff's stretch and turn, without its roll, applied to `row`.
+#[inline(never)]
 pub(crate) fn undeformed(attributes: Attributes, row: [f32; 3]) -> [f32; 3] {
     let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let ratio = 1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32;
