@@ -5,6 +5,7 @@
 //! written as rows. The memory of the attributes holds the entries while sorting.
 
 pub(crate) mod coverage;
+pub(crate) mod deformation;
 pub mod row_layout;
 pub mod rows;
 pub(crate) mod view;

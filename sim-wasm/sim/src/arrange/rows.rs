@@ -1,10 +1,11 @@
 //! Rows for a renderer. `row_layout` documents their numbers.
 
+use crate::arrange::deformation;
 use crate::arrange::row_layout::{
     AGE, Attributes, Bits, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
 };
 use crate::particles::Particles;
-use crate::particles::flow::FlowLaw;
+use crate::particles::following::FlowLaw;
 use crate::particles::held::Held;
 use crate::particles::radius::RadiusLaw;
 
@@ -78,7 +79,8 @@ impl RowSampler {
 
     fn flow(&self, particles: &Particles, i: usize) -> [u32; 2] {
         let back = (1.0 - self.blend) * self.dt;
-        self.flow.map_or([0; 2], |law| law.packed(particles, i, back))
+        self.flow
+            .map_or([0; 2], |law| deformation::packed(&law, particles, i, back))
     }
 
     /// The packed attributes of particle `i`.

@@ -22,7 +22,7 @@ use crate::layout::parameters::settings::Integrator;
 use crate::math::simd::{LANES, Vector4, blocks, blocks_mut, positive_part, smaller};
 use crate::particles::Particles;
 use crate::particles::entrainment::Entrainment;
-use crate::particles::flow::{self, FlowLaw};
+use crate::particles::following::{self, FlowLaw};
 use crate::particles::tile::{Columns, Tile, tiles};
 
 /// The motion of particles in one step.
@@ -111,7 +111,7 @@ impl ParticleMotion {
         (first, len): (usize, usize),
     ) {
         if let Some(law) = &self.flow {
-            flow::follow(law, particles, (first, len), self.step, |tile| {
+            following::follow(law, particles, (first, len), self.step, |tile| {
                 self.blow(tile, vortex_particles);
             });
         }

@@ -8,6 +8,7 @@
 pub mod density;
 pub mod entrainment;
 pub mod flow;
+pub mod following;
 pub mod held;
 pub mod radius;
 pub mod tile;

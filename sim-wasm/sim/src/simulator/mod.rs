@@ -34,7 +34,7 @@ use crate::life;
 use crate::life::{Ageing, hold};
 use crate::math::hash::Hash;
 use crate::math::random::Random;
-use crate::particles::flow::FlowLaw;
+use crate::particles::following::FlowLaw;
 use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::tiles;
 use crate::particles::{Newborn, Particles};

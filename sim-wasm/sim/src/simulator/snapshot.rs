@@ -14,7 +14,7 @@ use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::table::Parameters;
 use crate::math::random::Random;
 use crate::particles::Particles;
-use crate::particles::flow::FlowLaw;
+use crate::particles::following::FlowLaw;
 use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 

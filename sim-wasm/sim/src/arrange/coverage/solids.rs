@@ -2,10 +2,8 @@
 
 use wide::f32x4;
 
-use crate::arrange::row_layout::{
-    AGE, Attributes, MAX_STRETCH, NO_TURN, ROLL, SEED, STRETCH, STRETCH_AXIS, TURN, TURN_LARGEST, TURN_STEPS, VARIATION,
-};
-use crate::math::scalar::{clamped, greater};
+use crate::arrange::row_layout::{AGE, Attributes, ROLL, SEED, VARIATION};
+use crate::math::scalar::clamped;
 use crate::math::simd::LANES;
 
 /// Maximum number of lobes of a puff.
@@ -116,62 +114,6 @@ fn unfolded(index: usize, age: f32, billow: f32) -> f32x4 {
         1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
     };
     f32x4::new(std::array::from_fn(factor))
-}
-
-/// The transpose of a puff's stretch and turn, without its roll, applied to `row`.
-#[inline(never)]
-pub(crate) fn undeformed(attributes: Attributes, row: [f32; 3]) -> [f32; 3] {
-    let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let ratio = 1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32;
-    let mut row = row;
-    if ratio > 1.0 {
-        let axis = stretch_axis(attributes);
-        let along = (ratio - 1.0) * dot(row, axis);
-        let across = 1.0 / libm::cbrtf(ratio);
-        row = std::array::from_fn(|i| (row[i] + along * axis[i]) * across);
-    }
-    let [x, y, z, w] = turn(attributes);
-    // The rotation by the conjugate: row + 2 v x (v x row + w row) with v = -(x, y, z).
-    let v = [-x, -y, -z];
-    let cross = |a: [f32; 3], b: [f32; 3]| {
-        [
-            a[1] * b[2] - a[2] * b[1],
-            a[2] * b[0] - a[0] * b[2],
-            a[0] * b[1] - a[1] * b[0],
-        ]
-    };
-    let inner = cross(v, row);
-    let outer = cross(v, std::array::from_fn(|i| inner[i] + w * row[i]));
-    std::array::from_fn(|i| row[i] + 2.0 * outer[i])
-}
-
-/// The unit vector along which a puff is stretched.
-fn stretch_axis(attributes: Attributes) -> [f32; 3] {
-    let [u, v] = STRETCH_AXIS.map(|bits| (bits.of(attributes) as f32 - 127.0) / 127.0);
-    let z = 1.0 - u.abs() - v.abs();
-    let sign = |value: f32| if value < 0.0 { -1.0 } else { 1.0 };
-    let [x, y] = if z < 0.0 {
-        [(1.0 - v.abs()) * sign(u), (1.0 - u.abs()) * sign(v)]
-    } else {
-        [u, v]
-    };
-    let inverse = 1.0 / (x * x + y * y + z * z).sqrt();
-    [x * inverse, y * inverse, z * inverse]
-}
-
-/// The unit quaternion of a puff's turn: x, y, z, w.
-fn turn(mut attributes: Attributes) -> [f32; 4] {
-    attributes[TURN_LARGEST.word] ^= NO_TURN;
-    let largest = TURN_LARGEST.of(attributes) as usize;
-    let mut turn = [0.0; 4];
-    let mut square = 1.0;
-    for (place, bits) in TURN.into_iter().enumerate() {
-        let component = (bits.of(attributes) as f32 - 512.0) / TURN_STEPS;
-        turn[(largest + 1 + place) % 4] = component;
-        square -= component * component;
-    }
-    turn[largest] = greater(square, 0.0).sqrt();
-    turn
 }
 
 /// The sine table, and the rotation axes of the seeds.
