@@ -106,7 +106,12 @@ function deformed(lobes: FormTextures, ratio: number): FormTextures {
   const spread = spreadOf(ratio);
   const reach = spread * lobes.reach;
   return {
-    ...{ startCaps, casterTable, casterLobes, capTable, reach, spread },
+    startCaps,
+    casterTable,
+    casterLobes,
+    capTable,
+    reach,
+    spread,
     depth: spread * lobes.depth,
     capRange: [0, reach],
     latestCap: 0,

@@ -85,7 +85,7 @@ function cluster(
   camera: Camera,
   light: Pick<LabScene, 'towardsLight' | 'lamp'>,
   raised = 0,
-  deformation?: (next: () => number) => LabPuff['deformation'],
+  deform?: (next: () => number) => LabPuff['deformation'],
 ): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
@@ -97,7 +97,7 @@ function cluster(
     tint: index % 5,
     age: next(),
     temperature: (index % 7) / 6,
-    ...(deformation ? { deformation: deformation(next) } : {}),
+    ...(deform ? { deformation: deform(next) } : {}),
   }));
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
