@@ -34,7 +34,7 @@ int tintOf(uvec4 attributes) {
 }
 
 // Turn by the air as a unit quaternion x, y, z, w: the three components after the largest one are packed.
-vec4 turnOf(uvec4 attributes) {
+vec4 quaternionOf(uvec4 attributes) {
   const float TURN_STEPS = 720.0;
   const uint NO_TURN = 0xe0080200u;
   uint word = attributes.z ^ NO_TURN;

@@ -33,7 +33,7 @@ float unfolded(int index, float age) {
 }
 
 mat3 worldFromPuff(uvec4 attributes) {
-  vec4 q = turnOf(attributes);
+  vec4 q = quaternionOf(attributes);
   mat3 turn = mat3(
     1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.z * q.w), 2.0 * (q.x * q.z - q.y * q.w),
     2.0 * (q.x * q.y - q.z * q.w), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.x * q.w),
