@@ -16,7 +16,7 @@ export const SEEDS = 256;
 /** Angle between successive points of a Fibonacci lattice: pi (3 - sqrt 5). */
 export const GOLDEN_ANGLE = 2.399963229728653;
 /** Steps of a component of a puff's packed turn, a unit quaternion without its largest component, per unit. */
-export const TURN_STEPS = 720;
+export const QUATERNION_STEPS = 720;
 /** Greatest ratio of the axes of a stretched puff. */
 export const MAX_STRETCH = 4;
 /** Part of its distance from the centre by which a lobe of a young puff is folded, with `puff.billow` 1. */

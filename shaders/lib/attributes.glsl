@@ -35,10 +35,10 @@ int tintOf(uvec4 attributes) {
 
 // Turn by the air as a unit quaternion x, y, z, w: the three components after the largest one are packed.
 vec4 quaternionOf(uvec4 attributes) {
-  const float TURN_STEPS = 720.0;
-  const uint NO_TURN = 0xe0080200u;
-  uint word = attributes.z ^ NO_TURN;
-  vec3 rest = (vec3(uvec3(word, word >> 10u, word >> 20u) & 0x3ffu) - 512.0) / TURN_STEPS;
+  const float QUATERNION_STEPS = 720.0;
+  const uint NO_ROTATION = 0xe0080200u;
+  uint word = attributes.z ^ NO_ROTATION;
+  vec3 rest = (vec3(uvec3(word, word >> 10u, word >> 20u) & 0x3ffu) - 512.0) / QUATERNION_STEPS;
   float largest = sqrt(max(0.0, 1.0 - dot(rest, rest)));
   uint index = word >> 30u;
   if (index == 0u) return vec4(largest, rest);

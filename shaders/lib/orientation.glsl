@@ -34,7 +34,7 @@ float unfolded(int index, float age) {
 
 mat3 worldFromPuff(uvec4 attributes) {
   vec4 q = quaternionOf(attributes);
-  mat3 turn = mat3(
+  mat3 rotation = mat3(
     1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.z * q.w), 2.0 * (q.x * q.z - q.y * q.w),
     2.0 * (q.x * q.y - q.z * q.w), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.x * q.w),
     2.0 * (q.x * q.z + q.y * q.w), 2.0 * (q.y * q.z - q.x * q.w), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)
@@ -43,7 +43,7 @@ mat3 worldFromPuff(uvec4 attributes) {
   vec3 a = stretch.xyz;
   vec3 along = (stretch.w - 1.0) * a;
   mat3 stretching = mat3(1.0) + mat3(along * a.x, along * a.y, along * a.z);
-  return exp2(-log2(stretch.w) / 3.0) * stretching * turn * rollOfPuff(attributes);
+  return exp2(-log2(stretch.w) / 3.0) * stretching * rotation * rollOfPuff(attributes);
 }
 #else
 mat3 worldFromPuff(uvec4 attributes) {

@@ -48,7 +48,8 @@ export interface LabPuff {
   deformation?: Partial<Record<Deformation, number>>;
 }
 
-type Deformation = 'turnX' | 'turnY' | 'turnZ' | 'turnLargest' | 'stretchU' | 'stretchV' | 'stretch';
+type Deformation =
+  'quaternionX' | 'quaternionY' | 'quaternionZ' | 'quaternionLargest' | 'stretchU' | 'stretchV' | 'stretch';
 
 export interface LabScene {
   width: number;

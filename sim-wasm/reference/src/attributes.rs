@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DMat3, DQuat, DVec3};
 use sim::arrange::row_layout::{
-    AGE, Attributes, CASTER_AGE, NO_TURN, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
+    AGE, Attributes, CASTER_AGE, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
     VARIATION,
 };
 
@@ -12,7 +12,7 @@ use crate::scene::Bands;
 
 const TINTS: usize = 3;
 const SEEDS: f64 = 256.0;
-const TURN_STEPS: f64 = 720.0;
+const QUATERNION_STEPS: f64 = 720.0;
 const MAX_STRETCH: f64 = 4.0;
 const BILLOW_DEPTH: f64 = 0.6;
 const BILLOW_DELAY: f64 = 0.5;
@@ -67,8 +67,8 @@ impl PackedAttributes {
     /// The turn by the air: a quaternion without its largest component.
     fn turn(self) -> DQuat {
         let mut attributes = self.0;
-        attributes[TURN_LARGEST.word] ^= NO_TURN;
-        let rest = TURN.map(|bits| (f64::from(bits.of(attributes)) - 512.0) / TURN_STEPS);
+        attributes[TURN_LARGEST.word] ^= NO_ROTATION;
+        let rest = TURN.map(|bits| (f64::from(bits.of(attributes)) - 512.0) / QUATERNION_STEPS);
         let largest = TURN_LARGEST.of(attributes) as usize;
         let mut turn = [0.0; 4];
         for (place, component) in rest.into_iter().enumerate() {

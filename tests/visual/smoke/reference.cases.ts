@@ -109,8 +109,16 @@ function deformation(next: () => number): LabPuff['deformation'] {
   const bits = (max: number): number => Math.floor(next() * max);
   // The highest bit is flipped, and each component is at most 300 / 720.
   const component = (): number => (212 + bits(600)) ^ 512;
-  const [turnX, turnY, turnZ] = [component(), component(), component()];
-  return { turnX, turnY, turnZ, turnLargest: bits(4), stretchU: bits(255), stretchV: bits(255), stretch: bits(170) };
+  const [quaternionX, quaternionY, quaternionZ] = [component(), component(), component()];
+  return {
+    quaternionX,
+    quaternionY,
+    quaternionZ,
+    quaternionLargest: bits(4),
+    stretchU: bits(255),
+    stretchV: bits(255),
+    stretch: bits(170),
+  };
 }
 
 /** Shadows of puffs beside and behind the eye, most of them close to the near plane. */

@@ -1,7 +1,7 @@
 //! Turn and stretch in the packed attributes of a row.
 
 use crate::arrange::row_layout::{
-    Attributes, MAX_STRETCH, NO_TURN, STRETCH, STRETCH_AXIS, TURN, TURN_LARGEST, TURN_STEPS,
+    Attributes, MAX_STRETCH, NO_ROTATION, QUATERNION_STEPS, STRETCH, STRETCH_AXIS, TURN, TURN_LARGEST,
 };
 use crate::math::scalar::greater;
 use crate::particles::Particles;
@@ -58,10 +58,10 @@ fn packed_turn(turn: [f32; 4]) -> u32 {
     let mut word = (largest as u32) << 30;
     for place in 0..3 {
         let component = turn[(largest + 1 + place) % 4] * sign;
-        let steps = (component * TURN_STEPS + 512.5) as u32;
+        let steps = (component * QUATERNION_STEPS + 512.5) as u32;
         word |= steps.min(1023) << (10 * place);
     }
-    word ^ NO_TURN
+    word ^ NO_ROTATION
 }
 
 fn length([x, y, z]: [f32; 3]) -> f32 {
@@ -106,12 +106,12 @@ fn stretch_axis(attributes: Attributes) -> [f32; 3] {
 
 /// The unit quaternion of a puff's turn: x, y, z, w.
 fn turn(mut attributes: Attributes) -> [f32; 4] {
-    attributes[TURN_LARGEST.word] ^= NO_TURN;
+    attributes[TURN_LARGEST.word] ^= NO_ROTATION;
     let largest = TURN_LARGEST.of(attributes) as usize;
     let mut turn = [0.0; 4];
     let mut square = 1.0;
     for (place, bits) in TURN.into_iter().enumerate() {
-        let component = (bits.of(attributes) as f32 - 512.0) / TURN_STEPS;
+        let component = (bits.of(attributes) as f32 - 512.0) / QUATERNION_STEPS;
         turn[(largest + 1 + place) % 4] = component;
         square -= component * component;
     }

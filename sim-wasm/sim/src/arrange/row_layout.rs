@@ -59,7 +59,7 @@ pub const TINT: Bits = Bits::new(1, 24, 8);
 /// In rows for the light, in the place of temperature and tint: the age as in [`AGE`].
 pub const CASTER_AGE: Bits = Bits::new(1, 16, 16);
 /// Turn by the air, without the roll: the components of a unit quaternion x, y, z, w that follow the largest one, which is
-/// positive and left out, in 1/[`TURN_STEPS`], plus 512. Stored with the bits of [`NO_TURN`] flipped, so that 0 is no turn.
+/// positive and left out, in 1/[`QUATERNION_STEPS`], plus 512. Stored with the bits of [`NO_ROTATION`] flipped, so that 0 is no turn.
 pub const TURN: [Bits; 3] = [Bits::new(2, 0, 10), Bits::new(2, 10, 10), Bits::new(2, 20, 10)];
 /// Index of the largest component.
 pub const TURN_LARGEST: Bits = Bits::new(2, 30, 2);
@@ -71,10 +71,10 @@ pub const STRETCH: Bits = Bits::new(3, 16, 8);
 pub const BITTEN: Bits = Bits::new(3, 24, 8);
 
 /// Steps of a quaternion's component per unit: the components left are at most the root of 1/2.
-pub const TURN_STEPS: f32 = 720.0;
+pub const QUATERNION_STEPS: f32 = 720.0;
 
 /// The word of a puff that does not turn.
-pub const NO_TURN: u32 = 3 << 30 | 512 << 20 | 512 << 10 | 512;
+pub const NO_ROTATION: u32 = 3 << 30 | 512 << 20 | 512 << 10 | 512;
 
 /// Greatest ratio of the axes of a stretched puff.
 pub const MAX_STRETCH: f32 = 4.0;
@@ -90,10 +90,10 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("temperature", TEMPERATURE),
     ("tint", TINT),
     ("casterAge", CASTER_AGE),
-    ("turnX", TURN[0]),
-    ("turnY", TURN[1]),
-    ("turnZ", TURN[2]),
-    ("turnLargest", TURN_LARGEST),
+    ("quaternionX", TURN[0]),
+    ("quaternionY", TURN[1]),
+    ("quaternionZ", TURN[2]),
+    ("quaternionLargest", TURN_LARGEST),
     ("stretchU", STRETCH_AXIS[0]),
     ("stretchV", STRETCH_AXIS[1]),
     ("stretch", STRETCH),

@@ -2,7 +2,7 @@
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
-use sim::arrange::row_layout::{Attributes, MAX_STRETCH, NO_TURN, STRETCH, TURN_STEPS};
+use sim::arrange::row_layout::{Attributes, MAX_STRETCH, NO_ROTATION, QUATERNION_STEPS, STRETCH};
 use sim::arrange::view_layout::ViewNumbers;
 use sim::particles::Newborn;
 
@@ -21,11 +21,12 @@ fn rows(simulator: &mut Simulator, blend: f32) -> Vec<([f32; 4], Attributes)> {
 
 /// The quaternion x, y, z, w of a row.
 fn turn(attributes: Attributes) -> [f64; 4] {
-    let word = attributes[2] ^ NO_TURN;
+    let word = attributes[2] ^ NO_ROTATION;
     let largest = (word >> 30) as usize;
     let mut turn = [0.0; 4];
     for place in 0..3 {
-        turn[(largest + 1 + place) % 4] = (f64::from(word >> (10 * place) & 0x3ff) - 512.0) / f64::from(TURN_STEPS);
+        turn[(largest + 1 + place) % 4] =
+            (f64::from(word >> (10 * place) & 0x3ff) - 512.0) / f64::from(QUATERNION_STEPS);
     }
     turn[largest] = (1.0 - turn.iter().map(|part| part * part).sum::<f64>()).sqrt();
     turn
