@@ -47,6 +47,11 @@ export const FADE_RADII = [1.5, 3] as const;
 /** Side of the square tiles in which the resolve pass looks for edges, pixels. */
 export const EDGE_TILE = 8;
 
+/** Side of the square tiles whose receivers are measured for large shadow volumes, pixels. */
+export const DEPTH_TILE = 32;
+/** Bits of the number of a tile in a quad of a shadow volume; the other bits of 32 are the number of the caster. */
+export const TILE_BITS = 15;
+
 /** Distance of a lifted ring of ink in front of the surface, in steps of a 24-bit depth buffer. */
 export const LIFT_STEPS = 3;
 /**

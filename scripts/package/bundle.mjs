@@ -69,6 +69,32 @@ export async function bundleScript(folder, plugins = shortening()) {
   copyWasm(folder);
 }
 
+/**
+ * Writes the page that renders films. Its simulator is beside the modules of the package, in the folder `wasm`.
+ *
+ * @param {string} folder
+ */
+export async function bundleFilmPage(folder) {
+  // The table's texts are in its errors.
+  const plugins = [shortShaders(), shadersTogether(), shortMembers(), withoutShaders()];
+  // The presets are loaded one by one elsewhere; here the link needs all of them.
+  const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
+  const input = entries({ page: 'src/app/film/page.ts' });
+  // Only for the list of licences.
+  await bundle({ input, plugins, checks }, folder, { sourcemap: 'hidden' });
+}
+
+/**
+ * Writes the command `cartoon-smoke` as one file for Node.
+ *
+ * @param {string} folder
+ */
+export async function bundleCommand(folder) {
+  const build = await rolldown({ input: inRoot('scripts/film/command.mjs'), platform: 'node' });
+  await build.write({ dir: folder, format: 'esm', entryFileNames: '[name].js', codeSplitting: false });
+  await build.close();
+}
+
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
   return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders()];

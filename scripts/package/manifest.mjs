@@ -32,7 +32,8 @@ export const manifest = {
     './package.json': './package.json',
   },
   customElements: './custom-elements.json',
-  files: ['dist', 'types', 'custom-elements.json'],
+  bin: { 'cartoon-smoke': 'film/command.js' },
+  files: ['dist', 'film', 'types', 'custom-elements.json'],
   sideEffects: ['./dist/element.js', './dist/cartoon-smoke.min.js'],
   peerDependencies: { three: project.dependencies.three },
 };

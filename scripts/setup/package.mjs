@@ -8,13 +8,24 @@ import { digestOf } from './sources.mjs';
 
 export const title = 'Package';
 export const FOLDER = 'package';
+const FILM_PAGE = `${FOLDER}/film/page`;
 /**
  * The tarball for `npm install`. Installing the folder would create a symlink, and bundlers reject files outside a
  * project.
  */
 export const ARCHIVE = `cartoon-smoke-${JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).version}.tgz`;
 
-const SOURCES = ['LICENSE', 'package-lock.json', 'package.json', 'scripts/package', 'shaders', 'src', 'tsconfig.json'];
+const SOURCES = [
+  'LICENSE',
+  'package-lock.json',
+  'package.json',
+  'scripts/film',
+  'scripts/lib',
+  'scripts/package',
+  'shaders',
+  'src',
+  'tsconfig.json',
+];
 const STAMP = '.cache/package.txt';
 
 export function isFresh() {
@@ -29,7 +40,13 @@ export async function bring(say) {
   for (const file of readdirSync(root)) if (/^cartoon-smoke-.*\.tgz$/.test(file)) rmSync(inRoot(file));
   const before = digestOf(SOURCES);
   // Imported late: these modules read the parameter table and require packages that may not have been installed before.
-  const [{ bundleAll }, { writeLicenses }, { writeTypes }, { customElements }, { manifest }] = await Promise.all([
+  const [
+    { bundleAll, bundleCommand, bundleFilmPage },
+    { writeLicenses },
+    { writeTypes },
+    { customElements },
+    { manifest },
+  ] = await Promise.all([
     import('../package/bundle.mjs'),
     import('../package/licenses.mjs'),
     import('../package/types.mjs'),
@@ -38,7 +55,11 @@ export async function bring(say) {
   ]);
   say('bundling');
   await bundleAll(inRoot(`${FOLDER}/dist`));
+  await bundleFilmPage(inRoot(FILM_PAGE));
+  await bundleCommand(inRoot(`${FOLDER}/film`));
   await writeLicenses(inRoot(`${FOLDER}/dist`));
+  await writeLicenses(inRoot(FILM_PAGE));
+  for (const file of readdirSync(inRoot(FILM_PAGE))) if (file.endsWith('.map')) rmSync(inRoot(`${FILM_PAGE}/${file}`));
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);
   writeFileSync(inRoot(`${FOLDER}/package.json`), `${JSON.stringify(manifest, null, 2)}\n`);

@@ -36,9 +36,13 @@ flat in vec3 towardsLight;
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
+#ifdef SHADING
+layout(location = 2) out vec4 shading;
+#endif
 
 #include ../lib/depth.glsl
 #include ../lib/shade.glsl
+#include ../lib/shading.glsl
 #include ../lib/pixel.glsl
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
@@ -76,6 +80,9 @@ void main() {
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, vec4(rimColor, rim));
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
+#ifdef SHADING
+  shading = packShading(Shading(shades.facing, material, shades.isFilled, shades.isRim, ink > 0.0, radius));
+#endif
 #ifdef NORMALS
   // An alpha of 1/2 marks normals: see debugViews/colors.frag.
   unlit = vec4(0.5 + 0.5 * normal, 1.0);

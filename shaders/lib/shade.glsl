@@ -1,7 +1,10 @@
-// The two colours of a pixel: in shadow and in the light.
+// The two colours of a pixel, in shadow and in the light, and how the light falls on it.
 struct Shades {
   vec3 unlit;
   vec3 lit;
+  float facing;
+  bool isFilled;
+  bool isRim;
 };
 
 // N . towardsFill above which the fill light applies.
@@ -25,13 +28,17 @@ bool isRim(float facingEye, float facingLight, float width) {
 // Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/device/ramps.ts.
 // Takes unit vectors in view space; a material without fill and rim may use any space. Both colours are equal on the
 // side away from the light, so that no edge is visible there: rows start with the same tone, and fill and rim apply to
-// both. `rim` is colour and width.
+// both. `rim` is colour and width. SHADING: the colours are those without the rim, which a later pass adds.
 Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, vec3 gradient, vec4 rim) {
   float facing = dot(normal, towardsLight);
-  if (isRim(normal.z, facing, rim.a)) return Shades(rim.rgb, rim.rgb);
+  bool hasRim = isRim(normal.z, facing, rim.a);
+#ifndef SHADING
+  if (hasRim) return Shades(rim.rgb, rim.rgb, facing, false, true);
+#endif
+  bool isFilled = dot(normal, towardsFill(towardsLight)) > FILL_BORDER;
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
-  float row = (RAMP_ROWS * material + (dot(normal, towardsFill(towardsLight)) > FILL_BORDER ? 2.5 : 0.5)) * pitch;
+  float row = (RAMP_ROWS * material + (isFilled ? 2.5 : 0.5)) * pitch;
   vec3 unlit = textureLod(ramps, vec2(facing, row), 0.0).rgb * gradient;
   vec3 lit = textureLod(ramps, vec2(facing, row + pitch), 0.0).rgb * gradient;
-  return Shades(unlit, lit);
+  return Shades(unlit, lit, facing, isFilled, hasRim);
 }

@@ -12,16 +12,13 @@ uniform bool isLast;
 
 out vec4 pixel;
 
-// Range around 3/4, the mask of deep shadow; 1/2 or 1 is plain shadow.
-const vec2 DEEP = vec2(0.625, 0.875);
+#include ../lib/mask.glsl
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
-  // Ink has 1 from the start and is the same in all light.
-  bool isDeep = isAllDeep ? direct.a < DEEP.y : direct.a > DEEP.x && direct.a < DEEP.y;
-  if (isDeep) shadowed.rgb *= deepShadow;
-  vec3 tone = isAllDeep || direct.a > 0.25 ? shadowed.rgb : direct.rgb;
+  if (isAllDeep ? !isInk(direct.a) : isDeep(direct.a)) shadowed.rgb *= deepShadow;
+  vec3 tone = isAllDeep || isShadowed(direct.a) ? shadowed.rgb : direct.rgb;
   pixel = vec4(isLast ? tone * shadowed.a : tone, shadowed.a);
 }

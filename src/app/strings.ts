@@ -171,6 +171,7 @@ export const strings = {
       webm: 'Video (WebM)',
       mp4: 'Video (MP4)',
       zip: 'PNG sequence (ZIP)',
+      flipbook: 'Flipbook for games (ZIP)',
     },
     notes: {
       png: '',
@@ -178,7 +179,8 @@ export const strings = {
       gif: 'Loops seamlessly.',
       webm: 'Contains every frame, even on a slow machine.',
       mp4: 'Contains every frame, even on a slow machine.',
-      zip: 'Layers: one folder each for flat colours, shadow, ink and depth.',
+      zip: 'Layers: one folder each for flat colours, shadow, ink, surfaces and depth.',
+      flipbook: 'A seamless loop as atlases of colour, light and normals.',
     },
     window: (width: number, height: number) => `Window, ${width} \u00d7 ${height}`,
     times: (scale: number) => `${scale}\u00d7`,

@@ -14,11 +14,13 @@ import {
 import { DrawnMesh } from './drawnMesh.ts';
 
 /** Rows in a row of texels. */
-const ROWS_PER_LINE = 1024;
+export const ROWS_PER_LINE = 1024;
 /** Floats of a row's place, a texel. */
 export const PLACE_FLOATS = 4;
 /** Packed words per row; see shaders/lib/attributes.glsl. */
 export const ATTRIBUTE_WORDS = 4;
+/** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
+export const END_STEPS = 256;
 
 /** Uniforms of shaders/lib/rows.glsl. */
 export interface RowUniforms extends Record<string, IUniform> {
@@ -88,8 +90,11 @@ export class RowTextures {
   }
 }
 
-/** @param components of a row */
-function markPrefix(texture: DataTexture, components: number, rows: number): void {
+/**
+ * Marks the first rows of a texture for upload.
+ * @param components of a row
+ */
+export function markPrefix(texture: DataTexture, components: number, rows: number): void {
   if (rows === 0) return;
   texture.clearUpdateRanges();
   for (let row = 0; row < rows; row += ROWS_PER_LINE) {
@@ -112,12 +117,7 @@ export class RowGeometry extends BufferGeometry {
     super();
     this.rows = rows;
     this.layout = layout;
-    const { index, vertices } = layout;
-    const indices = new Uint32Array(index.length * rows.capacity);
-    for (let row = 0; row < rows.capacity; row++) {
-      for (let at = 0; at < index.length; at++) indices[row * index.length + at] = row * vertices + index[at];
-    }
-    this.setIndex(new BufferAttribute(indices, 1));
+    this.reserve(rows.capacity);
   }
 
   /** Selects the current rows for the next draw call with a material. */
@@ -127,6 +127,16 @@ export class RowGeometry extends BufferGeometry {
     uniforms.rowPlaces.value = rows.places;
     uniforms.rowAttributes.value = rows.attributes;
     uniforms.rowVertices.value = layout.vertices;
+  }
+
+  /** Makes the indices for this many rows. */
+  protected reserve(rows: number): void {
+    const { index, vertices } = this.layout;
+    const indices = new Uint32Array(index.length * rows);
+    for (let row = 0; row < rows; row++) {
+      for (let at = 0; at < index.length; at++) indices[row * index.length + at] = row * vertices + index[at];
+    }
+    this.setIndex(new BufferAttribute(indices, 1));
   }
 }
 

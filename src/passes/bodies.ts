@@ -21,13 +21,27 @@ import type { SurfaceDepth } from './surfaceDepth.ts';
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
+/** What changes the code of bodies. */
+export interface BodyKind {
+  /** Whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write. */
+  isFlat: boolean;
+  /** Whether puffs also write the shading of `Targets`. */
+  isShaded: boolean;
+  /** Whether lobe puffs turn or stretch with the air, or unfold. */
+  isDeformed: boolean;
+}
+
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
   private readonly rows: DrawnRows;
-  /** Materials by {@link keyOf}, because the shaders unroll the loop over the lobes; 0 is the key of the billboards. */
-  private readonly materials = new Map<number, RawShaderMaterial>();
+  /**
+   * Materials by lobe count and by what else changes their code, because the shaders unroll the loop over the lobes.
+   * Billboards count as 0 lobes.
+   */
+  private readonly materials = new Map<string, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
+  private isShaded = false;
   private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     surfaceDepth: { value: null as Texture | null },
@@ -68,8 +82,10 @@ export class BodiesPass {
   /**
    * Selects the shaders of a puff form and binds the current puffs. A form that is not drawn is not uploaded.
    * @param billboards shaders of the billboards; without them, or if the puffs are flat, lobes are drawn
+   * @param isShaded whether puffs also write the shading of `Targets`
    */
-  setForm(billboards?: Shaders): void {
+  setForm(billboards?: Shaders, isShaded = false): void {
+    this.isShaded = isShaded;
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
@@ -127,8 +143,7 @@ export class BodiesPass {
     this.puffUniforms.lobeTable.value = lobeTable;
     this.puffUniforms.fillet.value = puffs.fillet;
     this.puffUniforms.blend.value = puffs.blend;
-    const { isDeformed } = this.puffs;
-    return this.materialOf(keyOf(lobeCount, isDeformed), lobeBodyShaders(lobeCount, this.isFlat, isDeformed));
+    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.kind));
   }
 
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
@@ -137,10 +152,14 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat, false) });
+    return this.materialOf(0, { ...shaders, defines: definesOf({ ...this.kind, isDeformed: false }) });
   }
 
-  private materialOf(key: number, shaders: Shaders): RawShaderMaterial {
+  private get kind(): BodyKind {
+    return { isFlat: this.isFlat, isShaded: this.isShaded, isDeformed: this.puffs.isDeformed };
+  }
+
+  private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
     const { common, isFlat } = this;
     const made = () =>
       new RawShaderMaterial({
@@ -149,6 +168,7 @@ export class BodiesPass {
         uniforms: common,
         ...(isFlat ? { side: DoubleSide } : {}),
       });
+    const key = [lobes, ...Object.keys(shaders.defines ?? {})].join(' ');
     const material = this.materials.get(key) ?? made();
     this.materials.set(key, material);
     return material;
@@ -156,19 +176,14 @@ export class BodiesPass {
 }
 
 /** The shaders of puffs with a number of lobes, with their loops unrolled. */
-export function lobeBodyShaders(lobes: number, isFlat: boolean, isDeformed: boolean): Shaders {
+export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   return {
     vertexShader: withLobes(lobesVertexShader, lobes),
     fragmentShader: withLobes(lobesFragmentShader, lobes),
-    defines: definesOf(isFlat, isDeformed),
+    defines: definesOf(kind),
   };
 }
 
-/** Key of a material: the lobe count, negative if its puffs are deformed. */
-function keyOf(lobes: number, isDeformed: boolean): number {
-  return isDeformed ? -lobes : lobes;
-}
-
-function definesOf(isFlat: boolean, isDeformed: boolean): Shaders['defines'] {
-  return { ...(isFlat ? { FLAT: '' } : {}), ...(isDeformed ? DEFORMED : {}) };
+function definesOf({ isFlat, isShaded, isDeformed }: BodyKind): Shaders['defines'] {
+  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }), ...(isDeformed && DEFORMED) };
 }

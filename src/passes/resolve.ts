@@ -14,6 +14,9 @@ import type { Targets } from './targets.ts';
 /** The colours to resolve, and their size in pixels. */
 export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
 
+/** Draws the tones of all pixels into a target. */
+export type ChooseTones = (output: WebGLRenderTarget) => void;
+
 /**
  * Chooses lit or unlit by the mask, smooths edges, and writes premultiplied colour to the canvas or to a render target.
  * Edge smoothing takes more draw calls, because it reads many neighbours of a pixel and each must be chosen only once.
@@ -52,19 +55,36 @@ export class ResolvePass {
     this.uniforms.isAllDeep.value = false;
   }
 
-  /** @param output render target, or null for the canvas */
-  draw(renderer: WebGLRenderer, { unlit, lit, width, height }: ResolveSources, output: WebGLRenderTarget | null): void {
+  /**
+   * @param output render target, or null for the canvas
+   * @param choose chooses the tones instead, not premultiplied
+   */
+  draw(
+    renderer: WebGLRenderer,
+    { unlit, lit, width, height }: ResolveSources,
+    output: WebGLRenderTarget | null,
+    choose?: ChooseTones,
+  ): void {
     this.uniforms.unlit.value = unlit;
     this.uniforms.lit.value = lit;
-    this.uniforms.isLast.value = !this.smoothEdges;
-    if (!this.smoothEdges) {
+    this.uniforms.isLast.value = !this.smoothEdges && !choose;
+    if (this.uniforms.isLast.value) {
       renderer.setRenderTarget(output);
       this.tones.draw(renderer);
       return;
     }
     this.chosen.setSize(width, height);
-    renderer.setRenderTarget(this.chosen);
-    this.tones.draw(renderer);
+    if (choose) {
+      choose(this.chosen);
+    } else {
+      renderer.setRenderTarget(this.chosen);
+      this.tones.draw(renderer);
+    }
+    if (!this.smoothEdges) {
+      renderer.setRenderTarget(output);
+      this.copy.draw(renderer);
+      return;
+    }
     const [columns, rows] = [Math.ceil(width / EDGE_TILE), Math.ceil(height / EDGE_TILE)];
     this.marks.setSize(columns, rows);
     renderer.setRenderTarget(this.marks);

@@ -26,12 +26,13 @@ export class Targets {
    * use.
    */
   private readonly numbered = target(3, this.depth);
+  /** The target with a third colour of four channels: shaders/lib/shading.glsl. Allocated on first use. */
+  private readonly shaded = target(3, this.depth);
   private readonly copy = depthCopy();
 
   constructor() {
-    const { textures } = this.numbered;
-    textures.splice(0, 2, ...this.target.textures);
-    textures[2].format = RedFormat;
+    for (const { textures } of [this.numbered, this.shaded]) textures.splice(0, 2, ...this.target.textures);
+    this.numbered.textures[2].format = RedFormat;
   }
 
   /** The underlying render target, with colours, depth and stencil. */
@@ -60,26 +61,38 @@ export class Targets {
    * @param height pixels, at least 1
    */
   resize(width: number, height: number): void {
-    this.target.setSize(width, height);
-    this.numbered.setSize(width, height);
+    for (const each of this.all) each.setSize(width, height);
   }
 
   /**
    * Binds the target and clears it: colours to transparent black, depth to far, stencil to zero.
    * @param isNumbered also binds the numbers of groups, until `endNumbers`
+   * @param isShaded also clears the shading, for `beginShading`
    */
-  begin(renderer: WebGLRenderer, isNumbered = false): void {
+  begin(renderer: WebGLRenderer, isNumbered = false, isShaded = false): void {
     // three.js reallocates the shared buffers when it first binds a target.
-    if (isNumbered) renderer.initRenderTarget(this.target);
-    renderer.setRenderTarget(isNumbered ? this.numbered : this.target);
+    if (isNumbered || isShaded) renderer.initRenderTarget(this.target);
+    if (isNumbered && isShaded) renderer.initRenderTarget(this.numbered);
     renderer.setClearColor(0x000000, 0);
-    renderer.clear(true, true, true);
+    if (isShaded) this.clear(renderer, this.shaded);
+    this.clear(renderer, isNumbered ? this.numbered : this.target);
   }
 
   /** Binds the target without the numbers of groups, and returns them: number / 255, 0 without a surface. */
   endNumbers(renderer: WebGLRenderer): Texture {
     renderer.setRenderTarget(this.target);
     return this.numbered.textures[2];
+  }
+
+  /** Binds the target with the shading of smoke, until `endShading`. */
+  beginShading(renderer: WebGLRenderer): void {
+    renderer.setRenderTarget(this.shaded);
+  }
+
+  /** Binds the target without the shading, and returns it. */
+  endShading(renderer: WebGLRenderer): Texture {
+    renderer.setRenderTarget(this.target);
+    return this.shaded.textures[2];
   }
 
   /**
@@ -96,9 +109,16 @@ export class Targets {
   }
 
   dispose(): void {
-    this.numbered.dispose();
-    this.target.dispose();
-    this.copy.dispose();
+    for (const each of [...this.all, this.copy]) each.dispose();
+  }
+
+  private get all(): readonly WebGLRenderTarget[] {
+    return [this.shaded, this.numbered, this.target];
+  }
+
+  private clear(renderer: WebGLRenderer, cleared: WebGLRenderTarget): void {
+    renderer.setRenderTarget(cleared);
+    renderer.clear(true, true, true);
   }
 }
 

@@ -29,7 +29,7 @@ export abstract class ParticleVolumes {
   private readonly puffs: PuffTextures;
   /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
-  private readonly form = {
+  protected readonly form = {
     minCap: { value: 0 },
     facesEye: { value: false },
     startCaps: { value: null as Texture | null },
@@ -119,9 +119,13 @@ export class VolumesPass extends ParticleVolumes {
     this.quads.draw(renderer, rows);
   }
 
+  protected shadersWith(lobes: number, isDeformed: boolean): Shaders {
+    return volumeShaders(lobes, isDeformed);
+  }
+
   protected materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return new RawShaderMaterial({
-      ...volumeShaders(lobes, isDeformed),
+      ...this.shadersWith(lobes, isDeformed),
       uniforms: this.uniforms,
       glslVersion: GLSL3,
       side: DoubleSide,

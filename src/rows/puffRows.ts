@@ -1,4 +1,11 @@
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, RowTextures, type RowLayout } from '../device/drawnRows.ts';
+import {
+  ATTRIBUTE_WORDS,
+  END_STEPS,
+  PLACE_FLOATS,
+  RowGeometry,
+  RowTextures,
+  type RowLayout,
+} from '../device/drawnRows.ts';
 import type { Rows } from '../sim/rows.ts';
 
 /** Simulator rows for the passes that draw them. */
@@ -38,9 +45,6 @@ export class PuffRows {
     this.rows.dispose();
   }
 }
-
-/** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
-const END_STEPS = 256;
 
 /** Rows of shadow casters, whose attributes contain the end of their shadows. */
 export class CasterRows extends PuffRows {

@@ -3,6 +3,8 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
+import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
@@ -16,6 +18,8 @@ const imports = {
   comparisons: () => import('./comparisonRenderers.ts'),
   debugViews: () => import('./debugViews.ts'),
   countedVolumes: () => import('../passes/countedVolumes.ts'),
+  tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
+  simplify: () => import('../passes/simplify/simplify.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -29,11 +33,20 @@ export interface PictureKind {
   readonly renderer: Renderer;
   readonly form: PuffForm;
   readonly volumes: Volumes;
+  /** Distance over which light is smoothed, CSS pixels. */
+  readonly simplify: number;
   readonly view?: DebugView;
+  /** Whether volumes are drawn in tiles, which gives the same picture. */
+  readonly isTiled?: boolean;
+}
+
+/** Whether a style's light is smoothed. Other renderers than nailboards do not. */
+export function isSimplified({ renderer, simplify }: Pick<PictureKind, 'renderer' | 'simplify'>): boolean {
+  return renderer === 'nailboards' && simplify > 0;
 }
 
 /** The modules that a picture needs, with their names in error messages. */
-function needsOf({ renderer, form, volumes, view }: PictureKind): Partial<Record<Name, string>> {
+function needsOf({ renderer, form, volumes, simplify, view, isTiled }: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -42,6 +55,8 @@ function needsOf({ renderer, form, volumes, view }: PictureKind): Partial<Record
     }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
+    ...(isSimplified({ renderer, simplify }) && { simplify: 'Simplified light' }),
+    ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
 
@@ -86,6 +101,9 @@ export class ExtraPasses implements FrameExtras {
   private readonly sources: ShadowMapSources;
   private madeComparisons: ComparisonRenderers | undefined;
   private madeVolumes: CountedVolumesPass | undefined;
+  private madeTiles: TiledVolumesPass | undefined;
+  private madeSimplify: SimplifyPass | undefined;
+  private requested: Promise<void> | undefined;
   private madeViews: DebugViews | undefined;
 
   constructor(sources: ShadowMapSources) {
@@ -103,6 +121,20 @@ export class ExtraPasses implements FrameExtras {
     return this.madeVolumes;
   }
 
+  /** Undefined until its module is loaded, which starts on first access. Without it, pictures only take longer. */
+  get tiledVolumes(): TiledVolumesPass | undefined {
+    const { eye, puffs } = this.sources;
+    if (here.tiledVolumes) this.madeTiles ??= new here.tiledVolumes.TiledVolumesPass(eye, puffs);
+    else this.requested ??= bring('tiledVolumes', 'Volumes in tiles').catch(() => {});
+    return this.madeTiles;
+  }
+
+  get simplify(): SimplifyPass | undefined {
+    const { eye, ramps } = this.sources;
+    if (here.simplify) this.madeSimplify ??= new here.simplify.SimplifyPass(eye, ramps);
+    return this.madeSimplify;
+  }
+
   get debugViews(): DebugViews | undefined {
     if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
@@ -113,10 +145,17 @@ export class ExtraPasses implements FrameExtras {
     return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
   }
 
+  /** Releases render targets until the next frame. */
+  rest(): void {
+    this.madeSimplify?.rest();
+  }
+
   /** Disposes of all passes. They allocate their resources again when they next draw. */
   dispose(): void {
     this.madeComparisons?.dispose();
     this.madeVolumes?.dispose();
+    this.madeTiles?.dispose();
+    this.madeSimplify?.dispose();
     this.madeViews?.dispose();
   }
 }

@@ -1,6 +1,7 @@
-import { Vector3 } from 'three';
+import { Vector3, type WebGLRenderTarget } from 'three';
 import type { Rows } from '../sim/rows.ts';
 import { countVolumes, MAX_COUNT } from './countVolumes.ts';
+import { isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
@@ -31,7 +32,7 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   renderer.info.reset();
   const arranged = arrangeFrame(passes, input);
 
-  targets.begin(renderer, passes.surfaces.isNumbered);
+  targets.begin(renderer, passes.surfaces.isNumbered, isSimplified(style) && !view);
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
   passes.surfaces.draw(renderer, targets);
   passes.creases.draw(renderer);
@@ -44,13 +45,17 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
 
 const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
   const { renderer, targets, mask } = passes;
+  const simplify = isSimplified(style) ? passes.extras.simplify! : undefined;
+  if (simplify) targets.beginShading(renderer);
   passes.body.draw(renderer, bodies.geometry, surfaceDepth);
+  const shading = simplify && targets.endShading(renderer);
   if (casters) {
     const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
     countVolumes(passes, style, casters.geometry, limit);
     mask.draw(renderer);
   }
-  passes.resolve.draw(renderer, targets, output);
+  const choose = shading && ((tones: WebGLRenderTarget) => simplify.draw(renderer, targets, shading, tones));
+  passes.resolve.draw(renderer, targets, output, choose);
 };
 
 /**

@@ -7,6 +7,7 @@ import type { Device } from '../device/device.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
+import { isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { styleOf } from './style.ts';
 
@@ -42,8 +43,10 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
-  const { isDeformed } = styleOf(values);
-  device.programs.compile(device.renderer, lobeBodyShaders(lobes, !device.writesDepth, isDeformed));
+  const style = styleOf(values);
+  const { isDeformed } = style;
+  const kind = { isFlat: !device.writesDepth, isShaded: isSimplified(style), isDeformed };
+  device.programs.compile(device.renderer, lobeBodyShaders(lobes, kind));
   device.programs.compile(device.renderer, volumeShaders(lobes, isDeformed));
   await device.programs.finished(device.renderer);
 }

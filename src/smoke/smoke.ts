@@ -20,7 +20,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras } from './extraPasses.ts';
+import { ExtraPasses, hasExtras, isSimplified } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -38,6 +38,8 @@ export interface SmokeOptions {
 
 /** World height below which surfaces are hidden, metres. */
 export const OUT_OF_SIGHT = -60;
+/** The parameters of a style that needs no further modules. */
+const PLAIN_PICTURE = { renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 0 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -134,6 +136,7 @@ export class SmokeRenderer {
   rest(): void {
     this.passes.targets.dispose();
     this.passes.resolve.rest();
+    this.passes.extras.rest();
   }
 
   /** Releases all resources on the device, but not the device. */
@@ -157,7 +160,7 @@ export class SmokeRenderer {
   private withWhatIsHere(input: FrameInput): FrameInput {
     const { style, view } = input;
     if (hasExtras({ ...style, view })) return input;
-    if (this.asked !== style) this.meanwhile = { ...style, renderer: 'nailboards', form: 'lobes', volumes: 'receiver' };
+    if (this.asked !== style) this.meanwhile = { ...style, ...PLAIN_PICTURE };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
   }
@@ -169,7 +172,8 @@ export class SmokeRenderer {
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
-    body.setForm(extras.billboardsOf(style.form));
+    body.setForm(extras.billboardsOf(style.form), isSimplified(style));
+    extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     volumes.follow(style.form, litThresholdOf(style));
     extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);

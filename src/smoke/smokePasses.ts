@@ -10,6 +10,8 @@ import type { CreasesPass } from '../passes/creases.ts';
 import type { MaskPass } from '../passes/mask.ts';
 import type { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
+import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
 import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import type { SurfacesPass } from '../passes/surfaces.ts';
@@ -70,8 +72,13 @@ export interface FrameExtras {
   /** Counts entries and exits; `style.volumes` decides. */
   readonly countedVolumes: CountedVolumesPass | undefined;
   readonly debugViews: DrawsInstead | undefined;
+  /** Smooths the light; `style.simplify` decides. */
+  readonly simplify: SimplifyPass | undefined;
+  /** Draws volumes close to the camera in tiles. */
+  readonly tiledVolumes: TiledVolumesPass | undefined;
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined;
+  rest(): void;
   dispose(): void;
 }
 

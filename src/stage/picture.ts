@@ -1,4 +1,4 @@
-import { MathUtils, Vector2, type Matrix4 } from 'three';
+import { MathUtils, Vector2, type DepthTexture, type Matrix4, type PerspectiveCamera, type WebGLRenderer } from 'three';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -29,6 +29,14 @@ export interface PictureState {
   scale: number;
   /** Whether playback is running: puffs whose parameters change are then baked over several pictures. */
   isPlaying: boolean;
+}
+
+/** The depth buffer of a picture, with the renderer that can read it and the camera of the picture. */
+export interface DrawnDepth {
+  readonly renderer: WebGLRenderer;
+  /** 24-bit window depth. */
+  readonly depth: DepthTexture;
+  readonly camera: PerspectiveCamera;
 }
 
 /** A stage's picture: its camera, size, quality and contents. */
@@ -169,6 +177,12 @@ export class Picture {
       if (device.isUsable) throw error;
       return false;
     }
+  }
+
+  /** The depth buffer of the latest picture, and what it was drawn with. */
+  get drawnDepth(): DrawnDepth {
+    const { renderer, targets } = this.smoke.renderer.passes;
+    return { renderer, depth: targets.depth, camera: this.eye.camera };
   }
 
   /** Releases the render targets until the next picture. The canvas keeps the latest one. */

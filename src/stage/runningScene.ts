@@ -125,10 +125,29 @@ export class RunningScene implements FrameTasks {
   advanceBy(seconds: number): void {
     const { steps } = this.simulation.simulator;
     const goal = steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS;
-    // The tolerance keeps a rounding error from adding a step.
-    const last = Math.max(steps, Math.ceil(goal - 1e-6));
+    const last = Math.max(steps, stepsFor(goal));
     this.advance(last - steps);
     this.showLatest(Math.min(1, goal - last + 1));
+  }
+
+  /**
+   * Advances to a time after that of the latest step but one, and shows it with these values of camera and style. The
+   * picture depends on the time only, not on the times shown before.
+   */
+  showAt(seconds: number, look: Values): void {
+    const goal = seconds / STEP_SECONDS;
+    const last = stepsFor(goal);
+    this.advance(Math.max(0, last - this.simulation.simulator.steps));
+    this.follow({ ...this.now, ...look });
+    this.showLatest(Math.min(1, goal - last + 1));
+  }
+
+  /** Goes to a state of the current take; see `Stage.rewind`. */
+  rewind(state: Uint8Array): void {
+    this.simulation.rewind(state);
+    this.followLog();
+    this.keepVariations();
+    this.showLatest();
   }
 
   /** Seeks to a step and replays the recorded inputs. */
@@ -322,6 +341,14 @@ export class RunningScene implements FrameTasks {
     this.notifyState();
     this.listeners.notify('error', error);
   }
+}
+
+/**
+ * The number of steps after which a time can be shown. The tolerance keeps a rounding error from adding a step.
+ * @param goal in steps
+ */
+function stepsFor(goal: number): number {
+  return Math.max(0, Math.ceil(goal - 1e-6));
 }
 
 /** The entries of `values` that differ from `before`. */

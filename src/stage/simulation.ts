@@ -94,6 +94,12 @@ export class Simulation {
     return this.start;
   }
 
+  /** Goes to a saved state of the current take. The following steps replay the inputs after it. */
+  rewind(state: Uint8Array): void {
+    this.current.rewind(state);
+    this.resetDrag();
+  }
+
   /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
     const { rig, rule } = this.scene;

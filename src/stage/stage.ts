@@ -16,7 +16,7 @@ import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
-import { pixelsOf, type Picture } from './picture.ts';
+import { pixelsOf, type DrawnDepth, type Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
 import type { Retouch } from './shownSmoke.ts';
@@ -328,6 +328,33 @@ export class Stage {
     this.#picture.smoke.retouch(change);
   }
 
+  /**
+   * @internal Advances to a simulated time and shows exactly it, interpolated when it is between two steps. The picture
+   * does not depend on the times shown before. Only `seek` goes back.
+   * @param seconds at least the time of the latest step but one
+   * @param look valid values of camera and style
+   */
+  showAt(seconds: number, look: Values = {}): void {
+    this.#running.requireAlive();
+    requireFinite({ seconds }, 0);
+    this.#running.showAt(seconds, look);
+  }
+
+  /** @internal The depth buffer of the latest picture, until the next one is drawn. */
+  get drawnDepth(): DrawnDepth {
+    return this.#picture.drawnDepth;
+  }
+
+  /**
+   * @internal Goes to a state that was saved in the current take, at any of its steps. Unlike `restore`, the following
+   * steps replay the inputs after that step.
+   * @throws SimulatorError for invalid bytes; the stage is unchanged then
+   */
+  rewind(state: Uint8Array): void {
+    this.#running.requireAlive();
+    this.#running.rewind(state);
+  }
+
   /** Serializes the simulator's state. */
   save(): Uint8Array {
     return this.#simulation.simulator.save();
@@ -477,6 +504,7 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
     renderer: values['style.renderer'] as Renderer,
     form: values['puff.form'] as PuffForm,
     volumes: values['style.volumes'] as Volumes,
+    simplify: values['style.simplify'] as number,
     view,
   };
 }

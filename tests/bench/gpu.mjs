@@ -1,6 +1,6 @@
 /** `npm run bench -- gpu`: time of each pass on the GPU, by timer queries. */
 
-import { graphicsFlags } from '../../scripts/setup/browser.mjs';
+import { graphicsFlags } from '../../scripts/lib/chromium.mjs';
 import { measureInPage } from './support/page.mjs';
 
 /**

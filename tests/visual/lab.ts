@@ -29,7 +29,15 @@ import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { defaults } from '../../src/preset/values.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
-await fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'counted', view: 'normals' });
+await fetchExtras({
+  renderer: 'selle',
+  form: 'billboards',
+  volumes: 'counted',
+  simplify: 0,
+  view: 'normals',
+  isTiled: true,
+});
+await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1 });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
@@ -309,4 +317,20 @@ export function readStencil({ renderer }: Device, target: WebGLRenderTarget): Ui
   renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
   triangle.dispose();
   return pixels.filter((_, index) => index % 4 === 0);
+}
+
+/** Pixels as an image; WebGL returns the bottom row first. */
+export function upright(pixels: Uint8Array, width: number, height: number): ImageData {
+  const image = new ImageData(width, height);
+  for (let row = 0; row < height; ++row) {
+    const from = 4 * width * (height - 1 - row);
+    image.data.set(pixels.subarray(from, from + 4 * width), 4 * width * row);
+  }
+  return image;
+}
+
+/** The bytes of a file in base64. */
+export async function base64(blob: Blob): Promise<string> {
+  const bytes = new Uint8Array(await blob.arrayBuffer());
+  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }

@@ -2,6 +2,7 @@
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
 import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
+import type { DebugView } from '../../src/preset/quality.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
 import type { CameraPose, MovingPart, Scene } from '../../src/scenes/scene.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
@@ -40,6 +41,8 @@ export interface FrameOptions {
   isBare?: boolean;
   /** Between the previous step (0) and the current one (1). */
   blend?: number;
+  /** Debug view to draw instead of the picture. */
+  view?: DebugView;
 }
 
 const NO_SMOKE: Arranger = {
@@ -132,7 +135,7 @@ export class SceneLab {
   }
 
   /** What a picture is drawn from. */
-  frame({ camera = this.camera(), cull = true, isBare = false, blend = 1 }: FrameOptions = {}): FrameInput {
+  frame({ camera = this.camera(), cull = true, isBare = false, blend = 1, view }: FrameOptions = {}): FrameInput {
     const { width, height, values, style, scene } = this;
     const rigids = this.simulation.rigids(blend);
     return {
@@ -147,6 +150,7 @@ export class SceneLab {
       rigids,
       parts: this.simulation.parts(blend, rigids),
       cull,
+      view,
       output: null,
     };
   }

@@ -21,9 +21,10 @@ export async function shootClip(
   shoot: (frame: number) => Promise<void> | void,
 ): Promise<void> {
   const count = frameCount(settings);
+  const start = stage.stats.time;
   for (let frame = 0; frame < count; ++frame) {
     if (frame === 0) draw();
-    else stage.advance(1 / settings.rate);
+    else stage.showAt(start + frame / settings.rate);
     await shoot(frame);
     onProgress((frame + 1) / count);
     await nextTask();

@@ -71,7 +71,7 @@ export class CaptureDialog {
 
   private save({ format }: CaptureSettings, file: Blob): string {
     const { scene } = this.stage.get();
-    const name = `${String(scene)}-${this.stage.stats.time.toFixed(2)}s.${format}`;
+    const name = `${String(scene)}-${this.stage.stats.time.toFixed(2)}s.${format === 'flipbook' ? 'flipbook.zip' : format}`;
     download(name, file);
     return strings.capture.saved(name, file.size);
   }
@@ -91,6 +91,7 @@ const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
   webm: async () => (await import('./video.ts')).makeVideo,
   mp4: async () => (await import('./video.ts')).makeVideo,
   zip: async () => (await import('./pngSequence.ts')).makePngSequence,
+  flipbook: async () => (await import('./flipbook.ts')).makeFlipbook,
 };
 
 /**

@@ -1,44 +1,54 @@
+import type { Arranger, Rows } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
-import { PixelReader } from './pixels.ts';
+import { linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 
-export const LAYERS = ['flats', 'shadow', 'ink', 'depth'] as const;
+export const LAYERS = ['flats', 'shadow', 'ink', 'surfaces', 'depth'] as const;
 export type Layer = (typeof LAYERS)[number];
 
+const NO_ROWS: Rows = { count: 0, place: new Float32Array(0), attributes: new Uint32Array(0) };
+
 /**
- * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, and depth,
- * where near is white. Flats, shadow and ink composited in this order give the frame.
+ * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, surfaces (the
+ * picture without smoke), and depth, where near is white. Flats, shadow and ink composited in this order give the frame.
  */
 export class LayerCamera {
   private readonly studio: Studio;
   private readonly reader: PixelReader;
   private readonly style: Values;
+  private hasSmoke = true;
 
   /** @param width, height of the studio's canvas, in pixels */
   constructor(studio: Studio, width: number, height: number) {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
     this.style = studio.stage.get();
+    studio.stage.retouch((input) => (this.hasSmoke ? input : { ...input, simulator: withoutRows(input.simulator) }));
   }
 
-  async shoot(): Promise<(readonly [Layer, Blob])[]> {
-    const layers = [
-      ['flats', this.flats()],
-      ['shadow', this.shadow()],
+  /** The layers in the order of LAYERS. Leaves other values of the style than before. */
+  async shoot(): Promise<(readonly [Layer, ImageData])[]> {
+    const flats = this.flats();
+    return [
+      ['flats', flats],
+      ['shadow', this.shadow(flats)],
       ['ink', this.ink()],
+      ['surfaces', this.surfaces()],
       ['depth', await this.depth()],
-    ] as const;
-    const pictures: (readonly [Layer, Blob])[] = [];
-    for (const [layer, pixels] of layers) pictures.push([layer, await this.reader.encode(pixels)]);
-    return pictures;
+    ];
+  }
+
+  /** Encodes a layer as a PNG. */
+  encode(pixels: ImageData): Promise<Blob> {
+    return this.reader.encode(pixels);
   }
 
   private flats(): ImageData {
     return this.read({ 'style.outlines': 0, 'style.shadows': 0 });
   }
 
-  private shadow(): ImageData {
-    const flats = new Uint32Array(this.flats().data.buffer);
+  private shadow(plain: ImageData): ImageData {
+    const flats = new Uint32Array(plain.data.buffer);
     const shadowed = this.read({ 'style.outlines': 0 });
     const pixels = new Uint32Array(shadowed.data.buffer);
     pixels.forEach((pixel, at) => {
@@ -63,6 +73,13 @@ export class LayerCamera {
     return white;
   }
 
+  private surfaces(): ImageData {
+    this.hasSmoke = false;
+    const pixels = this.read({});
+    this.hasSmoke = true;
+    return pixels;
+  }
+
   private async depth(): Promise<ImageData> {
     const { stage, canvas } = this.studio;
     stage.view = 'depth';
@@ -85,12 +102,11 @@ export class LayerCamera {
   }
 }
 
-function rgbOf(color: string): number[] {
-  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+/** Keeps the bounds, so that the shadows of the surfaces stay the same. */
+function withoutRows(simulator: Arranger): Arranger {
+  return { arrange: (view) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined }) };
 }
 
-/** Converts an sRGB code (0 to 255) to linear light (0 to 1). */
-function linear(code: number): number {
-  const value = code / 255;
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+function rgbOf(color: string): number[] {
+  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
 }

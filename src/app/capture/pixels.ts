@@ -23,3 +23,9 @@ export class PixelReader {
     return this.canvas.convertToBlob({ type: 'image/png' });
   }
 }
+
+/** Converts an sRGB code (0 to 255) to linear light (0 to 1). */
+export function linear(code: number): number {
+  const value = code / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}

@@ -12,13 +12,15 @@ export async function makePngSequence(studio: Studio, settings: CaptureSettings,
   await shootClip(studio, settings, task, async (frame) => {
     const name = `${String(frame + 1).padStart(4, '0')}.png`;
     if (!layers) return archive.add(`frame-${name}`, await encodePng(studio.canvas));
-    for (const [layer, picture] of await layers.shoot()) await archive.add(`${layer}/${name}`, picture);
+    for (const [layer, pixels] of await layers.shoot()) {
+      await archive.add(`${layer}/${name}`, await layers.encode(pixels));
+    }
   });
   return archive.finish();
 }
 
 /** A zip without compression, because PNGs are compressed already. */
-class Archive {
+export class Archive {
   private readonly parts: Uint8Array<ArrayBuffer>[] = [];
   private failure: Error | undefined;
   private readonly zip = new Zip((error, part) => {

@@ -6,6 +6,7 @@ export const FORMATS = {
   webm: { isClip: true, hasAlpha: true },
   mp4: { isClip: true, hasAlpha: false },
   zip: { isClip: true, hasAlpha: true },
+  flipbook: { isClip: true, hasAlpha: false },
 } as const;
 export type Format = keyof typeof FORMATS;
 
@@ -29,8 +30,13 @@ export interface CaptureSettings {
   /** Length of a clip in seconds, and its frames per second. */
   readonly seconds: number;
   readonly rate: number;
-  /** Whether the zip contains flats, shadow, ink and depth as separate layers instead of complete frames. */
+  /** Whether the zip contains flats, shadow, ink, surfaces and depth as separate layers instead of complete frames. */
   readonly inLayers: boolean;
+}
+
+/** Columns of the atlas of a flipbook, as many as rows or one more. */
+export function columnsOf(settings: CaptureSettings): number {
+  return Math.ceil(Math.sqrt(frameCount(settings)));
 }
 
 /** Number of frames in a clip, at least 1. */
@@ -39,7 +45,12 @@ export function frameCount({ seconds, rate }: CaptureSettings): number {
 }
 
 /** Size in device pixels. Video encoders require even sizes. */
-export function pixelSize({ format, width, height, scale }: CaptureSettings): [width: number, height: number] {
+export function pixelSize({
+  format,
+  width,
+  height,
+  scale,
+}: Pick<CaptureSettings, 'format' | 'width' | 'height' | 'scale'>): [width: number, height: number] {
   const grain = format === 'webm' || format === 'mp4' ? 2 : 1;
   return [width, height].map((side) => Math.max(grain, grain * Math.round((side * scale) / grain))) as [number, number];
 }

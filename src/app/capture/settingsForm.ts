@@ -2,6 +2,7 @@ import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 import {
   FASTEST_GIF,
+  columnsOf,
   FORMATS,
   frameCount,
   LONGEST,
@@ -17,6 +18,8 @@ const SIZES = ['1920x1080', '1280x720', '640x360', '1080x1080', '1080x1920'] as 
 const WINDOW = 'window';
 /** An SVG is traced from a frame at twice the resolution. */
 const DRAWING_SCALE = 2;
+/** Width of the atlas of a flipbook at scale 1, in pixels. */
+const ATLAS_WIDTH = 1024;
 
 /** Capture settings as native form fields. */
 export class SettingsForm {
@@ -63,16 +66,18 @@ export class SettingsForm {
     const format = this.format.value as Format;
     const [width, height] =
       this.size.value === WINDOW ? [innerWidth, innerHeight] : this.size.value.split('x').map(Number);
-    return {
+    const settings: CaptureSettings = {
       format,
       width,
       height,
       scale: format === 'svg' ? DRAWING_SCALE : Number(this.scale.value),
-      hasBackground: this.background.checked || !FORMATS[format].hasAlpha,
+      hasBackground: format !== 'flipbook' && (this.background.checked || !FORMATS[format].hasAlpha),
       seconds: Number(this.seconds.value),
       rate: Number(this.rate.value),
       inLayers: this.layers.checked,
     };
+    if (format !== 'flipbook') return settings;
+    return { ...settings, scale: (ATLAS_WIDTH * settings.scale) / (columnsOf(settings) * width) };
   }
 
   /** Shows the fields of the selected format, and a summary of the result. */

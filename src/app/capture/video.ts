@@ -25,11 +25,22 @@ export class VideoError extends Error {
   override name = 'VideoError';
 }
 
+type VideoSettings = Pick<CaptureSettings, 'format' | 'width' | 'height' | 'scale' | 'hasBackground' | 'rate'>;
+type AddFrame = (canvas: HTMLCanvasElement | OffscreenCanvas, frame: number) => Promise<void>;
+
 /**
  * Encodes every frame as WebM or MP4 with the browser's encoder.
  * @throws VideoError when the browser cannot encode the format at this size
  */
-export async function makeVideo(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
+export function makeVideo(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
+  return encodeVideo(settings, (add) => shootClip(studio, settings, task, (frame) => add(studio.canvas, frame)));
+}
+
+/**
+ * @param shoot adds the frames in order, from 0
+ * @throws VideoError when the browser cannot encode the format at this size
+ */
+export async function encodeVideo(settings: VideoSettings, shoot: (add: AddFrame) => Promise<void>): Promise<Blob> {
   const source = new VideoSampleSource(await encodingOf(settings));
   const target = new BufferTarget();
   const isMp4 = settings.format === 'mp4';
@@ -38,7 +49,7 @@ export async function makeVideo(studio: Studio, settings: CaptureSettings, task:
   output.addVideoTrack(source, { frameRate: settings.rate });
   await output.start();
   try {
-    await shootClip(studio, settings, task, (frame) => addFrame(source, studio.canvas, frame, settings.rate));
+    await shoot((canvas, frame) => addFrame(source, canvas, frame, settings.rate));
   } catch (error) {
     await output.cancel();
     throw error;
@@ -49,7 +60,7 @@ export async function makeVideo(studio: Studio, settings: CaptureSettings, task:
 
 async function addFrame(
   source: VideoSampleSource,
-  canvas: HTMLCanvasElement,
+  canvas: HTMLCanvasElement | OffscreenCanvas,
   frame: number,
   rate: number,
 ): Promise<void> {
@@ -59,7 +70,7 @@ async function addFrame(
   sample.close();
 }
 
-async function encodingOf(settings: CaptureSettings) {
+async function encodingOf(settings: VideoSettings) {
   const [width, height] = pixelSize(settings);
   const format = settings.format as keyof typeof CODECS;
   const encoding = {

@@ -72,6 +72,15 @@ export const styleRows = [
     label: 'Fill light',
     text: 'A second tone in shadow, lit by a weaker light from the other side.',
   }),
+  quantity('style.simplify', 'style', 'style', {
+    min: 0,
+    max: 8,
+    step: 0.25,
+    default: 0,
+    unit: 'px',
+    label: 'Simplify',
+    text: 'Merges small patches of light and shade into large shapes; 0 keeps them all.',
+  }),
   quantity('style.rim', 'style', 'style', {
     min: 0,
     max: 1,

@@ -1,10 +1,11 @@
 /** The production frame with the seeded plume, and its passes one at a time. */
-import { Matrix4, PerspectiveCamera, type Camera } from 'three';
+import { Matrix4, PerspectiveCamera, type Camera, type RawShaderMaterial } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
+import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
 import { arrangeFrame, drawFrame, reportOf } from '../../../src/smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
@@ -12,6 +13,7 @@ import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
+import { countFragments, type Fragments, type Redraw } from './fragments.ts';
 import { seededPlume } from './plume.ts';
 
 export const WIDTH = 640;
@@ -58,6 +60,7 @@ export class RenderBench {
 
   /** A picture with the suite's aspect ratio, smaller where only its rows matter. */
   static async create(scale = 1, particles = PARTICLES, smoke = seededPlume): Promise<RenderBench> {
+    await fetchExtras({ ...PLAIN_STYLE, isTiled: true });
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's equations, with which particles spawn at full size.
@@ -109,6 +112,23 @@ export class RenderBench {
     const pixels = new Uint8Array(4 * this.width * this.height);
     this.context.readPixels(0, 0, this.width, this.height, this.context.RGBA, this.context.UNSIGNED_BYTE, pixels);
     return pixels;
+  }
+
+  /**
+   * Fragments of the bodies and of the volumes in the last frame.
+   * @param isTiled whether its volumes were drawn in tiles
+   */
+  countFragments(isTiled = false): { bodies: Fragments; volumes: Fragments } {
+    const { renderer, bodies, casters, body, volumes, extras } = this.smoke.passes;
+    const tiled = isTiled ? extras.tiledVolumes : undefined;
+    const count = (material: RawShaderMaterial, redraw: Redraw) =>
+      countFragments(renderer, material, redraw, this.width, this.height);
+    return {
+      bodies: count(body.material, (material) => body.drawAs(renderer, material, bodies.geometry)),
+      volumes: tiled
+        ? count(tiled.material, (material) => tiled.drawTilesAs(renderer, material))
+        : count(volumes.material, (material) => volumes.drawAs(renderer, material, casters.geometry)),
+    };
   }
 
   /** Waits until all draw calls are complete. Only reading a pixel blocks; finish() does not. */

@@ -3,8 +3,8 @@ import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
-import { HEIGHT, RenderBench, WIDTH } from './bench.ts';
-import { countFragments, type Fragments } from './fragments.ts';
+import { RenderBench } from './bench.ts';
+import type { Fragments } from './fragments.ts';
 
 /** Results of one form. */
 interface Side {
@@ -53,7 +53,5 @@ function look(bench: RenderBench, form: PuffForm): Side {
   const style: Style = { ...PLAIN_STYLE, form };
   bench.style = style;
   const { bodiesDrawn } = bench.draw(false);
-  const { bodies, body } = bench.smoke.passes;
-  const fragments = countFragments(bench.device.renderer, bodies.geometry, body.material, WIDTH, HEIGHT);
-  return { form, style, times: [], bodiesDrawn, fragments };
+  return { form, style, times: [], bodiesDrawn, fragments: bench.countFragments().bodies };
 }

@@ -1,18 +1,14 @@
 /** Counts fragments: draws a pass once more with additive blending of 1 per fragment, and sums the picture. */
 import {
-  Camera,
   CustomBlending,
   FloatType,
   GLSL3,
-  Mesh,
   NearestFilter,
   OneFactor,
   RawShaderMaterial,
-  Scene,
   WebGLRenderTarget,
   type WebGLRenderer,
 } from 'three';
-import type { RowGeometry } from '../../../src/device/drawnRows.ts';
 
 /** The fragments of a pass. */
 export interface Fragments {
@@ -22,19 +18,21 @@ export interface Fragments {
   kept: number;
 }
 
+/** Repeats the last draw of a pass with a material. */
+export type Redraw = (material: RawShaderMaterial) => void;
+
 /**
- * @param geometry with the data of the last frame
  * @param material of the pass, with the uniforms of the last frame
+ * @param redraw repeats the draw call of the last frame
  */
 export function countFragments(
   renderer: WebGLRenderer,
-  geometry: RowGeometry,
   material: RawShaderMaterial,
+  redraw: Redraw,
   width: number,
   height: number,
 ): Fragments {
-  const count = (fragmentShader: string) =>
-    sumOf(renderer, geometry, counting(material, fragmentShader), width, height);
+  const count = (fragmentShader: string) => sumOf(renderer, counting(material, fragmentShader), redraw, width, height);
   return { rasterised: count(ONE_EACH), kept: count(addingOne(material.fragmentShader)) };
 }
 
@@ -55,6 +53,7 @@ function counting(material: RawShaderMaterial, fragmentShader: string): RawShade
     vertexShader: material.vertexShader,
     fragmentShader,
     uniforms: material.uniforms,
+    defines: material.defines,
     side: material.side,
     depthTest: false,
     depthWrite: false,
@@ -67,8 +66,8 @@ function counting(material: RawShaderMaterial, fragmentShader: string): RawShade
 
 function sumOf(
   renderer: WebGLRenderer,
-  geometry: RowGeometry,
   material: RawShaderMaterial,
+  redraw: Redraw,
   width: number,
   height: number,
 ): number {
@@ -82,13 +81,10 @@ function sumOf(
     magFilter: NearestFilter,
     depthBuffer: false,
   });
-  geometry.bind(material);
-  const mesh = new Mesh(geometry, material);
-  mesh.frustumCulled = false;
   renderer.setRenderTarget(target);
   renderer.setClearColor(0x000000, 0);
   renderer.clear(true, false, false);
-  renderer.render(new Scene().add(mesh), new Camera());
+  redraw(material);
   const pixels = new Float32Array(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, pixels);
   renderer.setRenderTarget(null);

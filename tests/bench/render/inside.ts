@@ -1,14 +1,13 @@
 /** render.inside: the frame with the camera inside the plume, where each near volume may cover the whole picture. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
-import { HEIGHT, PARTICLES, RenderBench, WIDTH } from './bench.ts';
-import { countFragments } from './fragments.ts';
+import { PARTICLES, RenderBench } from './bench.ts';
 
 export async function measureInside(quick: boolean): Promise<Figure[]> {
   const bench = await RenderBench.create();
-  const outside = lookFrom(bench);
+  const outside = lookFrom(bench, false);
   bench.camera.position.set(0.4, 1.6, 0.1);
   bench.camera.lookAt(0.4, 1.7, -1);
-  const inside = lookFrom(bench);
+  const inside = lookFrom(bench, true);
   demand(inside.bodiesDrawn > 10, `only ${inside.bodiesDrawn} bodies are seen from inside`);
   const rounds = quick ? 5 : 9;
   for (let round = 0; round < rounds; round++) {
@@ -31,11 +30,10 @@ export async function measureInside(quick: boolean): Promise<Figure[]> {
 }
 
 /** Draws once with the current camera, which also compiles the programs. */
-function lookFrom(bench: RenderBench) {
+function lookFrom(bench: RenderBench, isTiled: boolean) {
   bench.camera.updateMatrixWorld();
   const { bodiesDrawn, castersDrawn } = bench.draw(true);
-  const { casters, volumes } = bench.smoke.passes;
-  const { kept } = countFragments(bench.device.renderer, casters.geometry, volumes.material, WIDTH, HEIGHT);
-  const note = `${bodiesDrawn} bodies, ${castersDrawn} casters, ${kept} volume fragments`;
+  const { bodies, volumes } = bench.countFragments(isTiled);
+  const note = `${bodiesDrawn} bodies, ${castersDrawn} casters, shaders run for ${bodies.rasterised} and ${volumes.rasterised} fragments`;
   return { place: bench.camera.matrixWorld.clone(), bodiesDrawn, note, times: [] as number[] };
 }

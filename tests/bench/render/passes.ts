@@ -1,7 +1,7 @@
 /** render.*: milliseconds of each pass and of the whole frame, with and without the culling of `arrange`, in turns. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, PARTICLES, RenderBench, WIDTH, type FrameTimes } from './bench.ts';
-import { countFragments, type Fragments } from './fragments.ts';
+import type { Fragments } from './fragments.ts';
 
 const PASSES = ['bodies', 'volumes', 'resolve', 'frame'] as const;
 
@@ -47,17 +47,12 @@ export async function measurePasses(quick: boolean): Promise<Figure[]> {
 function look(bench: RenderBench, cull: boolean): Side {
   const { bodiesDrawn, castersDrawn } = bench.draw(cull);
   const picture = bench.picture();
-  const { renderer } = bench.device;
-  const { bodies, casters, body, volumes } = bench.smoke.passes;
-  const count = (geometry: typeof bodies.geometry, material: (typeof body)['material']) =>
-    countFragments(renderer, geometry, material, WIDTH, HEIGHT);
   return {
     cull,
     times: [],
     bodiesDrawn,
     castersDrawn,
-    bodies: count(bodies.geometry, body.material),
-    volumes: count(casters.geometry, volumes.material),
+    ...bench.countFragments(),
     picture,
   };
 }

@@ -1,7 +1,6 @@
 /** render.vsQuarks: a full cartoon frame compared with blended quads of three.quarks, with the same puffs, in turns. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, SURROUNDINGS, WIDTH } from './bench.ts';
-import { countFragments } from './fragments.ts';
 import { QuarksScene } from './quarks.ts';
 
 const PUFFS = 10_000;
@@ -50,11 +49,7 @@ function check(
 ): { ours: string; theirs: string } {
   const { renderer } = bench.device;
   const { bodiesDrawn, castersDrawn } = bench.draw(true);
-  const { bodies, casters, body, volumes } = bench.smoke.passes;
-  const [bodyFragments, volumeFragments] = [
-    countFragments(renderer, bodies.geometry, body.material, width, height).kept,
-    countFragments(renderer, casters.geometry, volumes.material, width, height).kept,
-  ];
+  const fragments = bench.countFragments();
   const quads = Math.round(quarks.countFragments(renderer, bench.camera, width, height));
   quarks.draw(renderer, bench.camera);
   const colors = new Set(new Uint32Array(bench.picture().buffer)).size;
@@ -62,7 +57,7 @@ function check(
   demand(colors > 100, `the picture of three.quarks has ${colors} colours`);
   demand(quads > width * height, `the quads of three.quarks cover ${quads} fragments`);
   return {
-    ours: `${bodiesDrawn} bodies and ${castersDrawn} casters, ${bodyFragments} and ${volumeFragments} fragments covered`,
+    ours: `${bodiesDrawn} bodies and ${castersDrawn} casters, ${fragments.bodies.rasterised} and ${fragments.volumes.rasterised} fragments shaded`,
     theirs: `${quarks.alive} quads, ${quads} fragments covered`,
   };
 }

@@ -38,9 +38,10 @@ export async function measureInPage(path, { quick, say }, plugins = [], flags = 
  * @param {(line: string) => void} say the page's `sayProgress`
  * @param {import('vite').Plugin[]} [plugins] added to the server of the page
  * @param {string[]} [flags] of Chromium
+ * @param {number} [deviceScaleFactor] of the page
  * @returns {Promise<unknown>}
  */
-export async function evaluateInPage(expression, say, plugins = [], flags = CHROMIUM_FLAGS) {
+export async function evaluateInPage(expression, say, plugins = [], flags = CHROMIUM_FLAGS, deviceScaleFactor = 1) {
   const configFile = inRoot('tests/bench/vite.config.ts');
   const server = await createServer({ configFile, plugins, logLevel: 'error' });
   const browser = await chromium.launch({
@@ -49,7 +50,7 @@ export async function evaluateInPage(expression, say, plugins = [], flags = CHRO
   });
   try {
     await server.listen();
-    const page = await browser.newPage({ viewport: { width: 640, height: 360 }, deviceScaleFactor: 1 });
+    const page = await browser.newPage({ viewport: { width: 640, height: 360 }, deviceScaleFactor });
     page.setDefaultTimeout(0);
     await page.exposeFunction('sayProgress', say);
     await page.goto(new URL('/tests/support/blank.html', server.resolvedUrls?.local[0]).href);

@@ -129,12 +129,69 @@ export function sequence(inLayers: boolean) {
   });
 }
 
+/** Pixels in the colour of the smoke, in the flats and among the surfaces. */
+export function withoutSmoke() {
+  return untouched(async () => {
+    const stage = await lamp();
+    const { 'style.smokeColor': before } = stage.get();
+    stage.set({ 'style.smokeColor': '#00ff00' });
+    const entries = unzipSync(await bytesOf(await captured({ format: 'zip', inLayers: true, seconds: 0.04 })));
+    stage.set({ 'style.smokeColor': before });
+    const [flats, surfaces] = await Promise.all(
+      ['flats', 'surfaces'].map((layer) => pixelsOfBytes(entries[`${layer}/0001.png`])),
+    );
+    return { flats: countGreen(flats), surfaces: countGreen(surfaces), drawn: commonest(surfaces, 50).length };
+  });
+}
+
+function countGreen({ data }: ImageData): number {
+  return data.filter((value, at) => at % 4 === 1 && value > 90 + Math.max(data[at - 1], data[at + 1])).length;
+}
+
 /** Composes flats, shadow and ink and compares the result with the picture: mean difference of a channel, 0 to 255. */
 async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
   const [width, height] = [2 * WIDTH, 2 * HEIGHT];
   const context = new OffscreenCanvas(width, height).getContext('2d')!;
   for (const layer of [flats, shadow, ink]) context.drawImage(await createImageBitmap(layer), 0, 0);
   return meanDifference(context.getImageData(0, 0, width, height), await largeCut());
+}
+
+export function flipbook() {
+  return untouched(async () => {
+    const settings = { format: 'flipbook', hasBackground: false, scale: 0.5, rate: 12, seconds: 0.5 } as const;
+    const entries = unzipSync(await bytesOf(await captured(settings)));
+    const layout: unknown = JSON.parse(new TextDecoder().decode(entries['flipbook.json']));
+    const { 'color.png': color, 'channels.png': channels, 'normals.png': normals } = entries;
+    const [colors, light, directions] = await Promise.all([color, channels, normals].map(pixelsOfBytes));
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...settings, format: 'zip' }))));
+    const first = await pixelsOfBytes(straight[0]);
+    const cells = [0, 1, 2, 3, 4, 5].map((cell) => cropped(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
+    return {
+      names: Object.keys(entries).sort(),
+      layout,
+      size: [colors.width, colors.height],
+      // The loop begins where its transition ends, after a quarter of a second.
+      isFirst: differing(cells[0], await pixelsOfBytes(straight[3])) === 0,
+      isStart: differing(cells[0], first) === 0,
+      moves: cells.map((cell, at) => differing(cell, cells[(at + 1) % 6], 24)),
+      alpha: alphaDifference(colors, light) + alphaDifference(colors, directions),
+      channels: [0, 2].map((channel) => new Set(light.data.filter((_, at) => at % 4 === channel)).size),
+    };
+  });
+}
+
+function cropped({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {
+  const result = new ImageData(columns, rows);
+  for (let y = 0; y < rows; ++y) {
+    const at = 4 * ((top + y) * width + left);
+    result.data.set(data.subarray(at, at + 4 * columns), 4 * columns * y);
+  }
+  return result;
+}
+
+/** Pixels that only one of two pictures covers. */
+function alphaDifference(a: ImageData, b: ImageData): number {
+  return a.data.filter((value, at) => at % 4 === 3 && value > 0 !== b.data[at] > 0).length;
 }
 
 export function drawing() {

@@ -41,8 +41,35 @@ test('a sequence has a PNG with alpha for each frame', async ({ load }) => {
 
 test('composited layers equal the picture', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.sequence(true));
-  expect(report.names).toEqual(['depth/0001.png', 'flats/0001.png', 'ink/0001.png', 'shadow/0001.png']);
+  expect(report.names).toEqual([
+    'depth/0001.png',
+    'flats/0001.png',
+    'ink/0001.png',
+    'shadow/0001.png',
+    'surfaces/0001.png',
+  ]);
   expect(report.composed).toBeLessThan(1);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('the layer of surfaces has everything but the smoke', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutSmoke());
+  expect(report.flats).toBeGreaterThan(100);
+  expect(report.surfaces).toBe(0);
+  expect(report.drawn).toBe(50);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('a flipbook has its frames in rows, loops, and covers the same pixels in all atlases', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.flipbook());
+  expect(report.names).toEqual(['channels.png', 'color.png', 'flipbook.json', 'normals.png']);
+  expect(report.layout).toMatchObject({ columns: 3, rows: 2, frames: 6, rate: 12, frame: [80, 60], atlas: [240, 120] });
+  expect(report.size).toEqual([240, 120]);
+  expect([report.isFirst, report.isStart]).toEqual([true, false]);
+  for (const moved of report.moves) expect(moved).toBeGreaterThan(10);
+  expect(report.moves[5]).toBeLessThanOrEqual(Math.max(...report.moves.slice(0, 5)));
+  expect(report.alpha).toBe(0);
+  for (const levels of report.channels) expect(levels).toBeGreaterThan(10);
   expect(report.isUntouched).toBe(true);
 });
 

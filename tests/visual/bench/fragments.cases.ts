@@ -24,7 +24,13 @@ export function bodies(form: PuffForm, count: number): Fragments & { pixels: num
   const lab = new Lab(scene);
   const { pixels } = lab.draw(scene);
   const { bodies: rows, body, renderer } = lab['smoke'].passes;
-  const fragments = countFragments(renderer, rows.geometry, body.material, SIZE, SIZE);
+  const fragments = countFragments(
+    renderer,
+    body.material,
+    (material) => body.drawAs(renderer, material, rows.geometry),
+    SIZE,
+    SIZE,
+  );
   lab.dispose();
   return { ...fragments, pixels: pixels.filter((value, index) => index % 4 === 3 && value > 0).length };
 }

@@ -1,6 +1,7 @@
 import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./ballShadows.cases.ts');
+type TileCases = typeof import('./volumes.cases.ts');
 const CASES = '/tests/visual/passes/ballShadows.cases.ts';
 
 /** reference.spec.ts compares the shadows of whole puffs. */
@@ -21,4 +22,14 @@ test('all parts of a model count as one step of shadow, and puffs as the second'
   expect.soft(deep).toBeGreaterThan(100);
   expect.soft(wrongCounts / underModel).toBeLessThan(0.01);
   expect.soft(wrongColors / underModel).toBeLessThan(0.01);
+});
+
+test('large volumes in tiles shade the same pixels as whole', async ({ load }) => {
+  const cases = await load<TileCases>('/tests/visual/passes/volumes.cases.ts');
+  for (const view of ['sun', 'backlit', 'lamp', 'reversedDepth', 'orthographic'] as const) {
+    const { hasTiles, shadowed, differing } = await cases.evaluate((module, name) => module.compareTiles(name), view);
+    expect.soft(hasTiles, view).toBe(true);
+    expect.soft(shadowed, view).toBeGreaterThan(3000);
+    expect.soft(differing, view).toBe(0);
+  }
 });

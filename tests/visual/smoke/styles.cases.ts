@@ -3,7 +3,7 @@ import type { Gradient } from '../../../src/passes/bodies.ts';
 import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import { rampOf, surfaceToning } from '../../../src/smoke/palette.ts';
 import type { Style } from '../../../src/smoke/style.ts';
-import { Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
+import { base64, Lab, PLAIN_STYLE, upright, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -125,19 +125,4 @@ function countColors(pixels: Uint8Array): Record<string, number> {
     counts[key] = (counts[key] ?? 0) + 1;
   }
   return counts;
-}
-
-/** WebGL returns the bottom row first. */
-function upright(pixels: Uint8Array, width: number, height: number): ImageData {
-  const image = new ImageData(width, height);
-  for (let row = 0; row < height; ++row) {
-    const from = 4 * width * (height - 1 - row);
-    image.data.set(pixels.subarray(from, from + 4 * width), 4 * width * row);
-  }
-  return image;
-}
-
-async function base64(blob: Blob): Promise<string> {
-  const bytes = new Uint8Array(await blob.arrayBuffer());
-  return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
 }

@@ -1,0 +1,303 @@
+/** The command line of `cartoon-smoke film`. */
+
+import { readFileSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import { UserError } from '../lib/userError.mjs';
+
+export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [options]
+
+  LINK                   an address with a hash, or a hash: '#v=1&preset=lamp'
+  --frames 0-239         first and last frame, both included
+  --out FOLDER           where the files go; finished frames in it are kept
+  --fps 24               frames per second (24)
+  --size 1920x1080       pixels of a frame (1920x1080)
+  --scale N              output pixels per CSS pixel, 0.5 to 4; ink is measured in CSS pixels (the smallest integer that
+                         gives at most 1080 CSS pixels of height)
+  --alpha                a transparent background
+  --layers               also flats, shadow, ink, surfaces and depth, each in its folder
+  --format png|exr       exr: linear half floats, depth in metres as 32-bit floats (png)
+  --supersample 1|2      draws at twice the size and averages in linear light (1)
+  --camera FILE          keyframes of the camera in JSON
+  --shard 3/16           only this part of the frames; the first is 1/16
+  --states FOLDER        saves states there, and starts from the nearest one
+  --states-every 48      frames between two states (48)
+  --video FILE           also a .webm, .mp4 or .mov (ProRes 4444 by ffmpeg) of the finished frames
+  --gpu                  the graphics of the machine instead of SwiftShader; pictures then depend on the machine`;
+
+export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 2048 --seconds 2 --out FOLDER [--scale N] [--gpu]
+
+  --grid 8x8             columns and rows of the atlas; each cell is a frame (8x8)
+  --size 2048            width of the atlas in pixels (2048)
+  --seconds 2            length of the loop (2)
+  --out FOLDER           where color.png, channels.png, normals.png and flipbook.json go
+  --scale N              pixels per CSS pixel (1)`;
+
+/** Limit of the pixel ratio of a picture. */
+const HIGHEST_RATIO = 4;
+const FULL_HEIGHT = 1080;
+const CAMERA_KEYS = ['azimuth', 'elevation', 'distance', 'target.x', 'target.y', 'target.z'].map(
+  (name) => `camera.${name}`,
+);
+
+/**
+ * @typedef {import('../../src/app/film/order.ts').FilmOrder} FilmOrder
+ * @typedef {import('../../src/app/film/order.ts').Keyframe} Keyframe
+ * @typedef {object} FilmOptions
+ * @property {FilmOrder} order
+ * @property {number} first of all shards
+ * @property {number} last of all shards, included
+ * @property {number[]} frames of this shard
+ * @property {string} out
+ * @property {string | undefined} states
+ * @property {{ file: string, type: 'webm' | 'mp4' | 'mov' } | undefined} video
+ * @property {boolean} usesGpu
+ */
+
+const OPTIONS = /** @type {const} */ ({
+  frames: { type: 'string' },
+  out: { type: 'string' },
+  fps: { type: 'string', default: '24' },
+  size: { type: 'string', default: '1920x1080' },
+  scale: { type: 'string' },
+  alpha: { type: 'boolean', default: false },
+  layers: { type: 'boolean', default: false },
+  format: { type: 'string', default: 'png' },
+  supersample: { type: 'string', default: '1' },
+  camera: { type: 'string' },
+  shard: { type: 'string' },
+  states: { type: 'string' },
+  'states-every': { type: 'string', default: '48' },
+  video: { type: 'string' },
+  gpu: { type: 'boolean', default: false },
+});
+
+/**
+ * @param {string[]} words after `film`
+ * @returns {FilmOptions}
+ * @throws {UserError} one line that names the option
+ */
+export function readFilmOptions(words) {
+  const { values, positionals } = parse(words, OPTIONS, 'film');
+  const link = onlyLink(positionals);
+  const [first, last] = readFrames(values.frames);
+  const [width, height] = readSize(values.size);
+  const supersample = readNumber('--supersample', values.supersample, 1, 2);
+  const format = oneOf('--format', values.format, /** @type {const} */ (['png', 'exr']));
+  const fps = readNumber('--fps', values.fps, 1, 240);
+  const states = values.states;
+  const video = readVideo(values, format, width, height);
+  if (!values.out) throw new UserError('Name a folder for the frames: --out FOLDER.');
+  return {
+    order: {
+      link,
+      width,
+      height,
+      scale: readScale(values.scale, height, supersample),
+      supersample,
+      fps,
+      hasBackground: !values.alpha,
+      layers: values.layers,
+      format,
+      camera: values.camera === undefined ? [] : readCamera(values.camera, fps),
+      statesEvery: states === undefined ? 0 : readNumber('--states-every', values['states-every'], 1, 100_000),
+    },
+    first,
+    last,
+    frames: shardOf(values.shard, first, last),
+    out: values.out,
+    states,
+    video,
+    usesGpu: values.gpu,
+  };
+}
+
+/**
+ * @template {import('node:util').ParseArgsConfig['options']} Options
+ * @param {string[]} words
+ * @param {Options} options
+ * @param {string} command
+ */
+function parse(words, options, command) {
+  try {
+    return parseArgs({ args: words, options, allowPositionals: true, strict: true });
+  } catch (error) {
+    const [sentence] = (error instanceof Error ? error.message : String(error)).split(/\.\s/);
+    throw new UserError(`${sentence}. cartoon-smoke ${command} --help lists the options.`);
+  }
+}
+
+const FLIPBOOK = /** @type {const} */ ({
+  grid: { type: 'string', default: '8x8' },
+  size: { type: 'string', default: '2048' },
+  seconds: { type: 'string', default: '2' },
+  out: { type: 'string' },
+  scale: { type: 'string', default: '1' },
+  gpu: { type: 'boolean', default: false },
+});
+
+/**
+ * @param {string[]} words after `flipbook`
+ * @returns {{ order: import('../../src/app/film/order.ts').FlipbookOrder, out: string, usesGpu: boolean }}
+ * @throws {UserError} one line that names the option
+ */
+export function readFlipbookOptions(words) {
+  const { values, positionals } = parse(words, FLIPBOOK, 'flipbook');
+  const [, columns, rows] = /^([1-9]\d?)x([1-9]\d?)$/.exec(values.grid) ?? [];
+  if (!columns) throw new UserError(`--grid ${values.grid}: give columns and rows, such as 8x8.`);
+  const size = readNumber('--size', values.size, 16, 16_384);
+  if (size % Number(columns)) throw new UserError(`--size ${size}: it has to be a multiple of ${columns} columns.`);
+  const seconds = Number(values.seconds);
+  if (!(seconds >= 0.1 && seconds <= 60)) throw new UserError(`--seconds ${values.seconds}: it takes 0.1 to 60.`);
+  if (!values.out) throw new UserError('Name a folder for the files: --out FOLDER.');
+  const cell = size / Number(columns);
+  const grid = { columns: Number(columns), rows: Number(rows), width: cell, height: cell };
+  const scale = readScale(values.scale, cell);
+  return { order: { link: onlyLink(positionals), ...grid, scale, seconds }, out: values.out, usesGpu: values.gpu };
+}
+
+function onlyLink(/** @type {string[]} */ positionals) {
+  if (positionals.length !== 1) throw new UserError(`Give one LINK, not ${positionals.length}. Quote it in the shell.`);
+  return readLink(positionals[0]);
+}
+
+/** Query and hash of an address. */
+function readLink(/** @type {string} */ text) {
+  const at = text.search(/[?#]/);
+  if (at < 0 || !text.includes('#')) {
+    throw new UserError(`${text} is not a link: give an address with a hash, or a hash such as '#v=1&preset=lamp'.`);
+  }
+  return text.slice(at);
+}
+
+/** @returns {[first: number, last: number]} */
+function readFrames(/** @type {string | undefined} */ text) {
+  const [, from, to = from] = /^(\d{1,6})(?:-(\d{1,6}))?$/.exec(text ?? '') ?? [];
+  if (from === undefined) throw new UserError(`--frames ${text ?? 'is missing'}: give the range, such as 0-239.`);
+  if (Number(to) < Number(from)) throw new UserError(`--frames ${text}: the last frame is before the first.`);
+  return [Number(from), Number(to)];
+}
+
+/** @returns {[width: number, height: number]} */
+function readSize(/** @type {string} */ text) {
+  const [, width, height] = /^(\d{1,5})x(\d{1,5})$/.exec(text) ?? [];
+  if (!Number(width) || !Number(height)) throw new UserError(`--size ${text}: give pixels, such as 3840x2160.`);
+  return [Number(width), Number(height)];
+}
+
+/**
+ * The pixel ratio that measures ink, puffs and strokes.
+ *
+ * @param {string | undefined} text
+ * @param {number} height in output pixels
+ * @param {number} [supersample]
+ */
+export function readScale(text, height, supersample = 1) {
+  const scale = text === undefined ? Math.max(1, Math.ceil(height / FULL_HEIGHT)) : Number(text);
+  if (!(scale >= 0.5 && scale * supersample <= HIGHEST_RATIO)) {
+    const what = supersample > 1 ? `${scale} with --supersample ${supersample}` : scale;
+    throw new UserError(`--scale ${what}: it takes 0.5 to ${HIGHEST_RATIO / supersample}.`);
+  }
+  return scale;
+}
+
+/**
+ * @param {string} name
+ * @param {string} text
+ * @param {number} min
+ * @param {number} max
+ */
+function readNumber(name, text, min, max) {
+  const number = Number(text);
+  if (/^\d+$/.test(text) && number >= min && number <= max) return number;
+  throw new UserError(`${name} ${text}: it takes a whole number from ${min} to ${max}.`);
+}
+
+/**
+ * @template {string} Choice
+ * @param {string} name
+ * @param {string} text
+ * @param {readonly Choice[]} choices
+ */
+function oneOf(name, text, choices) {
+  const choice = choices.find((each) => each === text);
+  if (choice === undefined) throw new UserError(`${name} ${text}: it takes ${choices.join(' or ')}.`);
+  return choice;
+}
+
+/**
+ * @param {{ video?: string, shard?: string }} values
+ * @param {'png' | 'exr'} format
+ * @param {number} width
+ * @param {number} height
+ */
+function readVideo({ video, shard }, format, width, height) {
+  if (video === undefined) return undefined;
+  const type = oneOf('--video', /\.(\w+)$/.exec(video)?.[1] ?? '', /** @type {const} */ (['webm', 'mp4', 'mov']));
+  if (shard !== undefined) {
+    throw new UserError('--video needs all frames: run the command again without --shard when all shards are done.');
+  }
+  if (format !== 'png') throw new UserError('--video is made from PNG files: leave out --format exr.');
+  if (type !== 'mov' && (width % 2 || height % 2)) {
+    throw new UserError(`--video ${video} needs even sides, not ${width}x${height}.`);
+  }
+  return { file: video, type };
+}
+
+/**
+ * The frames of a shard: contiguous, and the union of all is the range.
+ *
+ * @param {string | undefined} text
+ * @param {number} first
+ * @param {number} last
+ */
+function shardOf(text, first, last) {
+  const [, part, count] = /^(\d+)\/(\d+)$/.exec(text ?? '1/1') ?? [];
+  const [index, shards] = [Number(part), Number(count)];
+  if (!(index >= 1 && index <= shards)) throw new UserError(`--shard ${text}: give part and count, such as 3/16.`);
+  const length = last - first + 1;
+  const [from, to] = [index - 1, index].map((shard) => first + Math.floor((shard * length) / shards));
+  return Array.from({ length: to - from }, (_, frame) => from + frame);
+}
+
+/**
+ * @param {string} file
+ * @param {number} fps
+ * @returns {Keyframe[]}
+ */
+function readCamera(file, fps) {
+  const keyframes = readJson(file);
+  if (!Array.isArray(keyframes) || keyframes.length === 0) {
+    throw new UserError(`--camera ${file}: it has to be a list of keyframes, [{ "frame": 0, "camera.azimuth": 20 }].`);
+  }
+  const read = keyframes.map((entry, at) => readKeyframe(entry, `--camera ${file}: keyframe ${at + 1}`, fps));
+  read.forEach(({ seconds }, at) => {
+    if (at > 0 && seconds <= read[at - 1].seconds) {
+      throw new UserError(`--camera ${file}: keyframe ${at + 1} is not after the one before it.`);
+    }
+  });
+  return read;
+}
+
+function readJson(/** @type {string} */ file) {
+  try {
+    return /** @type {unknown} */ (JSON.parse(readFileSync(file, 'utf8')));
+  } catch (error) {
+    throw new UserError(`--camera ${file} cannot be read: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}
+
+/**
+ * @param {unknown} entry
+ * @param {string} where
+ * @param {number} fps
+ * @returns {Keyframe}
+ */
+function readKeyframe(entry, where, fps) {
+  const { frame, ...values } = /** @type {Record<string, unknown>} */ (Object(entry));
+  if (typeof frame !== 'number' || !(frame >= 0)) throw new UserError(`${where} needs a frame of at least 0.`);
+  for (const [key, value] of Object.entries(values)) {
+    if (!CAMERA_KEYS.includes(key)) throw new UserError(`${where} has ${key}: the keys are ${CAMERA_KEYS.join(', ')}.`);
+    if (typeof value !== 'number' || !Number.isFinite(value)) throw new UserError(`${where}: ${key} is not a number.`);
+  }
+  return { seconds: frame / fps, values: /** @type {Record<string, number>} */ (values) };
+}

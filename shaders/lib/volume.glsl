@@ -1,0 +1,161 @@
+// The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. Everything
+// that is constant for a particle is computed here. Call writeVolume after reading a row; needs rows.glsl.
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform float near;
+uniform vec4 lightInWorld;
+uniform vec3 receiversMin;
+uniform vec3 receiversMax;
+uniform float minCap;
+uniform float depth;
+uniform bool facesEye;
+// Farthest distance from the centre, in radii, of a puff that is drawn as a flat disc; 0 if puffs have relief.
+uniform float discReach;
+uniform sampler2DArray startCaps;
+// One row for each variation: LOBES lobes (xyz, radius), in puff radii.
+uniform sampler2D casterTable;
+// Radius of the bounding sphere of a puff, in puff radii.
+uniform float reach;
+
+// The transform from view space to the frame of the volume, whose origin is the middle of the volume's start: two axes
+// perpendicular to the light, then the direction of the light's travel, in puff radii. The xyz components are the first
+// two axes and the origin. The w components are the length of the volume, its scale at the start, and the growth of the
+// scale for each radius along the light. No value depends on the corner, so rounding is the same for volumes of every
+// length.
+flat out vec4 rightAndLength;
+flat out vec4 upAndScale;
+flat out vec4 eyeAndGrowth;
+// Discs on the plane where the scale is 1: centre and squared radius.
+flat out vec3 discs[LOBES];
+
+#include attributes.glsl
+#include orientation.glsl
+#include box.glsl
+#include light.glsl
+
+const float PI = 3.14159265359;
+// Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
+const float CAP_SLACK = 0.02;
+// A lamp closer to the centre than this many bounding radii is treated as if it were at that distance.
+const float NEAREST = 1.2;
+
+// The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
+mat3 viewFromPuffOf(uvec4 attributes) {
+  if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
+  vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
+  return mat3(vec3(rotation.x, rotation.y, 0.0), vec3(-rotation.y, rotation.x, 0.0), vec3(0.0, 0.0, 1.0));
+}
+
+// Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
+// sideways, which can move a visible lit point farther behind the centre.
+float shearOf(vec3 travel, vec3 centre) {
+  // Puffs shrink as they approach the near plane, as in shaders/bodies, and vanish behind it.
+  float grown = smoothstep(near, near + 2.0 * place.w, -centre.z);
+  if (grown <= 0.0) return 0.0;
+  // The slopes of view rays, limited to the part of the puff that is inside the picture.
+  vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
+  vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
+  // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
+  // the view axis is at most 1/2.
+  float slope = -dot(travel.xy, ray);
+  float straight = max(slope, -depth * slope);
+  if (facesEye) return grown * straight;
+  float aside = 0.5 * length(travel.xy) * grown * place.w / -centre.z;
+  return grown * (straight + aside);
+}
+
+#ifdef DEFORMED
+// Distance from the centre to the farthest centre of a lobe, in radii along the light's travel. No lobe has a lit point
+// farther behind; the form of deformed puffs is not baked.
+float farthest;
+#endif
+
+// Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
+float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
+#ifdef DEFORMED
+  float cap = farthest;
+#else
+  vec3 towards = -travel * viewFromPuff;
+  vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
+  int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
+  float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
+#endif
+  float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
+  return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
+}
+
+// Distance beyond the centre at which the volume has left all receivers, metres; 0 if the puff contains the light.
+float exitOf(float ball, float growth) {
+  vec3 travel = -towardsLightFrom(lightInWorld, place.xyz);
+  float exit = exitFromBox(place.xyz, travel, receiversMin, receiversMax, ball, ball * growth);
+  if (lightInWorld.w == 0.0) return exit;
+  float way = length(place.xyz - lightInWorld.xyz);
+  return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
+}
+
+vec4 lobeOf(int index, int variation) {
+  vec4 lobe = texelFetch(casterTable, ivec2(index, variation), 0);
+#ifdef DEFORMED
+  lobe.xyz *= unfolded(index, casterAgeOf(attributes));
+#endif
+  return lobe;
+}
+
+// The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
+vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
+  vec3 seen = frameFromPuff * lobe.xyz;
+#ifdef DEFORMED
+  farthest = max(farthest, seen.z);
+#endif
+  float nearness = 1.0 / (1.0 + growth * seen.z);
+  float radius = lobe.w * nearness;
+  float slope = radius * growth;
+  return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
+}
+
+// Computes the discs. Returns the radius of the circle about the centre that contains them.
+float spreadDiscs(mat3 frameFromPuff, float growth) {
+  int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
+  float widest = 0.0;
+#ifdef DEFORMED
+  farthest = 0.0;
+#endif
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, length(discs[ i ].xy) + sqrt(discs[ i ].z));
+  }
+  #pragma unroll_loop_end
+  return widest;
+}
+
+// Bounding spheres of the ends of a volume in view space: centre and radius.
+struct Ends {
+  vec4 start;
+  vec4 end;
+};
+
+// Computes the outputs. Returns false if the row has no volume.
+bool writeVolume(out Ends ends) {
+  vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
+  mat3 viewFromPuff = viewFromPuffOf(attributes);
+  vec3 aside = normalize(abs(axis.x) < 0.7 ? vec3(0.0, -axis.z, axis.y) : vec3(axis.z, 0.0, -axis.x));
+  mat3 frameFromView = transpose(mat3(aside, cross(axis, aside), axis));
+
+  float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
+  float growth = lightInWorld.w / distance;
+  float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
+  float cap = startCap(axis, viewFromPuff, centre);
+  float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
+  if (extent <= 0.0) return false;
+  vec3 start = centre + cap * place.w * axis;
+  float scale = 1.0 + growth * cap;
+  rightAndLength = vec4(frameFromView[0] / place.w, extent);
+  upAndScale = vec4(frameFromView[1] / place.w, scale);
+  eyeAndGrowth = vec4(frameFromView * -start / place.w, growth);
+  float ball = place.w * widest * scale;
+  ends.start = vec4(start, ball);
+  ends.end = vec4(start + extent * place.w * axis, ball + place.w * widest * growth * extent);
+  return true;
+}

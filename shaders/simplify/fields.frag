@@ -1,0 +1,67 @@
+precision highp float;
+precision highp int;
+
+// Prepares the light of a picture for smoothing. Outputs four numbers, each of which a later pass averages, and which
+// neighbours may be averaged with a pixel.
+uniform sampler2D unlit;
+uniform sampler2D lit;
+uniform sampler2D shading;
+uniform highp sampler2D depth;
+uniform mat4 clipFromView;
+// Least depth between two puffs that separates them, in radii.
+uniform float innerLine;
+// N.L from which lit smoke differs from smoke in shadow.
+uniform float litFrom;
+// Whether bands of colour are separate. Interpolated bands are not.
+uniform bool isBanded;
+
+// Share of light; N.L where there is light; state of the shadow: 0 deep, 1/2 plain, 1 filled; share of rim.
+layout(location = 0) out vec4 field;
+// Bits: linked with the pixel to the right, linked with the pixel above.
+layout(location = 1) out float links;
+
+#include ../lib/depth.glsl
+#include ../lib/shading.glsl
+#include ../lib/mask.glsl
+
+// Least gap in depth, in radii. Smaller gaps have ink, or belong to one shape.
+const float MIN_GAP = 1.0;
+// Difference of display-encoded colours of the same surface.
+const float SAME_COLOR = 0.02;
+
+struct Texel {
+  Shading shading;
+  float viewZ;
+  vec4 unlit;
+  vec4 lit;
+};
+
+Texel texelAt(ivec2 at) {
+  vec4 light = texelFetch(lit, at, 0);
+  float z = viewZOf(clipFromView, texelFetch(depth, at, 0).r);
+  return Texel(unpackShading(texelFetch(shading, at, 0)), z, texelFetch(unlit, at, 0), light);
+}
+
+bool isLinked(Texel a, Texel b) {
+  if (a.shading.isInk || b.shading.isInk || (a.shading.radius > 0.0) != (b.shading.radius > 0.0)) return false;
+  if (a.shading.radius == 0.0) {
+    vec3 gap = max(abs(a.unlit.rgb - b.unlit.rgb), abs(a.lit.rgb - b.lit.rgb));
+    return max(max(gap.r, gap.g), gap.b) < SAME_COLOR && a.unlit.a == b.unlit.a;
+  }
+  if (isBanded && a.shading.material != b.shading.material) return false;
+  float gap = max(innerLine, MIN_GAP) * max(a.shading.radius, b.shading.radius);
+  return abs(a.viewZ - b.viewZ) < gap;
+}
+
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 last = textureSize(lit, 0) - 1;
+  Texel here = texelAt(at);
+  bool isSmoke = here.shading.radius > 0.0;
+  float share = isShadowed(here.lit.a) || (isSmoke && here.shading.facing < litFrom) ? 0.0 : 1.0;
+  float darkness = isDeep(here.lit.a) ? 0.0 : here.shading.isFilled ? 1.0 : 0.5;
+  field = vec4(share, share * here.shading.facing, (1.0 - share) * darkness, float(here.shading.isRim));
+  bool right = at.x < last.x && isLinked(here, texelAt(at + ivec2(1, 0)));
+  bool above = at.y < last.y && isLinked(here, texelAt(at + ivec2(0, 1)));
+  links = (float(right) + 2.0 * float(above)) / 255.0;
+}

@@ -1,0 +1,255 @@
+/** Renders the frames of a shot and sends them to the command that opened the page. */
+import { createStage, type Stage, type Values } from '../../index.ts';
+import { encodePng, linkCapacity, lookOf, readEnvironment, STEP_SECONDS } from '../../internal.ts';
+import { decode, encode, type Decoded } from '../../preset.ts';
+import { drawFlipbook } from '../capture/flipbook.ts';
+import { LayerCamera, type Layer } from '../capture/layers.ts';
+import { PixelReader } from '../capture/pixels.ts';
+import type { Studio } from '../capture/studio.ts';
+import { strings } from '../strings.ts';
+import { cameraAt } from './cameraPath.ts';
+import { DepthReader } from './depth.ts';
+import { brightest, downsample, nearest } from './downsample.ts';
+import { encodeDepth, encodeExr } from './exr.ts';
+import { messages } from './messages.ts';
+import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder } from './order.ts';
+import type { Receiver } from './receiver.ts';
+
+/** Renders the frames that the receiver asks for, in ascending order. */
+export async function film(order: FilmOrder, receiver: Receiver): Promise<void> {
+  const { stage, canvas, beginning } = await openShot(order);
+  try {
+    const frames = await receiver.begin(beginning);
+    if (frames.length > 0) await new Shooting(order, stage, canvas, beginning.start, receiver).shoot(frames);
+  } finally {
+    stage.dispose();
+  }
+  if (order.video) await receiver.putVideo(await encodeFrames(order, order.video, receiver));
+}
+
+async function encodeFrames(
+  { width, height, fps, hasBackground }: FilmOrder,
+  { format, first, last }: NonNullable<FilmOrder['video']>,
+  receiver: Receiver,
+): Promise<Blob> {
+  const { encodeVideo } = await import('../capture/video.ts');
+  const canvas = new OffscreenCanvas(width, height);
+  const context = canvas.getContext('2d')!;
+  const settings = { format, width, height, scale: 1, hasBackground, rate: fps };
+  return encodeVideo(settings, async (add) => {
+    for (let frame = first; frame <= last; ++frame) {
+      const picture = await createImageBitmap(await receiver.picture(frame));
+      context.clearRect(0, 0, width, height);
+      context.drawImage(picture, 0, 0);
+      picture.close();
+      await add(canvas, frame - first);
+    }
+  });
+}
+
+/** Draws a flipbook and sends its files. */
+export async function flipbook(order: FlipbookOrder, receiver: Receiver): Promise<void> {
+  const { columns, rows, width, height, scale, seconds } = order;
+  const { stage, canvas, beginning } = await openShot({ ...order, hasBackground: false, supersample: 1, camera: [] });
+  try {
+    await stage.seek(beginning.start);
+    const studio = { stage, canvas, draw: () => stage.resize(width / scale, height / scale, scale) };
+    const css = { width: width / scale, height: height / scale, scale };
+    const clip = { hasBackground: false, inLayers: false, seconds, rate: (columns * rows) / seconds };
+    const task = {
+      signal: new AbortController().signal,
+      onProgress: (share: number) => void receiver.progress(share).catch(() => undefined),
+    };
+    const files = await drawFlipbook(studio, { ...clip, ...css, format: 'flipbook' }, task, columns);
+    for (const [name, file] of files) await receiver.put(name, file);
+  } finally {
+    stage.dispose();
+  }
+}
+
+interface Shot {
+  readonly stage: Stage;
+  readonly canvas: HTMLCanvasElement;
+  readonly beginning: Beginning;
+}
+
+type ShotOrder = Pick<FilmOrder, 'link' | 'width' | 'height' | 'supersample' | 'hasBackground' | 'camera'>;
+
+async function openShot(order: ShotOrder): Promise<Shot> {
+  const { search, hash } = new URL(order.link, 'http://localhost');
+  const environment = readEnvironment(search);
+  const decoded = await decode(hash);
+  const problems = [...decoded.notices, ...environment.notices].map(({ message }) => message);
+  if (problems.length > 0) throw new Error(messages.badLink(problems));
+  const canvas = document.createElement('canvas');
+  const stage = await createStage(canvas, {
+    values: decoded.state.values,
+    width: 1,
+    height: 1,
+    background: order.hasBackground,
+    historyBytes: 0,
+  });
+  const { renderer, max } = limitsOf(canvas);
+  const drawn = [order.width, order.height].map((side) => side * order.supersample);
+  if (Math.max(...drawn) > max) throw new Error(strings.capture.tooLarge(drawn[0], drawn[1], max));
+  await replay(stage, decoded);
+  // Checks their ranges. Each frame sets all of these keys again.
+  for (const { values } of order.camera) stage.set(values);
+  await stage.complete();
+  const link = await encode(decoded.state, decoded.take as Uint8Array<ArrayBuffer> | undefined);
+  return { stage, canvas, beginning: { renderer, link, start: environment.time ?? 0 } };
+}
+
+function limitsOf(canvas: HTMLCanvasElement): { renderer: string; max: number } {
+  const context = canvas.getContext('webgl2')!;
+  const debug = context.getExtension('WEBGL_debug_renderer_info');
+  const renderer = context.getParameter(debug?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
+  return { renderer, max: context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number };
+}
+
+/** Goes to the start of the link's take. */
+async function replay(stage: Stage, { take: bytes, state }: Decoded): Promise<void> {
+  if (!bytes) return;
+  const take = stage.readTake(bytes);
+  const max = linkCapacity();
+  if (!take.isFresh) throw new Error(strings.moment.notFresh);
+  if (take.mostParticles > max) throw new Error(strings.moment.tooMany(take.mostParticles, max));
+  if (take.values.scene !== stage.get().scene) await stage.enter(take.values);
+  stage.playTake(take);
+  stage.set(lookOf(state.values));
+}
+
+interface Drawn extends Omit<DrawnFrame, 'encodeMs'> {
+  readonly encodeMs: Promise<number>;
+  /** The files by name. */
+  readonly encoded: Promise<(readonly [string, Blob])[]>;
+}
+
+class Shooting {
+  private readonly order: FilmOrder;
+  private readonly studio: Studio;
+  private readonly start: number;
+  private readonly receiver: Receiver;
+  private readonly reader: PixelReader;
+  private readonly encoder: PixelReader;
+  private readonly layers: LayerCamera | undefined;
+  private readonly depth: DepthReader | undefined;
+  private readonly look: Values;
+
+  constructor(order: FilmOrder, stage: Stage, canvas: HTMLCanvasElement, start: number, receiver: Receiver) {
+    const { width, height, scale, supersample } = order;
+    const drawn = [width * supersample, height * supersample] as const;
+    const draw = () => stage.resize(width / scale, height / scale, scale * supersample);
+    this.order = order;
+    this.studio = { stage, canvas, draw };
+    this.start = start;
+    this.receiver = receiver;
+    this.reader = new PixelReader(...drawn);
+    this.encoder = new PixelReader(width, height);
+    this.layers = order.layers ? new LayerCamera(this.studio, ...drawn) : undefined;
+    this.depth = order.layers && order.format === 'exr' ? new DepthReader(...drawn) : undefined;
+    // Layers change these.
+    const { 'style.outlines': outlines, 'style.shadows': shadows, 'style.inkColor': inkColor } = stage.get();
+    this.look = { 'style.outlines': outlines, 'style.shadows': shadows, 'style.inkColor': inkColor };
+  }
+
+  async shoot(frames: readonly number[]): Promise<void> {
+    await this.resume(stepOf(this.secondsAt(frames[0])));
+    await this.simulate(frames[0]);
+    this.studio.draw();
+    let sending = Promise.resolve();
+    for (const frame of frames) {
+      await this.simulate(frame);
+      const drawn = await this.draw(frame);
+      // One frame is encoded and sent while the next one is drawn.
+      await sending;
+      sending = this.send(drawn);
+      // Awaited above or below, where its error is thrown.
+      sending.catch(() => undefined);
+    }
+    await sending;
+  }
+
+  private secondsAt(frame: number): number {
+    return this.start + frame / this.order.fps;
+  }
+
+  /** Goes to the latest saved state at or before a step, if there is one. */
+  private async resume(step: number): Promise<void> {
+    if (this.order.statesEvery === 0) return;
+    const state = await this.receiver.state(step);
+    if (!state) return;
+    const { stage } = this.studio;
+    stage.rewind(state.bytes);
+    if (stage.hash() !== state.hash) throw new Error(messages.otherState(state.hash, stage.hash()));
+  }
+
+  /** Takes the steps up to a frame and saves the states on the way. */
+  private async simulate(frame: number): Promise<void> {
+    const { stage } = this.studio;
+    const { statesEvery } = this.order;
+    const goal = stepOf(this.secondsAt(frame));
+    if (statesEvery > 0) {
+      const first = Math.ceil((stage.stats.time - this.start) / (statesEvery / this.order.fps));
+      for (let saved = Math.max(1, first) * statesEvery; saved <= frame; saved += statesEvery) {
+        await this.goTo(stepOf(this.secondsAt(saved)));
+        await this.receiver.save(stage.stats.steps, stage.hash(), stage.save());
+      }
+    }
+    await this.goTo(goal);
+  }
+
+  private async goTo(step: number): Promise<void> {
+    const { stage } = this.studio;
+    if (stage.stats.steps < step) await stage.seek(step * STEP_SECONDS);
+  }
+
+  private async draw(frame: number): Promise<Drawn> {
+    const { stage, canvas } = this.studio;
+    const { format, supersample, camera } = this.order;
+    const seconds = this.secondsAt(frame);
+    const began = performance.now();
+    stage.showAt(seconds, { ...this.look, ...cameraAt(camera, seconds - this.start) });
+    this.waitForGpu();
+    const drawMs = performance.now() - began;
+    const isPlain = format === 'png' && supersample === 1;
+    const whole = isPlain ? encodePng(canvas) : this.encode(this.reader.read(canvas));
+    const readMs = performance.now() - began - drawMs;
+    const pictures: [Layer | undefined, Promise<Blob>][] = [[undefined, whole]];
+    for (const [layer, pixels] of (await this.layers?.shoot()) ?? []) {
+      pictures.push([layer, layer === 'depth' ? this.encodeDepth(pixels) : this.encode(pixels)]);
+    }
+    const named = pictures.map(async ([layer, blob]) => [nameOf(frame, layer, format), await blob] as const);
+    const encoded = Promise.all(named);
+    const encodeMs = encoded.then(() => performance.now() - began - drawMs - readMs);
+    return { frame, step: stage.stats.steps, hash: stage.hash(), drawMs, readMs, encodeMs, encoded };
+  }
+
+  private async send({ encoded, encodeMs, ...frame }: Drawn): Promise<void> {
+    for (const [name, blob] of await encoded) await this.receiver.put(name, blob);
+    await this.receiver.finish({ ...frame, encodeMs: await encodeMs });
+  }
+
+  private async encode(pixels: ImageData): Promise<Blob> {
+    const small = downsample(pixels, this.order.supersample);
+    return this.order.format === 'exr' ? encodeExr(small) : this.encoder.encode(small);
+  }
+
+  private async encodeDepth(pixels: ImageData): Promise<Blob> {
+    const { width, height, supersample } = this.order;
+    if (!this.depth) return this.encoder.encode(brightest(pixels, supersample));
+    const metres = this.depth.read(this.studio.stage.drawnDepth);
+    return encodeDepth(nearest(metres, width * supersample, height * supersample, supersample), width, height);
+  }
+
+  /** Reading a pixel waits for the GPU, so that the time of drawing is not counted as encoding. */
+  private waitForGpu(): void {
+    const context = this.studio.canvas.getContext('webgl2')!;
+    context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+}
+
+/** The step after which a time can be shown. */
+function stepOf(seconds: number): number {
+  return Math.max(0, Math.ceil(seconds / STEP_SECONDS - 1e-6));
+}

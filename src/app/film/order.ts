@@ -1,0 +1,73 @@
+/** What the film page and the command exchange. scripts/film/server.mjs is the other side. */
+
+/** Camera values at a time, by parameter key. */
+export interface Keyframe {
+  /** Seconds from frame 0. */
+  readonly seconds: number;
+  readonly values: Readonly<Record<string, number>>;
+}
+
+/** A shot to render. */
+export interface FilmOrder {
+  /** Query and hash of the address: `?t=2#v=1&preset=lamp`. */
+  readonly link: string;
+  /** Size of the files in pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Output pixels per CSS pixel. */
+  readonly scale: number;
+  /** Drawn pixels per output pixel, in each direction: 1 or 2. */
+  readonly supersample: number;
+  /** Frames per second. */
+  readonly fps: number;
+  readonly hasBackground: boolean;
+  readonly layers: boolean;
+  readonly format: 'png' | 'exr';
+  readonly camera: readonly Keyframe[];
+  /** Frames between two saved states; 0 without states. */
+  readonly statesEvery: number;
+  /** A video of finished frames, the last one included. */
+  readonly video?: { readonly format: 'webm' | 'mp4'; readonly first: number; readonly last: number };
+}
+
+/** A looped flipbook to draw. */
+export interface FlipbookOrder {
+  readonly link: string;
+  readonly columns: number;
+  readonly rows: number;
+  /** Size of a frame in pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Pixels per CSS pixel. */
+  readonly scale: number;
+  /** Length of the loop. */
+  readonly seconds: number;
+}
+
+/** What the page finds out before the first frame. */
+export interface Beginning {
+  /** The unmasked renderer string of WebGL. */
+  readonly renderer: string;
+  /** The link in its canonical form. */
+  readonly link: string;
+  /** Simulated seconds of frame 0. */
+  readonly start: number;
+}
+
+/** A finished frame. */
+export interface DrawnFrame {
+  readonly frame: number;
+  readonly step: number;
+  /** Hash of the simulator's state. */
+  readonly hash: string;
+  /** Milliseconds for drawing with the GPU done, for reading back, and until the files are encoded. */
+  readonly drawMs: number;
+  readonly readMs: number;
+  readonly encodeMs: number;
+}
+
+/** Names of the files of a frame, by layer; the whole picture has no layer. */
+export function nameOf(frame: number, layer: string | undefined, format: FilmOrder['format']): string {
+  const number = String(frame).padStart(4, '0');
+  return `${layer ? `${layer}/` : 'frame-'}${number}.${format}`;
+}

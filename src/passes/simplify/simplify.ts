@@ -1,0 +1,104 @@
+import { NearestFilter, NoColorSpace, RedFormat, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
+import acrossShader from '../../../shaders/simplify/across.frag';
+import fieldsShader from '../../../shaders/simplify/fields.frag';
+import tonesShader from '../../../shaders/simplify/tones.frag';
+import type { FrameView } from '../../device/frameView.ts';
+import { FullScreen } from '../../device/fullScreen.ts';
+import { pictureTarget } from '../../device/pictureTarget.ts';
+import type { RampTexture } from '../../device/ramps.ts';
+import type { Targets } from '../targets.ts';
+
+/** Distance that is averaged, in standard deviations. */
+const REACH = 2;
+
+/**
+ * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
+ * cut into tones, so that regions grow and shrink continuously. The average stops at ink and at gaps in depth: a
+ * separable approximation of the cross-bilateral filter of Eisemann and Durand, 'Flash Photography Enhancement via
+ * Intrinsic Relighting' (2004).
+ */
+export class SimplifyPass {
+  private readonly uniforms = {
+    unlit: { value: null as Texture | null },
+    lit: { value: null as Texture | null },
+    shading: { value: null as Texture | null },
+    depth: { value: null as Texture | null },
+    litFrom: { value: 0 },
+    isBanded: { value: true },
+    reach: { value: 0 },
+    deviation: { value: 1 },
+  };
+
+  private readonly fields = fieldTarget();
+  private readonly across = pictureTarget();
+  private readonly passes: readonly [fields: FullScreen, across: FullScreen, tones: FullScreen];
+
+  constructor(eye: FrameView, ramps: RampTexture) {
+    const [fields, links] = this.fields.textures.map((value) => ({ value }));
+    const common = { ...eye.uniforms, ...this.uniforms, links };
+    this.passes = [
+      new FullScreen(fieldsShader, common),
+      new FullScreen(acrossShader, { ...common, fields }),
+      new FullScreen(tonesShader, {
+        ...common,
+        fields: { value: this.across.texture },
+        ramps: { value: ramps.texture },
+      }),
+    ];
+  }
+
+  /**
+   * @param deviation standard deviation of the Gaussian, pixels
+   * @param isBanded whether bands of colour are smoothed separately
+   * @param litFrom N.L from which a lit pixel differs from a shadowed one
+   */
+  follow(deviation: number, isBanded: boolean, litFrom: number): void {
+    const { uniforms } = this;
+    uniforms.deviation.value = deviation;
+    uniforms.reach.value = Math.ceil(REACH * deviation);
+    uniforms.isBanded.value = isBanded;
+    uniforms.litFrom.value = litFrom;
+  }
+
+  /**
+   * Draws the tones of the targets, after the mask is drawn.
+   * @param shading the shading that the bodies wrote
+   */
+  draw(renderer: WebGLRenderer, targets: Targets, shading: Texture, output: WebGLRenderTarget): void {
+    const { uniforms, fields, across, passes } = this;
+    const { unlit, lit, depth, width, height } = targets;
+    Object.entries({ unlit, lit, shading, depth }).forEach(([name, texture]) => {
+      uniforms[name as keyof typeof uniforms].value = texture;
+    });
+    fields.setSize(width, height);
+    across.setSize(width, height);
+    [fields, across, output].forEach((target, index) => {
+      renderer.setRenderTarget(target);
+      passes[index].draw(renderer);
+    });
+  }
+
+  /** Releases the render targets until the next draw. */
+  rest(): void {
+    for (const target of [this.fields, this.across]) target.dispose();
+  }
+
+  dispose(): void {
+    for (const pass of this.passes) pass.dispose();
+    this.rest();
+  }
+}
+
+/** Four numbers, and the links between pixels in a channel of its own. */
+function fieldTarget(): WebGLRenderTarget {
+  const target = new WebGLRenderTarget(1, 1, {
+    count: 2,
+    colorSpace: NoColorSpace,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    depthBuffer: false,
+  });
+  target.textures[1].format = RedFormat;
+  return target;
+}

@@ -1,0 +1,135 @@
+/**
+ * `npm run bench -- film`: frames a minute of `npm run film` at 1920x1080, the shares of its work, two shards on two cores
+ * compared with one run on one core, and the cost of layers and supersampling.
+ */
+
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { availableParallelism, tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { film } from '../../scripts/film/film.mjs';
+import { run as start } from '../../scripts/lib/command.mjs';
+import { inRoot } from '../../scripts/lib/paths.mjs';
+import * as filmPage from '../../scripts/setup/filmPage.mjs';
+import { spread } from './support/spread.mjs';
+
+/**
+ * @typedef {import('../../scripts/bench/table.mjs').Figure} Figure
+ * @typedef {import('../../src/app/film/order.ts').DrawnFrame & { at: number }} Timed
+ */
+
+const FULL = ['--size', '1920x1080'];
+/** The scenes are in full smoke. */
+const LEAD = 48;
+
+/** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
+export async function run({ quick, say }) {
+  if (!filmPage.isFresh()) await filmPage.bring();
+  const [rounds, frames] = quick ? [1, 6] : [3, 24];
+  /** @type {Figure[]} */
+  const figures = [];
+  for (const preset of ['lamp', 'train']) {
+    const runs = [];
+    for (let round = 0; round < rounds; ++round) {
+      say(`${preset}, round ${round + 1} of ${rounds}`);
+      runs.push(await timedFrames(preset, frames, FULL));
+    }
+    figures.push(...figuresOf(preset, runs));
+  }
+  for (const words of [['--layers'], ['--supersample', '2']]) {
+    const ratios = [];
+    for (let round = 0; round < rounds; ++round) {
+      say(`${words.join(' ')}, round ${round + 1} of ${rounds}`);
+      const [plain, costly] = [await timedFrames('lamp', 6, FULL), await timedFrames('lamp', 6, [...FULL, ...words])];
+      ratios.push(perMinute(plain) / perMinute(costly));
+    }
+    figures.push({ name: `film.cost ${words.join(' ')}`, unit: 'x', ...spread(ratios), note: 'time of a frame, lamp' });
+  }
+  return [...figures, ...(await shardFigures(rounds, frames, say))];
+}
+
+/**
+ * @param {string} preset
+ * @param {number} count
+ * @param {string[]} words
+ * @returns {Promise<Timed[]>}
+ */
+async function timedFrames(preset, count, words) {
+  /** @type {Timed[]} */
+  const drawn = [];
+  await inFolder(async (folder) => {
+    const shot = [`#v=1&preset=${preset}`, '--frames', `${LEAD}-${LEAD + count - 1}`, '--out', folder];
+    const files = { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/sim/wasm') };
+    await film([...shot, ...words], files, 'bench', (frame) => drawn.push({ ...frame, at: Date.now() }));
+  });
+  return drawn;
+}
+
+/** Without the first frame, which waits for the simulation before it. */
+function perMinute(/** @type {Timed[]} */ frames) {
+  return ((frames.length - 1) * 60_000) / (frames[frames.length - 1].at - frames[0].at);
+}
+
+/** @param {string} preset @param {Timed[][]} runs @returns {Figure[]} */
+function figuresOf(preset, runs) {
+  // The last frame: while it is encoded, no other is drawn.
+  const ends = runs.map((frames) => frames[frames.length - 1]);
+  const share = (/** @type {'drawMs' | 'readMs' | 'encodeMs'} */ part) =>
+    spread(ends.map((end) => end[part] / (end.drawMs + end.readMs + end.encodeMs)));
+  return [
+    {
+      name: `film.${preset}`,
+      unit: 'frames/min',
+      ...spread(runs.map(perMinute)),
+      note: '1920x1080, SwiftShader, all cores',
+    },
+    { name: `film.${preset}.draw`, unit: 'share', ...share('drawMs'), note: 'simulating and drawing' },
+    { name: `film.${preset}.read`, unit: 'share', ...share('readMs'), note: 'reading back' },
+    { name: `film.${preset}.encode`, unit: 'share', ...share('encodeMs'), note: 'PNG' },
+  ];
+}
+
+/** @param {number} rounds @param {number} frames @param {(line: string) => void} say @returns {Promise<Figure[]>} */
+async function shardFigures(rounds, frames, say) {
+  if (availableParallelism() < 2 || spawnSync('taskset', ['--version']).status !== 0) return [];
+  const ratios = [];
+  for (let round = 0; round < rounds; ++round) {
+    say(`two shards, round ${round + 1} of ${rounds}`);
+    const alone = await pinned(['1/1'], 2 * frames);
+    ratios.push(alone / (await pinned(['1/2', '2/2'], 2 * frames)));
+  }
+  return [
+    { name: 'film.twoShards', unit: 'x', ...spread(ratios), note: 'a core each, compared with one run; goal 1.8' },
+  ];
+}
+
+/**
+ * Milliseconds until all shards are done, each on a core of its own, with the start of their browsers.
+ *
+ * @param {string[]} shards
+ * @param {number} count of frames
+ */
+async function pinned(shards, count) {
+  return inFolder(async (folder) => {
+    const shot = ['#v=1&preset=lamp', '--frames', `0-${count - 1}`, '--out', folder, ...FULL];
+    const began = Date.now();
+    const runs = shards.map((shard, core) =>
+      start('taskset', ['-c', String(core), process.execPath, inRoot('scripts/film.mjs'), ...shot, '--shard', shard]),
+    );
+    for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
+    return Date.now() - began;
+  });
+}
+
+/**
+ * @template Result
+ * @param {(folder: string) => Promise<Result>} work
+ */
+async function inFolder(work) {
+  const folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-bench-'));
+  try {
+    return await work(folder);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
