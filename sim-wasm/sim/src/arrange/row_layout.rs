@@ -59,7 +59,8 @@ pub const TINT: Bits = Bits::new(1, 24, 8);
 /// In rows for the light, in the place of temperature and tint: the age as in [`AGE`].
 pub const CASTER_AGE: Bits = Bits::new(1, 16, 16);
 /// Turn by the air, without the roll: the components of a unit quaternion x, y, z, w that follow the largest one, which is
-/// positive and left out, in 1/[`QUATERNION_STEPS`], plus 512. Stored with the bits of [`NO_ROTATION`] flipped, so that 0 is no turn.
+/// positive and left out, in 1/[`QUATERNION_STEPS`], plus 512. Stored with the bits of [`NO_ROTATION`] flipped, so that 0
+/// is no turn.
 pub const TURN: [Bits; 3] = [Bits::new(2, 0, 10), Bits::new(2, 10, 10), Bits::new(2, 20, 10)];
 /// Index of the largest component.
 pub const TURN_LARGEST: Bits = Bits::new(2, 30, 2);
@@ -67,8 +68,6 @@ pub const TURN_LARGEST: Bits = Bits::new(2, 30, 2);
 pub const STRETCH_AXIS: [Bits; 2] = [Bits::new(3, 0, 8), Bits::new(3, 8, 8)];
 /// Ratio of the axes, from 1 to [`MAX_STRETCH`].
 pub const STRETCH: Bits = Bits::new(3, 16, 8);
-/// How far a puff is eroded.
-pub const BITTEN: Bits = Bits::new(3, 24, 8);
 
 /// Steps of a quaternion's component per unit: the components left are at most the root of 1/2.
 pub const QUATERNION_STEPS: f32 = 720.0;
@@ -97,7 +96,6 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("stretchU", STRETCH_AXIS[0]),
     ("stretchV", STRETCH_AXIS[1]),
     ("stretch", STRETCH),
-    ("bitten", BITTEN),
 ];
 
 /// Ends of shadows per radius.

@@ -111,9 +111,9 @@ impl ParticleMotion {
         (first, len): (usize, usize),
     ) {
         if let Some(law) = &self.flow {
-            following::follow(law, particles, (first, len), self.step, |tile| {
-                self.blow(tile, vortex_particles);
-            });
+            let air = |tile: &mut Tile| self.blow(tile, vortex_particles);
+            let winds = |tile: &mut Tile| self.forces.wind(tile);
+            following::follow(law, particles, (first, len), self.step, air, winds);
         }
     }
 

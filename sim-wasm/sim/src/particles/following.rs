@@ -3,23 +3,23 @@
 //!
 //! Turn: a unit quaternion that follows the angular velocity of the air at the particle, half the vorticity. The
 //! vorticity is measured over the particle's extent from the air velocity at the corners of a tetrahedron, which is exact
-//! for a linear field, in a quarter of the tiles per step. Stretch: along the velocity, smoothed over
-//! [`SMOOTHING_TIME`].
+//! for a linear field, in a quarter of the tiles per step. Stretch: along the velocity relative to the winds, which carry
+//! all smoke alike, smoothed over [`SMOOTHING_TIME`].
 
 use wide::f32x4;
 
 use crate::layout::limits::STEP;
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::greater;
-use crate::math::simd::{LANES, Vector4, blocks, blocks_mut, larger};
+use crate::math::simd::{LANES, Vector4, blocks, larger};
 use crate::particles::Particles;
-use crate::particles::flow::{Flow, HELD_TURN, HELD_VELOCITY, SPIN, VELOCITY};
+use crate::particles::flow::{Flow, Motion};
 use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
 /// Time constant (s) of the velocity that stretches a puff.
 pub const SMOOTHING_TIME: f32 = 0.15;
 /// A puff that travels its radius in this time (s) has half of its greatest stretch.
-pub const STRETCH_TIME: f32 = 0.1;
+pub const STRETCH_TIME: f32 = 0.4;
 /// Steps between two measurements of the vorticity.
 const PERIOD: u64 = 4;
 /// Distance of the corners at which the vorticity is measured, in sizes of the particle.
@@ -55,20 +55,17 @@ impl FlowLaw {
         };
         (law.turn > 0.0 || law.stretch > 1.0).then_some(law)
     }
-    /// Turn as a unit quaternion x, y, z, w and velocity (m/s) with which particle `i` is shown, `back` seconds before the
+    /// Turn as a unit quaternion x, y, z, w and relative velocity (m/s) with which particle `i` is shown, `back` seconds before the
     /// current state.
     pub fn shown(&self, flow: &Flow, particles: &Particles, i: usize, back: f32) -> ([f32; 4], [f32; 3]) {
         if particles.held.is_some() {
-            return (flow.values(HELD_TURN, i), flow.values(HELD_VELOCITY, i));
+            return flow.held(i);
         }
-        let spin: [f32; 3] = flow.values(SPIN, i);
-        let turn = turned(flow.values(0, i), spin.map(|rate| -rate * self.turn * back));
-        // The inverse of the smoothing over a part of a step.
-        let share = back / STEP as f32 * (SMOOTHING / (1.0 - SMOOTHING));
-        let current = velocity(particles, i);
-        let mut before: [f32; 3] = flow.values(VELOCITY, i);
-        (0..3).for_each(|axis| before[axis] -= (current[axis] - before[axis]) * share);
-        (turn, before)
+        let motion = flow.get(i);
+        let turn = turned(motion.turn, motion.spin.map(|rate| -rate * self.turn * back));
+        let share = back / STEP as f32;
+        let velocity = std::array::from_fn(|axis| motion.velocity[axis] - motion.change[axis] * share);
+        (turn, velocity)
     }
 
     /// Ratio of the axes of particle `i` at a speed (m/s).
@@ -113,7 +110,7 @@ fn velocity(particles: &Particles, i: usize) -> [f32; 3] {
 const SMOOTHING: f32 = 0.105;
 
 /// Turns the particles of a tile over a step and smooths their velocities, after they moved. `air` adds the air velocity
-/// to a tile of places; `steps` counts the steps before.
+/// to a tile of places, `winds` that of the winds alone; `steps` counts the steps before.
 #[inline(never)]
 pub fn follow(
     law: &FlowLaw,
@@ -121,22 +118,32 @@ pub fn follow(
     (first, len): (usize, usize),
     steps: u64,
     air: impl Fn(&mut Tile),
+    winds: impl Fn(&mut Tile),
 ) {
     let Some(mut flow) = particles.flow.take() else {
         return;
     };
+    let mut tile = Tile::new(STEP as f32, true);
     if law.turn > 0.0 && (first / TILE_BLOCKS) as u64 % PERIOD == steps % PERIOD {
-        measure(law, particles, &mut flow, (first, len), air);
+        measure(law, particles, &mut flow, (first, len), &mut tile, air);
     }
+    tile.load(particles, first, len);
+    winds(&mut tile);
     let angle = law.turn * STEP as f32;
-    for i in first * LANES..(first + len) * LANES {
-        let spin: [f32; 3] = flow.values(SPIN, i);
-        let turn = turned(flow.values(0, i), spin.map(|rate| rate * angle));
-        flow.set(0, i, turn);
-        let current = velocity(particles, i);
-        let mut smooth: [f32; 3] = flow.values(VELOCITY, i);
-        (0..3).for_each(|axis| smooth[axis] += (current[axis] - smooth[axis]) * SMOOTHING);
-        flow.set(VELOCITY, i, smooth);
+    for (block, wind) in tile.columns().flow.iter().enumerate() {
+        let wind = [wind.x.to_array(), wind.y.to_array(), wind.z.to_array()];
+        for lane in 0..LANES {
+            let i = (first + block) * LANES + lane;
+            let mut motion = flow.get(i);
+            motion.turn = turned(motion.turn, motion.spin.map(|rate| rate * angle));
+            let current = velocity(particles, i);
+            for axis in 0..3 {
+                let change = (current[axis] - wind[axis][lane] - motion.velocity[axis]) * SMOOTHING;
+                motion.change[axis] = change;
+                motion.velocity[axis] += change;
+            }
+            flow.set(i, &motion);
+        }
     }
     particles.flow = Some(flow);
 }
@@ -161,6 +168,7 @@ fn measure(
     particles: &Particles,
     flow: &mut Flow,
     (first, len): (usize, usize),
+    tile: &mut Tile,
     air: impl Fn(&mut Tile),
 ) {
     let count = first + len;
@@ -174,10 +182,9 @@ fn measure(
         );
     }
     let mut sums = [Vector4::zero(); TILE_BLOCKS];
-    let mut tile = Tile::new(STEP as f32, true);
     for corner in &CORNERS {
-        load_corner(&mut tile, places, &extents, *corner);
-        air(&mut tile);
+        load_corner(tile, places, &extents, *corner);
+        air(tile);
         let Columns { flow, .. } = tile.columns();
         let corner = Vector4::splat(*corner);
         for (sum, flow) in sums.iter_mut().zip(flow) {
@@ -186,8 +193,14 @@ fn measure(
     }
     for block in 0..len {
         let spin = sums[block] * (f32x4::splat(0.375) / extents[block]);
-        for (column, component) in flow.columns[SPIN..].iter_mut().zip([spin.x, spin.y, spin.z]) {
-            blocks_mut(column, count)[first + block] = component.to_array();
+        let spin = [spin.x.to_array(), spin.y.to_array(), spin.z.to_array()];
+        for lane in 0..LANES {
+            let i = (first + block) * LANES + lane;
+            let motion = Motion {
+                spin: spin.map(|component| component[lane]),
+                ..flow.get(i)
+            };
+            flow.set(i, &motion);
         }
     }
 }

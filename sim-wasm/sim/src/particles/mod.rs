@@ -2,7 +2,7 @@
 //!
 //! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
 //! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
-//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle, 40 more while puffs
+//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle, 24 more while puffs
 //! turn or stretch with the air.
 
 pub mod density;
@@ -46,7 +46,7 @@ pub struct Particles {
     pub attributes: Vec<u32>,
     /// Shown instead of the current state; none while drawing on ones.
     pub held: Option<Box<Held>>,
-    /// Turning and stretching; none while no parameter needs it. 40 bytes per particle.
+    /// Turning and stretching; none while no parameter needs it.
     pub flow: Option<Box<Flow>>,
     alive: usize,
     capacity: usize,

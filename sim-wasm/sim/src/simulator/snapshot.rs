@@ -204,6 +204,11 @@ fn read_column(reader: &mut Reader, column: &mut [f32]) -> Result<(), RestoreErr
     values.try_for_each(|value| reader.float().map(|saved| *value = saved))
 }
 
+fn read_words(reader: &mut Reader, words: &mut [u32]) -> Result<(), RestoreError> {
+    let mut words = words.iter_mut();
+    words.try_for_each(|word| reader.word().map(|saved| *word = saved))
+}
+
 fn write_particles(body: &mut Writer, particles: &Particles) {
     let alive = particles.alive();
     body.word(alive as u32);
@@ -219,7 +224,7 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         write_column(body, &column[..alive]);
     }
     for column in particles.flow.iter().flat_map(|flow| &flow.columns) {
-        write_column(body, &column[..alive]);
+        column[..alive].iter().for_each(|word| body.word(*word));
     }
 }
 
@@ -233,9 +238,7 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     for column in particles.float_columns_mut() {
         read_column(reader, &mut column[..alive])?;
     }
-    particles.attributes[..alive]
-        .iter_mut()
-        .try_for_each(|attributes| reader.word().map(|saved| *attributes = saved))?;
+    read_words(reader, &mut particles.attributes[..alive])?;
     if particles.lifetime[..alive].iter().any(|lifetime| *lifetime <= 0.0) {
         return Err(RestoreError::new(
             "the saved simulation holds a particle without a lifetime",
@@ -248,7 +251,7 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
         read_column(reader, &mut column[..alive])?;
     }
     for column in particles.flow.iter_mut().flat_map(|flow| &mut flow.columns) {
-        read_column(reader, &mut column[..alive])?;
+        read_words(reader, &mut column[..alive])?;
     }
     particles.set_alive(alive);
     Ok(particles)
