@@ -21,7 +21,8 @@ uniform sampler2D lobeTable;
 // Three vectors besides the lobes are passed to the fragment shader; every WebGL2 device has at least fifteen.
 out vec4 pointAndGradient;
 flat out vec4 middleAndInkReach;
-// View z of the centre, radius, depth offset of the ring, and ramp index.
+// View z of the centre, radius, depth offset of the ring, and ramp index. DEFORMED: the packed stretch instead of the offset,
+// and the radius is the one across the stretch. Points and lobes are those of stretch.glsl.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
@@ -42,6 +43,13 @@ void main() {
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
 
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(attributes);
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  float across = acrossOf(stretch.w);
+  Projection projection = projectionOf(vec4(mat3(viewFromWorld) * stretch.xyz, stretch.w));
+  radius *= across;
+  inkReach /= across;
+#endif
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   vec2 lowest = vec2(0.0);
   vec2 highest = vec2(0.0);
@@ -52,6 +60,9 @@ void main() {
     lobes[ i ].xyz *= unfolded(UNROLLED_LOOP_INDEX, ageOf(attributes));
 #endif
     lobes[ i ].xyz = viewFromPuff * lobes[ i ].xyz;
+#ifdef DEFORMED
+    lobes[ i ].xyz = unstretched(projection, lobes[ i ].xyz / across);
+#endif
     lowest = min(lowest, lobes[ i ].xy - lobes[ i ].w);
     highest = max(highest, lobes[ i ].xy + lobes[ i ].w);
   }
@@ -69,13 +80,21 @@ void main() {
 #endif
 
   vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
-  vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
-  vec3 gradients = vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes));
+  vec2 beside = point;
+#ifdef DEFORMED
+  beside = scaled(projection, point, 1.0 / projection.factor);
+#endif
+  vec4 clip = clipFromView * vec4(centre + vec3(beside * radius, 0.0), 1.0);
+  vec3 gradients = vec3(0.5 + 0.5 * beside.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes));
   pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(attributes), drawing));
   middleAndInkReach = vec4(middle, inkReach);
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
+#ifdef DEFORMED
+  // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.
+  depthsAndRamp.z = float(attributes.w);
+#endif
 #ifdef FLAT
-  float drop = gl_VertexID % 8 > 3 ? depthsAndRamp.z : 0.0;
+  float drop = gl_VertexID % 8 > 3 ? innerLine * radius : 0.0;
   clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
 #else
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.

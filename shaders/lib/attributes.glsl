@@ -46,14 +46,14 @@ vec4 quaternionOf(uvec4 attributes) {
   return index == 2u ? vec4(rest.yz, largest, rest.x) : vec4(rest, largest);
 }
 
-// Direction of the stretch, a unit vector, and the ratio of the axes, 1 and up.
-vec4 stretchOf(uvec4 attributes) {
+// Direction of the stretch, a unit vector, and the ratio of the axes, 1 and up; by the last word.
+vec4 stretchOf(uint word) {
   const float MAX_STRETCH = 4.0;
-  vec2 map = (vec2(uvec2(attributes.w, attributes.w >> 8u) & 0xffu) - 127.0) / 127.0;
+  vec2 map = (vec2(uvec2(word, word >> 8u) & 0xffu) - 127.0) / 127.0;
   float z = 1.0 - abs(map.x) - abs(map.y);
   vec2 signs = vec2(map.x < 0.0 ? -1.0 : 1.0, map.y < 0.0 ? -1.0 : 1.0);
   vec2 xy = z < 0.0 ? (1.0 - abs(map.yx)) * signs : map;
-  float ratio = 1.0 + (MAX_STRETCH - 1.0) * float((attributes.w >> 16u) & 0xffu) / 255.0;
+  float ratio = 1.0 + (MAX_STRETCH - 1.0) * float((word >> 16u) & 0xffu) / 255.0;
   return vec4(normalize(vec3(xy, z)), ratio);
 }
 

@@ -1,4 +1,4 @@
-// The map from a lobe puff to the world. It moves the centres of lobes; the lobes stay balls.
+// The linear map from a lobe puff to the world.
 // DEFORMED: puffs turn and stretch with the air, and unfold.
 
 // A rotation by its roll about an axis that its seed selects from 256, spread
@@ -22,6 +22,8 @@ mat3 rollOfPuff(uvec4 attributes) {
 #ifdef DEFORMED
 uniform float billow;
 
+#include stretch.glsl
+
 // Factor on the centre of a lobe at an age, a fraction of the lifetime. Lobes of a young puff are folded to its centre and
 // unfold one after another over the first half of life.
 float unfolded(int index, float age) {
@@ -32,6 +34,7 @@ float unfolded(int index, float age) {
   return 1.0 - BILLOW_DEPTH * billow * (1.0 - smoothstep(BILLOW_DELAY * phase, BILLOW_DELAY * phase + 1.0 - BILLOW_DELAY, 2.0 * age));
 }
 
+// Lobes become ellipsoids, longer by the ratio of the stretch along its axis than across it, at the same volume.
 mat3 worldFromPuff(uvec4 attributes) {
   vec4 q = quaternionOf(attributes);
   mat3 rotation = mat3(
@@ -39,11 +42,11 @@ mat3 worldFromPuff(uvec4 attributes) {
     2.0 * (q.x * q.y - q.z * q.w), 1.0 - 2.0 * (q.x * q.x + q.z * q.z), 2.0 * (q.y * q.z + q.x * q.w),
     2.0 * (q.x * q.z + q.y * q.w), 2.0 * (q.y * q.z - q.x * q.w), 1.0 - 2.0 * (q.x * q.x + q.y * q.y)
   );
-  vec4 stretch = stretchOf(attributes);
+  vec4 stretch = stretchOf(attributes.w);
   vec3 a = stretch.xyz;
   vec3 along = (stretch.w - 1.0) * a;
   mat3 stretching = mat3(1.0) + mat3(along * a.x, along * a.y, along * a.z);
-  return exp2(-log2(stretch.w) / 3.0) * stretching * rotation * rollOfPuff(attributes);
+  return acrossOf(stretch.w) * stretching * rotation * rollOfPuff(attributes);
 }
 #else
 mat3 worldFromPuff(uvec4 attributes) {

@@ -27,6 +27,10 @@ flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
+#ifdef DEFORMED
+// Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
+flat out float squeeze;
+#endif
 
 #include attributes.glsl
 #include orientation.glsl
@@ -65,9 +69,12 @@ float shearOf(vec3 travel, vec3 centre) {
 }
 
 #ifdef DEFORMED
-// Distance from the centre to the farthest centre of a lobe, in radii along the light's travel. No lobe has a lit point
-// farther behind; the form of deformed puffs is not baked.
+// Distance from the centre to the farthest lit point for a ramp without light below N . L = 0, in radii along the light's
+// travel; the form of deformed puffs is not baked.
 float farthest;
+// Width across the stretch; depth of the lit part of a lobe behind its centre, in its radii; factor on the second axis of the
+// frame, which makes the discs of lobes circles.
+vec3 widthTiltFactor;
 #endif
 
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
@@ -105,12 +112,23 @@ vec4 lobeOf(int index, int variation) {
 vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
 #ifdef DEFORMED
-  farthest = max(farthest, seen.z);
+  lobe.w *= widthTiltFactor.x;
+  farthest = max(farthest, seen.z + lobe.w * widthTiltFactor.y);
+  seen.y *= widthTiltFactor.z;
 #endif
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
   float slope = radius * growth;
   return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
+}
+
+// Distance from the centre to the far side of a disc.
+float farSide(vec3 disc) {
+#ifdef DEFORMED
+  return length(vec2(disc.x, disc.y / widthTiltFactor.z)) + sqrt(disc.z) / widthTiltFactor.z;
+#else
+  return length(disc.xy) + sqrt(disc.z);
+#endif
 }
 
 // Computes the discs. Returns the radius of the circle about the centre that contains them.
@@ -123,7 +141,7 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
-    widest = max(widest, length(discs[ i ].xy) + sqrt(discs[ i ].z));
+    widest = max(widest, farSide(discs[ i ]));
   }
   #pragma unroll_loop_end
   return widest;
@@ -143,12 +161,26 @@ bool writeVolume(out Ends ends) {
   vec3 aside = normalize(abs(axis.x) < 0.7 ? vec3(0.0, -axis.z, axis.y) : vec3(axis.z, 0.0, -axis.x));
   mat3 frameFromView = transpose(mat3(aside, cross(axis, aside), axis));
 
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  stretch.xyz = frameFromView * mat3(viewFromWorld) * stretch.xyz;
+  Projection projection = projectionOf(stretch);
+  vec2 along = projection.along;
+  frameFromView = mat3(vec3(along.y, along.x, 0.0), vec3(-along.x, along.y, 0.0), vec3(0.0, 0.0, 1.0)) * frameFromView;
+  float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
+  float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
+  widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
+#endif
+
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
   float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
   if (extent <= 0.0) return false;
+#ifdef DEFORMED
+  squeeze = widthTiltFactor.z;
+#endif
   vec3 start = centre + cap * place.w * axis;
   float scale = 1.0 + growth * cap;
   rightAndLength = vec4(frameFromView[0] / place.w, extent);
