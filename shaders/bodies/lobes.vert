@@ -39,16 +39,17 @@ void main() {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
   float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  float across = acrossOf(stretch.w);
+  radius *= across;
+#endif
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
 
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(attributes);
 #ifdef DEFORMED
-  vec4 stretch = stretchOf(attributes.w);
-  float across = acrossOf(stretch.w);
   Projection projection = projectionOf(vec4(mat3(viewFromWorld) * stretch.xyz, stretch.w));
-  radius *= across;
-  inkReach /= across;
 #endif
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   vec2 lowest = vec2(0.0);

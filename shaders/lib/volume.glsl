@@ -61,10 +61,15 @@ float shearOf(vec3 travel, vec3 centre) {
   vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
   // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
   // the view axis is at most 1/2.
+#ifdef DEFORMED
+  float tallest = reach;
+#else
+  const float tallest = 1.0;
+#endif
   float slope = -dot(travel.xy, ray);
-  float straight = max(slope, -depth * slope);
+  float straight = max(tallest * slope, -depth * slope);
   if (facesEye) return grown * straight;
-  float aside = 0.5 * length(travel.xy) * grown * place.w / -centre.z;
+  float aside = 0.5 * tallest * tallest * length(travel.xy) * grown * place.w / -centre.z;
   return grown * (straight + aside);
 }
 

@@ -152,7 +152,7 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, { ...shaders, defines: definesOf({ ...this.kind, isDeformed: false }) });
+    return this.materialOf(0, { ...shaders, defines: definesOf(this.kind) });
   }
 
   private get kind(): BodyKind {

@@ -78,7 +78,7 @@ export abstract class ParticleVolumes {
   /** Binds the textures of a puff form and returns the material for its lobe count. */
   protected materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
     const { startCaps, latestCap, casterTable, casterLobes, reach, depth, spread } = this.puffs.of(form);
-    const isDeformed = form === 'lobes' && this.puffs.isDeformed;
+    const { isDeformed } = this.puffs;
     const uniforms = this.form;
     uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);
     uniforms.facesEye.value = form === 'billboards';

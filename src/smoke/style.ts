@@ -68,7 +68,7 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   stretch: number;
   /** Part by which the lobes of young puffs are folded, 0..1. */
   billow: number;
-  /** Whether puffs turn or stretch with the air, or unfold. */
+  /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
   isDeformed: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
@@ -115,8 +115,9 @@ export function styleOf(values: Values): Style {
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
 function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
-  const [rotation, stretch, billow] = ['turn', 'stretch', 'billow'].map((name) => values[`puff.${name}`] as number);
-  return { stretch, billow, isDeformed: rotation > 0 || stretch > 1 || billow > 0 };
+  const [turn, stretch, billow] = ['turn', 'stretch', 'billow'].map((name) => values[`puff.${name}`] as number);
+  const isDeformed = values['puff.form'] === 'lobes' && (turn > 0 || stretch > 1 || billow > 0);
+  return { stretch, billow, isDeformed };
 }
 
 function nameOf({ key }: Parameter): string {

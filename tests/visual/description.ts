@@ -104,7 +104,8 @@ function puffsAsObject({ form, isDeformed, billow, stretch }: Style): object {
   const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
   const { width, height, values } = startCaps;
   const depth = (isDeformed ? spreadOf(stretch) : 1) * puffs.depth;
-  return { ...puffs, depth, isDeformed, billow, startCaps: { width, height, values: [...values] } };
+  const tallest = isDeformed ? spreadOf(stretch) * bakedPuffs().lobes.reach : 1;
+  return { ...puffs, depth, tallest, isDeformed, billow, startCaps: { width, height, values: [...values] } };
 }
 
 function lobePuffs() {

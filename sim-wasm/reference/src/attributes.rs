@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 use sim::arrange::row_layout::{
     AGE, Attributes, CASTER_AGE, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
     VARIATION,
@@ -61,7 +61,7 @@ impl PackedAttributes {
         let z = 1.0 - (2.0 * seed + 1.0) / SEEDS;
         let (sin, cos) = (GOLDEN_ANGLE * seed).sin_cos();
         let axis = DVec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z);
-        self.stretching() * DMat3::from_quat(self.turn()) * DMat3::from_axis_angle(axis.normalize(), self.roll())
+        stretching(self.stretch()) * DMat3::from_quat(self.turn()) * DMat3::from_axis_angle(axis.normalize(), self.roll())
     }
 
     /// The turn by the air: a quaternion without its largest component.
@@ -78,8 +78,8 @@ impl PackedAttributes {
         DQuat::from_array(turn)
     }
 
-    /// Longer along the axis of the stretch and thinner across it, at the same volume.
-    fn stretching(self) -> DMat3 {
+    /// Axis of the stretch and ratio of the axes.
+    pub fn stretch(self) -> (DVec3, f64) {
         let ratio = 1.0 + (MAX_STRETCH - 1.0) * f64::from(STRETCH.of(self.0)) / f64::from(STRETCH.max);
         let [u, v] = STRETCH_AXIS.map(|bits| (f64::from(bits.of(self.0)) - 127.0) / 127.0);
         let z = 1.0 - u.abs() - v.abs();
@@ -88,10 +88,34 @@ impl PackedAttributes {
         } else {
             DVec3::new(u, v, z)
         };
-        let axis = axis.normalize();
-        let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
-        (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.cbrt().recip()
+        (axis.normalize(), ratio)
     }
+}
+
+/// Longer along the axis of a stretch and thinner across it, at the same volume.
+pub fn stretching((axis, ratio): (DVec3, f64)) -> DMat3 {
+    let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+    (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.cbrt().recip()
+}
+
+/// A linear map after which the ellipsoids into which a map turns balls are balls again, and lines along z are still
+/// parallel to z.
+pub fn unstretched(stretching: DMat3) -> DMat3 {
+    // Ellipsoids are dot(x, form * x) = 1; completing the square of z leaves a form of x and y.
+    let form = (stretching * stretching.transpose()).inverse();
+    let shear = form.z_axis.truncate() / form.z_axis.z;
+    let flat = DMat2::from_cols(form.x_axis.truncate(), form.y_axis.truncate())
+        - form.z_axis.z * DMat2::from_cols(shear * shear.x, shear * shear.y);
+    // The root of a symmetric matrix, after Cayley and Hamilton.
+    let root = flat.determinant().sqrt();
+    let trace = flat.x_axis.x + flat.y_axis.y;
+    let plane = (flat + DMat2::from_diagonal(DVec2::splat(root))) * (trace + 2.0 * root).sqrt().recip();
+    let depth = form.z_axis.z.sqrt();
+    DMat3::from_cols(
+        plane.x_axis.extend(depth * shear.x),
+        plane.y_axis.extend(depth * shear.y),
+        DVec3::new(0.0, 0.0, depth),
+    )
 }
 
 /// Factor on the centre of lobe `index` at `age`, a share of the lifetime: lobes of young puffs are folded, and unfold one

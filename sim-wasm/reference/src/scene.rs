@@ -134,6 +134,8 @@ pub struct Puffs {
     /// Whether puffs turn, stretch and unfold, and the part by which the lobes of young puffs are folded.
     pub is_deformed: bool,
     pub billow: f64,
+    /// Maximum height over the nailboard (radii).
+    pub tallest: f64,
     /// Maximum visible depth behind the centre plane (radii).
     pub depth: f64,
     /// Baked fronts of billboards, which roll about the view axis; none for lobes.

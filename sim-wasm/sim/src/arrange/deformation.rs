@@ -72,12 +72,12 @@ fn length([x, y, z]: [f32; 3]) -> f32 {
 #[inline(never)]
 pub(crate) fn undeformed(attributes: Attributes, row: [f32; 3]) -> [f32; 3] {
     let dot = |a: [f32; 3], b: [f32; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let ratio = 1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32;
+    let ratio = ratio(attributes);
     let mut row = row;
     if ratio > 1.0 {
         let axis = stretch_axis(attributes);
         let along = (ratio - 1.0) * dot(row, axis);
-        let across = 1.0 / libm::cbrtf(ratio);
+        let across = across(ratio);
         row = std::array::from_fn(|i| (row[i] + along * axis[i]) * across);
     }
     let [x, y, z, w] = turn(attributes);
@@ -93,6 +93,16 @@ pub(crate) fn undeformed(attributes: Attributes, row: [f32; 3]) -> [f32; 3] {
     let inner = cross(v, row);
     let outer = cross(v, std::array::from_fn(|i| inner[i] + w * row[i]));
     std::array::from_fn(|i| row[i] + 2.0 * outer[i])
+}
+
+/// Ratio of the axes of a puff, at least 1.
+pub(crate) fn ratio(attributes: Attributes) -> f32 {
+    1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32
+}
+
+/// Width of a puff across its stretch, at the volume of a ball.
+pub(crate) fn across(ratio: f32) -> f32 {
+    1.0 / libm::cbrtf(ratio)
 }
 
 /// The unit vector along which a puff is stretched.

@@ -210,7 +210,8 @@ impl<'a> Outliner<'a> {
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             let depth = centre - ball.z * radius;
-            let (inside, outside) = ((ball.radius - tolerance) * cells, (ball.radius + tolerance) * cells);
+            let widest = ball.radius * f32x4::splat(outline.balls.ratio);
+            let (inside, outside) = ((ball.radius - tolerance) * cells, (widest + tolerance) * cells);
             let inside = is_present & positive_part(inside);
             let disc = DiscGroup {
                 u: f32x4::splat(projected.u) + ball.x * cells,
@@ -245,7 +246,7 @@ impl<'a> Outliner<'a> {
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut projected = self.projected(place);
-        let [eye_w, shear] = shadows.seen(place);
+        let [eye_w, shear] = shadows.seen(place, self.tallest(shadows));
         projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
@@ -264,6 +265,14 @@ impl<'a> Outliner<'a> {
         place[3] > 0.0
     }
 
+    /// Greatest height of a puff over its nailboard (radii).
+    fn tallest(&self, shadows: &Shadows) -> f32 {
+        match self.billow {
+            Some(_) if !shadows.solids.faces_eye => shadows.reach,
+            _ => 1.0,
+        }
+    }
+
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
     fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
@@ -276,9 +285,9 @@ impl<'a> Outliner<'a> {
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place);
+        let [_, shear] = shadows.seen(place, self.tallest(shadows));
         let caps = match self.billow {
-            Some(_) if !shadows.solids.faces_eye => [shadows.caps.behind(outline.balls.groups()); 2],
+            Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
         let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
@@ -292,7 +301,8 @@ impl<'a> Outliner<'a> {
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let (x, y) = (ball.x * lanes(cells), ball.y * lanes(cells));
-            let outside = (ball.radius + lanes(projected.tolerance)) * lanes(cells);
+            let widest = ball.radius * lanes(outline.balls.ratio);
+            let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             for lane in 0..LANES {
                 if ball.radius.as_array()[lane] > 0.0 {
@@ -342,9 +352,10 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
 }
 
 impl Shadows<'_> {
-    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii).
+    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii), for
+    /// puffs of a height `tallest` (radii).
     #[inline(always)]
-    fn seen(&self, place: [f32; 4]) -> [f32; 2] {
+    fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
         let eye = &self.eye;
         let w = eye.w.at(place);
         if !eye.is_perspective {
@@ -361,8 +372,8 @@ impl Shadows<'_> {
             return [w, grown * greater(slope, 0.0)];
         }
         let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
-        let aside = 0.5 * sideways * grown * place[3] / w;
-        [w, grown * (greater(slope, -self.depth * slope) + aside)]
+        let aside = 0.5 * tallest * tallest * sideways * grown * place[3] / w;
+        [w, grown * (greater(tallest * slope, -self.depth * slope) + aside)]
     }
 
     /// Distance from the centre to the start (radii). Same as in the shader.

@@ -2,6 +2,7 @@
 
 use wide::f32x4;
 
+use crate::arrange::deformation::{across, ratio};
 use crate::arrange::row_layout::{AGE, Attributes, ROLL, SEED, VARIATION};
 use crate::math::scalar::clamped;
 use crate::math::simd::LANES;
@@ -30,12 +31,15 @@ pub struct Solids<'v> {
     pub faces_eye: bool,
 }
 
-/// The balls of one puff in view space: right, up, towards the eye.
+/// The balls of one puff in view space: right, up, towards the eye. If the puff is stretched, balls that its ellipsoids
+/// contain.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RotatedBalls {
     groups: [BallGroup; BALLS_LIMIT / LANES],
     /// Number of groups.
     pub count: usize,
+    /// Factor on the radii of the balls that contain the ellipsoids.
+    pub ratio: f32,
 }
 
 /// Four balls. A radius of 0 marks a missing ball.
@@ -81,13 +85,15 @@ impl<'v> Solids<'v> {
             let lanes: &[f32; LANES] = columns[start..start + LANES].try_into().expect("whole blocks");
             f32x4::new(*lanes)
         };
+        let billow = billow.filter(|_| !self.faces_eye);
         into.count = self.balls / LANES;
+        into.ratio = billow.map_or(1.0, |_| ratio(attributes));
+        let across = billow.map_or(1.0, |_| across(into.ratio));
         for (at, group) in into.groups[..into.count].iter_mut().enumerate() {
             let at = at * LANES;
             let (mut x, mut y, mut z) = (lanes(0, at), lanes(1, at), lanes(2, at));
             if let Some(billow) = billow
                 && billow > 0.0
-                && !self.faces_eye
             {
                 let age = AGE.of(attributes) as f32 / AGE.max as f32;
                 let unfolded = unfolded(at, age, billow);
@@ -98,7 +104,10 @@ impl<'v> Solids<'v> {
                 x: along(rotation[0]),
                 y: along(rotation[1]),
                 z: along(rotation[2]),
-                radius: lanes(3, at),
+                radius: match billow {
+                    None => lanes(3, at),
+                    Some(_) => lanes(3, at) * f32x4::splat(across),
+                },
             };
         }
     }

@@ -4,7 +4,7 @@ use std::f32::consts::{FRAC_PI_2, PI};
 
 use wide::f32x4;
 
-use crate::arrange::coverage::solids::BallGroup;
+use crate::arrange::coverage::solids::{BallGroup, RotatedBalls};
 use crate::arrange::row_layout::{Attributes, VARIATION};
 use crate::math::scalar::{greater, lesser};
 
@@ -30,14 +30,17 @@ impl<'v> StartCaps<'v> {
         Self { table, range }
     }
 
-    /// The same for a deformed puff: the farthest centre of its lobes, none of which has a lit point farther behind. `balls`
-    /// are those of the puff, z towards the light.
-    pub(crate) fn behind(&self, balls: &[BallGroup]) -> f32 {
-        let farthest = |ball: &BallGroup| {
-            let present = ball.radius.simd_gt(f32x4::ZERO) & (f32x4::ZERO - ball.z);
-            present.to_array().into_iter().fold(0.0, greater)
-        };
-        greater(balls.iter().map(farthest).fold(0.0, greater), self.range[0])
+    /// The same for a deformed puff: the farthest lit point of a lobe is at least as far as its centre, and farther by at
+    /// most the difference of the semi-axes of the ellipsoid. `balls` have z towards the light.
+    pub(crate) fn behind(&self, balls: &RotatedBalls) -> [f32; 2] {
+        [0.0, balls.ratio - 1.0].map(|excess| {
+            let farthest = |ball: &BallGroup| {
+                let behind = ball.radius * f32x4::splat(excess) - ball.z;
+                let present = ball.radius.simd_gt(f32x4::ZERO) & behind;
+                present.to_array().into_iter().fold(0.0, greater)
+            };
+            greater(balls.groups().iter().map(farthest).fold(0.0, greater), self.range[0])
+        })
     }
 
     /// Minimum and maximum that the renderer may read for packed attributes, by the direction towards the light in the
