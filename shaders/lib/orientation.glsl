@@ -34,7 +34,7 @@ float unfolded(int index, float age) {
   return 1.0 - BILLOW_DEPTH * billow * (1.0 - smoothstep(BILLOW_DELAY * phase, BILLOW_DELAY * phase + 1.0 - BILLOW_DELAY, 2.0 * age));
 }
 
-// Lobes become ellipsoids, longer by the ratio of the stretch along its axis than across it, at the same volume.
+// Lobes become ellipsoids, longer by the ratio of the stretch along its axis than across it. Seen across it, they keep their area.
 mat3 worldFromPuff(uvec4 attributes) {
   vec4 q = quaternionOf(attributes);
   mat3 rotation = mat3(

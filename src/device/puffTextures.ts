@@ -92,14 +92,14 @@ export class PuffTextures {
   }
 }
 
-/** Factor on the distance of a lobe along the axis of a stretch, by the ratio of the axes, at the same volume. */
+/** Factor on the distance of a lobe along the axis of a stretch, by the ratio of the axes. */
 export function spreadOf(ratio: number): number {
-  return ratio ** (2 / 3);
+  return Math.sqrt(ratio);
 }
 
 /**
- * Lobe puffs whose centres are up to the power 2/3 of a ratio farther out than in the baked shape. Their shadow volumes
- * start behind the farthest centre of their lobes, instead of where the table says.
+ * Lobe puffs that are up to the root of a ratio longer than in the baked shape. Their shadow volumes start behind the
+ * farthest lit point of their lobes, instead of where the table says.
  */
 function deformed(lobes: FormTextures, ratio: number): FormTextures {
   const { startCaps, casterTable, casterLobes, capTable, solids } = lobes;

@@ -92,10 +92,10 @@ impl PackedAttributes {
     }
 }
 
-/// Longer along the axis of a stretch and thinner across it, at the same volume.
+/// Longer along the axis of a stretch and thinner across it, at the same area seen across it.
 pub fn stretching((axis, ratio): (DVec3, f64)) -> DMat3 {
     let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
-    (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.cbrt().recip()
+    (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.sqrt().recip()
 }
 
 /// A linear map after which the ellipsoids into which a map turns balls are balls again, and lines along z are still

@@ -71,7 +71,7 @@ impl<'a> Body<'a> {
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
         let (axis, ratio) = billboards.map_or_else(|| attributes.stretch(), |_| (DVec3::Z, 1.0));
         // A stretched puff is drawn in units of its width across the stretch.
-        let across = ratio.cbrt().recip();
+        let across = ratio.sqrt().recip();
         let radius = row.radius * grown(camera, &row, center) * across;
         if radius <= 0.0 {
             return None;

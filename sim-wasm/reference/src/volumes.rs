@@ -116,7 +116,7 @@ fn flat(scene: &Scene, row: &Row, axis: DVec3) -> DMat3 {
     let (side, up) = axis.any_orthonormal_pair();
     let frame = DMat3::from_cols(side, up, axis);
     let (along, ratio) = stretch(scene, row);
-    let stretching = stretching((frame.transpose() * along, ratio)) * ratio.cbrt();
+    let stretching = stretching((frame.transpose() * along, ratio)) * ratio.sqrt();
     let mut unstretched = unstretched(stretching);
     unstretched.x_axis.z = 0.0;
     unstretched.y_axis.z = 0.0;
@@ -125,7 +125,7 @@ fn flat(scene: &Scene, row: &Row, axis: DVec3) -> DMat3 {
 }
 
 fn discs(scene: &Scene, camera: &Camera, row: &Row, (axis, flat): (DVec3, DMat3), growth: f64) -> Vec<Disc> {
-    let across = stretch(scene, row).1.cbrt().recip();
+    let across = stretch(scene, row).1.sqrt().recip();
     let attributes = PackedAttributes(row.attributes);
     let world_from_puff = world_from_puff(scene, camera, attributes);
     let lobes = &scene.puffs.lobes[attributes.variation() % scene.puffs.lobes.len()];

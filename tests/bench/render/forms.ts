@@ -30,9 +30,9 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   const lobes = look(bench, 'lobes', arranger.plain, {});
   const billboards = look(bench, 'billboards', arranger.plain, { form: 'billboards' });
   const deformed = { isDeformed: true, stretch: RATIO };
-  const turned = look(bench, 'turned', arranger.plain, deformed);
+  const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
-  const sides = [lobes, billboards, turned, longer];
+  const sides = [lobes, billboards, rotated, longer];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -62,9 +62,9 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       'bodies as baked billboards / as lobes met per pixel, the same particles',
     ),
     figure(
-      'render.turning',
+      'render.rotating',
       'x',
-      turned.times.map((time, round) => time / lobes.times[round]),
+      rotated.times.map((time, round) => time / lobes.times[round]),
       'bodies with the shaders of puffs that turn and stretch / without, the same rows',
     ),
     figure(

@@ -100,9 +100,9 @@ pub(crate) fn ratio(attributes: Attributes) -> f32 {
     1.0 + (MAX_STRETCH - 1.0) * STRETCH.of(attributes) as f32 / STRETCH.max as f32
 }
 
-/// Width of a puff across its stretch, at the volume of a ball.
+/// Width of a puff across its stretch. Seen across it, a lobe keeps its area.
 pub(crate) fn across(ratio: f32) -> f32 {
-    1.0 / libm::cbrtf(ratio)
+    1.0 / ratio.sqrt()
 }
 
 /// The unit vector along which a puff is stretched.

@@ -232,7 +232,7 @@ fn placed(columns: &[f32], ball: usize, attributes: Attributes, age: f64, form: 
     });
     let ratio = 1.0 + 3.0 * f64::from(attributes[3] >> 16 & 0xff) / 255.0;
     let along = (ratio - 1.0) * dot(at, axis);
-    std::array::from_fn(|i| (at[i] + along * axis[i]) / ratio.cbrt())
+    std::array::from_fn(|i| (at[i] + along * axis[i]) / ratio.sqrt())
 }
 
 /// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
