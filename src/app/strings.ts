@@ -180,7 +180,7 @@ export const strings = {
       webm: 'Contains every frame, even on a slow machine.',
       mp4: 'Contains every frame, even on a slow machine.',
       zip: 'Layers: one folder each for flat colours, shadow, ink, surfaces and depth.',
-      flipbook: 'A seamless loop as atlases of colour, light and normals.',
+      flipbook: 'A seamless loop as atlases of colour, light, normals and motion.',
     },
     window: (width: number, height: number) => `Window, ${width} \u00d7 ${height}`,
     times: (scale: number) => `${scale}\u00d7`,

@@ -2,6 +2,7 @@ import type { DebugView } from '../../index.ts';
 import type { Values } from '../../preset.ts';
 import type { Task } from './clip.ts';
 import { shootLoop } from './loop.ts';
+import { drawMotion, MOTION_RANGE } from './motion.ts';
 import { linear, PixelReader } from './pixels.ts';
 import { Archive } from './pngSequence.ts';
 import { columnsOf, frameCount, pixelSize, type CaptureSettings } from './settings.ts';
@@ -17,13 +18,16 @@ export interface FlipbookLayout {
   /** Size of a frame and of an atlas in pixels. */
   readonly frame: readonly [width: number, height: number];
   readonly atlas: readonly [width: number, height: number];
+  /** Displacement of a full channel of `motion`, as a fraction of the frame's side. */
+  readonly motionRange: number;
   /** Files by content. */
   readonly color: string;
   readonly channels: string;
   readonly normals: string;
+  readonly motion: string;
 }
 
-const FILES = { color: 'color.png', channels: 'channels.png', normals: 'normals.png' } as const;
+const FILES = { color: 'color.png', channels: 'channels.png', normals: 'normals.png', motion: 'motion.png' } as const;
 
 /** The normal towards the viewer. */
 const FACING = [128, 128, 255];
@@ -37,7 +41,8 @@ export async function makeFlipbook(studio: Studio, settings: CaptureSettings, ta
 
 /**
  * Draws a seamless loop. `color` has straight alpha. The `channels` are light in red, rim light in green, nearness in
- * blue and coverage in alpha; light and rim are linear. `normals` are in view space, 0 to 255 for -1 to 1.
+ * blue and coverage in alpha; light and rim are linear. `normals` are in view space, 0 to 255 for -1 to 1. `motion` is
+ * described in motion.ts.
  * @param columns of the atlases
  * @returns the files by name
  */
@@ -58,12 +63,14 @@ export async function drawFlipbook(
     rate: settings.rate,
     frame: [width, height],
     atlas,
+    motionRange: MOTION_RANGE,
     ...FILES,
   };
   const canvases = Object.values(FILES).map((name) => [name, new OffscreenCanvas(...atlas)] as const);
   const camera = new MapCamera(studio, width, height);
-  await shootLoop(studio, settings, task, async (frame) => {
-    const maps = await camera.shoot();
+  await shootLoop(studio, settings, task, async (frame, drawn) => {
+    const motion = new ImageData(drawMotion(drawn, width, height, settings.rate), width, height);
+    const maps = [...(await camera.shoot()), motion];
     const [x, y] = [width * (frame % columns), height * Math.floor(frame / columns)];
     canvases.forEach(([, canvas], at) => canvas.getContext('2d')!.putImageData(maps[at], x, y));
   });
@@ -86,7 +93,7 @@ class MapCamera {
     this.style = studio.stage.get();
   }
 
-  /** In the order of FILES. */
+  /** In the order of FILES, without motion. */
   async shoot(): Promise<ImageData[]> {
     const { stage, canvas } = this.studio;
     const color = this.reader.read(canvas);

@@ -16,22 +16,81 @@ import {
 const ONE_PUFF = 0.4;
 const MAX_SEED = 255;
 
-/** All puffs at one time, and their bounding box. */
-export interface RetainedSmoke {
+/** Puffs at one time. */
+export interface MovingRows {
   readonly rows: Rows;
+  /** Three floats per row: how far the puff moves in a step, metres. */
+  readonly moves: Float32Array;
+}
+
+/** All puffs at one time, and their bounding box. */
+export interface RetainedSmoke extends MovingRows {
   readonly bounds: Bounds;
 }
 
 /** Copies all puffs of an arranger to new arrays. */
 export function keep(smoke: Arranger, view: View): RetainedSmoke {
   const { rows: all, bounds } = smoke.arrange(everything(view));
-  const { count, place, attributes } = all;
-  const rows = {
+  const rows = copied(all);
+  const kept = { rows, bounds: structuredClone(bounds) };
+  return { ...kept, moves: movesOf(smoke, view, rows) };
+}
+
+/** Finds each puff at the start and at the end of the latest step. */
+function movesOf(smoke: Arranger, view: View, rows: Rows): Float32Array {
+  const end = new PuffFinder(copied(smoke.arrange({ ...everything(view), blend: 1 }).rows));
+  const start = new PuffFinder(smoke.arrange({ ...everything(view), blend: 0 }).rows);
+  const moves = new Float32Array(3 * rows.count);
+  for (let row = 0; row < rows.count; ++row) {
+    const [from, to] = [start.nearest(rows, row), end.nearest(rows, row)];
+    if (from && to) from.forEach((coordinate, axis) => (moves[3 * row + axis] = to[axis] - coordinate));
+  }
+  return moves;
+}
+
+function copied({ count, place, attributes }: Rows): Rows {
+  return {
     count,
     place: place.slice(0, PLACE_FLOATS * count),
     attributes: attributes.slice(0, ATTRIBUTE_WORDS * count),
   };
-  return { rows, bounds: structuredClone(bounds) };
+}
+
+/** Farthest movement of a puff in a step, in radii. A puff that moves farther is treated as new. */
+const FARTHEST = 4;
+
+/** Finds puffs again at another time: rows have no number, but a puff keeps its seed, variation and tint. */
+class PuffFinder {
+  private readonly rows: Rows;
+  private readonly byKind = new Map<number, number[]>();
+
+  constructor(rows: Rows) {
+    this.rows = rows;
+    for (let row = 0; row < rows.count; ++row) {
+      const kind = kindOf(rows, row);
+      const others = this.byKind.get(kind);
+      if (others) others.push(row);
+      else this.byKind.set(kind, [row]);
+    }
+  }
+
+  /** @returns the nearest place of a puff like the one of a row, or undefined if none is close enough */
+  nearest(rows: Rows, row: number): Float32Array | undefined {
+    const [x, y, z, radius] = rows.place.subarray(PLACE_FLOATS * row);
+    let [found, distance]: [Float32Array | undefined, number] = [undefined, FARTHEST * radius];
+    for (const other of this.byKind.get(kindOf(rows, row)) ?? []) {
+      const place = this.rows.place.subarray(PLACE_FLOATS * other, PLACE_FLOATS * other + 3);
+      const away = Math.hypot(place[0] - x, place[1] - y, place[2] - z);
+      if (away <= distance) [found, distance] = [place, away];
+    }
+    return found;
+  }
+}
+
+function kindOf({ attributes }: Rows, row: number): number {
+  const { seed, variation, tint } = ATTRIBUTE_BITS;
+  const [a, b, c] = [seed, variation, tint].map((bits) => readBits(attributes, row, bits));
+  return (a * 256 + b) * 256 + c;
 }
 
 /**
@@ -58,6 +117,15 @@ export class JoinedSmoke implements Arranger {
     return { rows: list.rows, bounds: boundsOfBoth(from.bounds, this.to.bounds), grid: undefined };
   }
 
+  /** All puffs of an eye's view, and their moves. */
+  moving(view: View): MovingRows {
+    const list = new RowList(false);
+    const from = keep(this.from, view);
+    list.add(from.rows, (seed) => 1 - this.swelling(seed), from.moves);
+    list.add(this.to.rows, (seed) => this.swelling(seed), this.to.moves);
+    return { rows: list.rows, moves: Float32Array.from(list.moves) };
+  }
+
   /** Scale of a puff of the second time, 0 to 1. */
   private swelling(seed: number): number {
     const begin = (1 - ONE_PUFF) * (seed / MAX_SEED);
@@ -67,6 +135,7 @@ export class JoinedSmoke implements Arranger {
 
 /** Rows merged from several lists. */
 class RowList {
+  readonly moves: number[] = [];
   private readonly place: number[] = [];
   private readonly attributes: number[] = [];
   private readonly isForLight: boolean;
@@ -85,7 +154,7 @@ class RowList {
   }
 
   /** @param scaleOf scale of a row's radius by its seed, 0 to 1 */
-  add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number): void {
+  add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number, moves?: Float32Array): void {
     for (let row = 0; row < count; ++row) {
       const scale = scaleOf(readBits(attributes, row, ATTRIBUTE_BITS.seed));
       if (scale === 0) continue;
@@ -93,6 +162,7 @@ class RowList {
       const [motion, kind] = attributes.subarray(ATTRIBUTE_WORDS * row);
       this.place.push(x, y, z, scale * radius);
       this.attributes.push(this.isForLight ? motion | NO_END : motion, kind);
+      if (moves) this.moves.push(...moves.subarray(3 * row, 3 * row + 3));
     }
   }
 }

@@ -48,7 +48,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
     { name: 'page', kB: fetched(server, own), limit: 17.5 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 200 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 203 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });

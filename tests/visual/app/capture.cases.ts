@@ -161,8 +161,10 @@ export function flipbook() {
     const settings = { format: 'flipbook', hasBackground: false, scale: 0.5, rate: 12, seconds: 0.5 } as const;
     const entries = unzipSync(await bytesOf(await captured(settings)));
     const layout: unknown = JSON.parse(new TextDecoder().decode(entries['flipbook.json']));
-    const { 'color.png': color, 'channels.png': channels, 'normals.png': normals } = entries;
-    const [colors, light, directions] = await Promise.all([color, channels, normals].map(pixelsOfBytes));
+    const { 'color.png': color, 'channels.png': channels, 'normals.png': normals, 'motion.png': motion } = entries;
+    const [colors, light, directions, vectors] = await Promise.all(
+      [color, channels, normals, motion].map(pixelsOfBytes),
+    );
     const straight = Object.values(unzipSync(await bytesOf(await captured({ ...settings, format: 'zip' }))));
     const first = await pixelsOfBytes(straight[0]);
     const cells = [0, 1, 2, 3, 4, 5].map((cell) => cropped(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
@@ -174,6 +176,7 @@ export function flipbook() {
       isFirst: differing(cells[0], await pixelsOfBytes(straight[3])) === 0,
       isStart: differing(cells[0], first) === 0,
       moves: cells.map((cell, at) => differing(cell, cells[(at + 1) % 6], 24)),
+      motion: new Set(new Uint32Array(vectors.data.buffer)).size,
       alpha: alphaDifference(colors, light) + alphaDifference(colors, directions),
       channels: [0, 2].map((channel) => new Set(light.data.filter((_, at) => at % 4 === channel)).size),
     };

@@ -62,12 +62,13 @@ test('the layer of surfaces has everything but the smoke', async ({ load }) => {
 
 test('a flipbook has its frames in rows, loops, and covers the same pixels in all atlases', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.flipbook());
-  expect(report.names).toEqual(['channels.png', 'color.png', 'flipbook.json', 'normals.png']);
+  expect(report.names).toEqual(['channels.png', 'color.png', 'flipbook.json', 'motion.png', 'normals.png']);
   expect(report.layout).toMatchObject({ columns: 3, rows: 2, frames: 6, rate: 12, frame: [80, 60], atlas: [240, 120] });
   expect(report.size).toEqual([240, 120]);
   expect([report.isFirst, report.isStart]).toEqual([true, false]);
   for (const moved of report.moves) expect(moved).toBeGreaterThan(10);
   expect(report.moves[5]).toBeLessThanOrEqual(Math.max(...report.moves.slice(0, 5)));
+  expect(report.motion).toBeGreaterThan(10);
   expect(report.alpha).toBe(0);
   for (const levels of report.channels) expect(levels).toBeGreaterThan(10);
   expect(report.isUntouched).toBe(true);

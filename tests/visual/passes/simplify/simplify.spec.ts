@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./simplify.cases.ts');
-const CASES = '/tests/visual/passes/simplify.cases.ts';
+const CASES = '/tests/visual/passes/simplify/simplify.cases.ts';
 
 /** A Gaussian of deviation s leaves less than half of a disc in its middle if the radius is below s sqrt(2 ln 2). */
 const GONE_BELOW = Math.sqrt(2 * Math.LN2);

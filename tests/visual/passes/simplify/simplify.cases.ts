@@ -1,11 +1,11 @@
 /** Smoothed light on balls: shadows with known outlines, seen along the light. */
 import { OrthographicCamera } from 'three';
-import type { PuffShape } from '../../../src/puffs/shapes.ts';
-import { parseStops } from '../../../src/smoke/palette.ts';
-import { Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
-import { random } from '../random.ts';
-import { box } from '../solids.ts';
-import { colors, differing } from './puffs.cases.ts';
+import type { PuffShape } from '../../../../src/puffs/shapes.ts';
+import { parseStops } from '../../../../src/smoke/palette.ts';
+import { Lab, type LabPicture, type LabPuff, type LabScene } from '../../lab.ts';
+import { random } from '../../random.ts';
+import { box } from '../../solids.ts';
+import { colors, differing } from '../puffs.cases.ts';
 
 const [WIDTH, HEIGHT] = [200, 160];
 const METRES_PER_PIXEL = 0.01;
