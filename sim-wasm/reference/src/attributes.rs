@@ -61,7 +61,9 @@ impl PackedAttributes {
         let z = 1.0 - (2.0 * seed + 1.0) / SEEDS;
         let (sin, cos) = (GOLDEN_ANGLE * seed).sin_cos();
         let axis = DVec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z);
-        stretching(self.stretch()) * DMat3::from_quat(self.turn()) * DMat3::from_axis_angle(axis.normalize(), self.roll())
+        stretching(self.stretch())
+            * DMat3::from_quat(self.turn())
+            * DMat3::from_axis_angle(axis.normalize(), self.roll())
     }
 
     /// The turn by the air: a quaternion without its largest component.

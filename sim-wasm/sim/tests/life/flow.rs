@@ -201,11 +201,7 @@ fn a_larger_simulator_keeps_the_turns() {
 
 #[test]
 fn a_gap_is_filled_with_the_whole_particle() {
-    let mut simulator = simulator(
-        2,
-        1,
-        &[STILL, BOTH, &[("emission.growthTime", 0.0)]],
-    );
+    let mut simulator = simulator(2, 1, &[STILL, BOTH, &[("emission.growthTime", 0.0)]]);
     let slip = [5.0, 0.0, 0.0];
     simulator.add(&Newborn {
         lifetime: 0.3,
