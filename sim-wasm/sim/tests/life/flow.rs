@@ -128,7 +128,7 @@ fn the_stretch_rises_with_the_speed_to_its_limit() {
 
 #[test]
 fn a_newborn_is_round_and_the_stretch_is_continuous() {
-    let mut simulator = thrown(&[("puff.stretch", 4.0)], 9.0);
+    let mut simulator = thrown(&[("puff.stretch", 4.0)], 2.25);
     let mut before = 1.0;
     for _ in 0..60 {
         simulator.step();
