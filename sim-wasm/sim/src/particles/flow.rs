@@ -7,8 +7,8 @@ const HELD_COLUMNS: usize = 3;
 const PAIRS: usize = 3;
 /// Steps of a stored velocity per m/s, and of an angular velocity per rad/s, up to 64.
 const STEPS: f32 = 512.0;
-/// Steps of a stored change of velocity per m/s, up to 2.
-const CHANGE_STEPS: f32 = 64.0;
+/// Steps of a stored change of velocity per m/s, up to 0.5. Coarser ones make the stretch flicker.
+const CHANGE_STEPS: f32 = 256.0;
 /// Steps of a stored component of a quaternion per unit, in 24 bits and in 16.
 const TURN_STEPS: f32 = 8_388_607.0;
 const HELD_TURN_STEPS: f32 = 32_767.0;
