@@ -80,7 +80,14 @@ void main() {
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
 
-  vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + corner * inkReach;
+  vec2 margin = corner * inkReach;
+#ifdef DEFORMED
+  // A line lies within its width along the gradient of the distance: these are the extents of its points about a lobe.
+  float squared = projection.factor * projection.factor;
+  float along = squared < 0.5 ? 0.5 * inversesqrt(1.0 - squared) : projection.factor;
+  margin *= min(vec2(1.0), along * abs(projection.along) + abs(projection.along.yx));
+#endif
+  vec2 point = mix(lowest, highest, 0.5 + 0.5 * corner) + margin;
   vec2 beside = point;
 #ifdef DEFORMED
   beside = scaled(projection, point, 1.0 / projection.factor);
