@@ -130,15 +130,16 @@ pub fn follow(
     tile.load(particles, first, len);
     winds(&mut tile);
     let angle = law.turn * STEP as f32;
-    for (block, wind) in tile.columns().flow.iter().enumerate() {
-        let wind = [wind.x.to_array(), wind.y.to_array(), wind.z.to_array()];
+    for (block, winds) in tile.columns().flow.iter().enumerate() {
+        let winds = [winds.x.to_array(), winds.y.to_array(), winds.z.to_array()];
         for lane in 0..LANES {
             let i = (first + block) * LANES + lane;
+            let wind = winds.map(|component| component[lane]);
             let mut motion = flow.get(i);
             motion.turn = turned(motion.turn, motion.spin.map(|rate| rate * angle));
             let current = velocity(particles, i);
             for axis in 0..3 {
-                let change = (current[axis] - wind[axis][lane] - motion.velocity[axis]) * SMOOTHING;
+                let change = (current[axis] - wind[axis] - motion.velocity[axis]) * SMOOTHING;
                 motion.change[axis] = change;
                 motion.velocity[axis] += change;
             }

@@ -219,7 +219,7 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         .iter()
         .for_each(|attributes| body.word(*attributes));
     let [holds, follows] = [particles.held.is_some(), particles.flow.is_some()].map(u32::from);
-    body.word(holds * HOLDS | follows * FOLLOWS);
+    body.word((holds * HOLDS) | (follows * FOLLOWS));
     for column in particles.held.iter().flat_map(|held| held.columns()) {
         write_column(body, &column[..alive]);
     }

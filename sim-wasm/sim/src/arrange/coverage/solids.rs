@@ -203,7 +203,7 @@ mod tests {
             let beside = cross(axis, [0.0, 0.6, 0.8]);
             let ahead = cross(axis, beside);
             for roll in [0u32, 4096, 20_000, 65_535] {
-                let rows = orientations.standing([roll, (seed as u32) << 8], &world);
+                let rows = orientations.standing([roll, (seed as u32) << 8, 0, 0], &world);
                 let rotated = |v: [f64; 3]| rows.map(|row| (0..3).map(|i| f64::from(row[i]) * v[i]).sum::<f64>());
                 let (sine, cosine) = (f64::from(roll) / 65_536.0 * std::f64::consts::TAU).sin_cos();
                 for (i, (along, across)) in rotated(axis).into_iter().zip(rotated(beside)).enumerate() {

@@ -113,7 +113,7 @@ mod tests {
             let variation = number % 2;
             let entry =
                 table[variation * ENTRIES + row.min(CAP_ROWS - 1) * CAP_COLUMNS + column.min(CAP_COLUMNS - 1)].max(0.1);
-            let [least, most] = caps.of([0, variation as u32], [x, y, z].map(|c| c as f32));
+            let [least, most] = caps.of([0, variation as u32, 0, 0], [x, y, z].map(|c| c as f32));
             assert!(least <= entry && entry <= most);
             single += usize::from(least == most);
         }
