@@ -15,6 +15,16 @@ export const MAX_LOBES = 12;
 export const SEEDS = 256;
 /** Angle between successive points of a Fibonacci lattice: pi (3 - sqrt 5). */
 export const GOLDEN_ANGLE = 2.399963229728653;
+/** Steps of a component of a puff's packed turn, a unit quaternion without its largest component, per unit. */
+export const QUATERNION_STEPS = 720;
+/** Greatest ratio of the axes of a stretched puff. */
+export const MAX_STRETCH = 4;
+/** Part of its distance from the centre by which a lobe of a young puff is folded, with `puff.billow` 1. */
+export const BILLOW_DEPTH = 0.6;
+/** Part of the time of unfolding, half of the lifetime, after which the last lobe starts. */
+export const BILLOW_DELAY = 0.5;
+/** Difference of the start between one lobe and the next, modulo 1: the golden ratio spreads the starts evenly. */
+export const BILLOW_STEP = 0.618034;
 /** Columns of a table of start caps: azimuth of the light about the view axis. */
 export const CAP_COLUMNS = 64;
 /** Rows of a table of start caps: angle between light and view axis. */

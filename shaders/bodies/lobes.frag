@@ -5,6 +5,7 @@ precision highp int;
 // the silhouette is ink and is deeper (McGuire and Fein 2006, section 4.1), so the depth test alone decides which lines
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
+// DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
@@ -41,6 +42,12 @@ layout(location = 2) out vec4 shading;
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
+#ifdef DEFORMED
+uniform float innerLine;
+#include ../lib/attributes.glsl
+#include ../lib/stretch.glsl
+Projection projection;
+#endif
 
 // Bodies avoid both ends of the depth range: a volume that contains the camera is clamped to exactly 0 and must be
 // nearer.
@@ -70,15 +77,57 @@ vec3 shareOf(vec4 lobe, vec3 place) {
   return outward * (nearness * nearness * inverse);
 }
 
+// A point of the image plane in view space, in radii about the centre.
+vec2 viewPoint(vec2 point) {
+#ifdef DEFORMED
+  return scaled(projection, point, 1.0 / projection.factor);
+#else
+  return point;
+#endif
+}
+
+// The height of a point in view space, and back.
+float viewHeight(float height, vec2 point) {
+#ifdef DEFORMED
+  return height / projection.depth - dot(projection.shear, viewPoint(point));
+#else
+  return height;
+#endif
+}
+
+float heightOf(float viewHeight, vec2 point) {
+#ifdef DEFORMED
+  return projection.depth * (viewHeight + dot(projection.shear, viewPoint(point)));
+#else
+  return viewHeight;
+#endif
+}
+
+// The direction in view space in which the distance from a lobe grows by `outward`, and how fast it does.
+vec2 viewGradient(vec2 outward) {
+#ifdef DEFORMED
+  return scaled(projection, outward, projection.factor);
+#else
+  return outward;
+#endif
+}
+
 // The centre in view space. The whole puff is lit as at its centre, because the start cap of its shadow volume depends
 // on one direction.
 vec3 centreOf(vec2 point) {
   vec2 beside = viewPointOf(gl_FragCoord.xy, clipFromView, viewport, depthsAndRamp.x);
-  return vec3(beside - depthsAndRamp.y * point, depthsAndRamp.x);
+  return vec3(beside - depthsAndRamp.y * viewPoint(point), depthsAndRamp.x);
 }
 
 void main() {
   vec2 point = pointAndGradient.xy;
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(uint(depthsAndRamp.z));
+  projection = projectionOf(vec4(mat3(viewFromWorld) * stretch.xyz, stretch.w));
+  float lineDrop = innerLine * depthsAndRamp.y;
+#else
+  float lineDrop = depthsAndRamp.z;
+#endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
   float height = NOWHERE;
   #pragma unroll_loop_start
@@ -89,7 +138,7 @@ void main() {
 
   float radius = depthsAndRamp.y;
   float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
-  vec2 outward = normalize(point - middleAndInkReach.xy);
+  vec2 outward = normalize(viewPoint(point - middleAndInkReach.xy));
   float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
   reach *= boiling(outward, pointAndGradient.w, boil);
   float linePixels = reach * radius / pixel;
@@ -97,7 +146,7 @@ void main() {
 #ifdef FLAT
   float surface = NOWHERE;
 #else
-  float surface = (surfaceZ(clipFromView) - depthsAndRamp.x) / radius;
+  float surface = heightOf((surfaceZ(clipFromView) - depthsAndRamp.x) / radius, point);
 #endif
   bool isRing = height <= max(NOWHERE, surface);
 #ifdef FLAT
@@ -110,6 +159,9 @@ void main() {
       line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
     }
     #pragma unroll_loop_end
+#ifdef DEFORMED
+    line.w /= length(viewGradient(normalize(point - line.xy)));
+#endif
     if (line.w > reach) discard;
     height = line.z;
   }
@@ -122,15 +174,22 @@ void main() {
   }
   #pragma unroll_loop_end
   normal = normalize(normal);
+  vec3 viewNormal = normal;
+#ifdef DEFORMED
+  viewNormal = normalize(stretchedNormal(projection, normal));
+#endif
 
-  float viewZ = depthsAndRamp.x + height * radius;
+  float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
 #ifdef FLAT
   bool isInk = isRing;
 #else
-  bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
+  bool isInk = isRing || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
 #endif
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
+#ifdef DEFORMED
+  normal = stretchedNormal(projection, normal);
+#endif
 
   vec3 gradient = mix(gradientFactor, vec3(1.0), gradientAt(pointAndGradient.z, viewZ));
   Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, vec4(rimColor, rim));
@@ -147,9 +206,9 @@ void main() {
 
 #ifndef FLAT
   float outside = line.w * radius;
-  vec2 inward = normalize(line.xy - point) * (outside / pixel + 0.5);
+  vec2 inward = normalize(viewGradient(line.xy - point)) * (outside / pixel + 0.5);
   float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - depthsAndRamp.z * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
+    ? ringDepth(clipFromView, viewZ, viewZ - lineDrop * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
     : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif

@@ -16,6 +16,9 @@ flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
 flat in vec3 discs[LOBES];
+#ifdef DEFORMED
+flat in float squeeze;
+#endif
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
@@ -40,6 +43,10 @@ void aim(out vec3 origin, out vec3 ray) {
   bool perspective = clipFromView[2][3] != 0.0;
   origin = perspective ? eyeAndGrowth.xyz : eyeAndGrowth.xyz + aside;
   ray = perspective ? aside - back : -back;
+#ifdef DEFORMED
+  origin.y *= squeeze;
+  ray.y *= squeeze;
+#endif
   // A view ray parallel to the light has no direction across it; any direction will do.
   if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
 }

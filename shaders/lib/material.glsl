@@ -1,5 +1,5 @@
 // Ramp index of a puff, see src/device/ramps.ts: by its tint, else by its age and temperature. Needs attributes.glsl.
-float materialOf(uvec2 attributes, sampler2D ramps) {
+float materialOf(uvec4 attributes, sampler2D ramps) {
   int tone = toneOf(attributes);
   if (tone > 0) return float(tone);
   int bands = textureSize(ramps, 0).y - 1;

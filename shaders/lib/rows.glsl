@@ -1,13 +1,12 @@
 // Rows of the simulator: src/device/drawnRows.ts. Call readRow or fetchRow first.
 uniform highp sampler2D rowPlaces;
-// Two rows in a texel.
 uniform highp usampler2D rowAttributes;
 uniform int rowVertices;
 
 // World position and radius.
 vec4 place;
 // See attributes.glsl.
-uvec2 attributes;
+uvec4 attributes;
 // Corner of the quad, components -1 or 1.
 vec2 corner;
 
@@ -15,8 +14,7 @@ void fetchRow(int row) {
   int perLine = textureSize(rowPlaces, 0).x;
   ivec2 texel = ivec2(row % perLine, row / perLine);
   place = texelFetch(rowPlaces, texel, 0);
-  uvec4 pair = texelFetch(rowAttributes, ivec2(texel.x / 2, texel.y), 0);
-  attributes = texel.x % 2 == 0 ? pair.xy : pair.zw;
+  attributes = texelFetch(rowAttributes, texel, 0);
 }
 
 void findCorner() {

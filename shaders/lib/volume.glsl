@@ -27,6 +27,10 @@ flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
 flat out vec3 discs[LOBES];
+#ifdef DEFORMED
+// Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
+flat out float squeeze;
+#endif
 
 #include attributes.glsl
 #include orientation.glsl
@@ -40,7 +44,7 @@ const float CAP_SLACK = 0.02;
 const float NEAREST = 1.2;
 
 // The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
-mat3 viewFromPuffOf(uvec2 attributes) {
+mat3 viewFromPuffOf(uvec4 attributes) {
   if (!facesEye) return mat3(viewFromWorld) * worldFromPuff(attributes);
   vec2 rotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
   return mat3(vec3(rotation.x, rotation.y, 0.0), vec3(-rotation.y, rotation.x, 0.0), vec3(0.0, 0.0, 1.0));
@@ -57,19 +61,37 @@ float shearOf(vec3 travel, vec3 centre) {
   vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
   // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
   // the view axis is at most 1/2.
+#ifdef DEFORMED
+  float tallest = reach;
+#else
+  const float tallest = 1.0;
+#endif
   float slope = -dot(travel.xy, ray);
-  float straight = max(slope, -depth * slope);
+  float straight = max(tallest * slope, -depth * slope);
   if (facesEye) return grown * straight;
-  float aside = 0.5 * length(travel.xy) * grown * place.w / -centre.z;
+  float aside = 0.5 * tallest * tallest * length(travel.xy) * grown * place.w / -centre.z;
   return grown * (straight + aside);
 }
 
+#ifdef DEFORMED
+// Distance from the centre to the farthest lit point for a ramp without light below N . L = 0, in radii along the light's
+// travel; the form of deformed puffs is not baked.
+float farthest;
+// Width across the stretch; depth of the lit part of a lobe behind its centre, in its radii; factor on the second axis of the
+// frame, which makes the discs of lobes circles.
+vec3 widthTiltFactor;
+#endif
+
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
+#ifdef DEFORMED
+  float cap = farthest;
+#else
   vec3 towards = -travel * viewFromPuff;
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
+#endif
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
   return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
 }
@@ -83,23 +105,48 @@ float exitOf(float ball, float growth) {
   return way > ball ? min(exit, farthestCorner(lightInWorld.xyz, receiversMin, receiversMax) - way) : 0.0;
 }
 
+vec4 lobeOf(int index, int variation) {
+  vec4 lobe = texelFetch(casterTable, ivec2(index, variation), 0);
+#ifdef DEFORMED
+  lobe.xyz *= unfolded(index, casterAgeOf(attributes));
+#endif
+  return lobe;
+}
+
 // The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
 vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
+#ifdef DEFORMED
+  lobe.w *= widthTiltFactor.x;
+  farthest = max(farthest, seen.z + lobe.w * widthTiltFactor.y);
+  seen.y *= widthTiltFactor.z;
+#endif
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
   float slope = radius * growth;
   return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
 }
 
+// Distance from the centre to the far side of a disc.
+float farSide(vec3 disc) {
+#ifdef DEFORMED
+  return length(vec2(disc.x, disc.y / widthTiltFactor.z)) + sqrt(disc.z) / widthTiltFactor.z;
+#else
+  return length(disc.xy) + sqrt(disc.z);
+#endif
+}
+
 // Computes the discs. Returns the radius of the circle about the centre that contains them.
 float spreadDiscs(mat3 frameFromPuff, float growth) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float widest = 0.0;
+#ifdef DEFORMED
+  farthest = 0.0;
+#endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    discs[ i ] = discOf(texelFetch(casterTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0), frameFromPuff, growth);
-    widest = max(widest, length(discs[ i ].xy) + sqrt(discs[ i ].z));
+    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, farSide(discs[ i ]));
   }
   #pragma unroll_loop_end
   return widest;
@@ -119,12 +166,26 @@ bool writeVolume(out Ends ends) {
   vec3 aside = normalize(abs(axis.x) < 0.7 ? vec3(0.0, -axis.z, axis.y) : vec3(axis.z, 0.0, -axis.x));
   mat3 frameFromView = transpose(mat3(aside, cross(axis, aside), axis));
 
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  stretch.xyz = frameFromView * mat3(viewFromWorld) * stretch.xyz;
+  Projection projection = projectionOf(stretch);
+  vec2 along = projection.along;
+  frameFromView = mat3(vec3(along.y, along.x, 0.0), vec3(-along.x, along.y, 0.0), vec3(0.0, 0.0, 1.0)) * frameFromView;
+  float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
+  float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
+  widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
+#endif
+
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
   float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
   if (extent <= 0.0) return false;
+#ifdef DEFORMED
+  squeeze = widthTiltFactor.z;
+#endif
   vec3 start = centre + cap * place.w * axis;
   float scale = 1.0 + growth * cap;
   rightAndLength = vec4(frameFromView[0] / place.w, extent);

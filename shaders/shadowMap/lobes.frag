@@ -5,6 +5,9 @@ uniform mat4 clipFromView;
 uniform vec2 viewport;
 
 flat in vec4 lobes[LOBES];
+#ifdef DEFORMED
+flat in mat3 unstretching;
+#endif
 
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
@@ -28,14 +31,23 @@ void main() {
   vec3 seen = vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, -1.0), -1.0);
   vec3 origin = isLamp ? vec3(0.0) : seen;
   vec3 way = isLamp ? normalize(seen) : vec3(0.0, 0.0, -1.0);
+  float wayZ = way.z;
+  vec3 start = origin;
+#ifdef DEFORMED
+  start = unstretching * origin;
+  way = unstretching * way;
+  float pace = length(way);
+  way /= pace;
+  wayZ /= pace;
+#endif
   float nearest = NOWHERE;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    nearest = min(nearest, meet(origin, way, lobes[ i ]));
+    nearest = min(nearest, meet(start, way, lobes[ i ]));
   }
   #pragma unroll_loop_end
   if (nearest == NOWHERE) discard;
   unlit = vec4(0.0);
   lit = vec4(0.0);
-  gl_FragDepth = windowDepth(clipFromView, origin.z + nearest * way.z);
+  gl_FragDepth = windowDepth(clipFromView, origin.z + nearest * wayZ);
 }

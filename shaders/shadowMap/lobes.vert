@@ -10,6 +10,10 @@ uniform float reach;
 uniform sampler2D lobeTable;
 
 flat out vec4 lobes[LOBES];
+#ifdef DEFORMED
+// From view space to the space of the lobes, where they are balls.
+flat out mat3 unstretching;
+#endif
 
 #include ../lib/rows.glsl
 #include ../lib/attributes.glsl
@@ -19,11 +23,24 @@ void main() {
   readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   mat3 viewFromPuff = place.w * mat3(viewFromWorld) * worldFromPuff(attributes);
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  vec3 axis = mat3(viewFromWorld) * stretch.xyz;
+  vec3 along = (1.0 / stretch.w - 1.0) * axis;
+  unstretching = mat3(1.0) + mat3(along * axis.x, along * axis.y, along * axis.z);
+  float across = acrossOf(stretch.w);
+#endif
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     lobes[ i ] = texelFetch(lobeTable, ivec2(UNROLLED_LOOP_INDEX, variation), 0);
+#ifdef DEFORMED
+    lobes[ i ].xyz *= unfolded(UNROLLED_LOOP_INDEX, casterAgeOf(attributes));
+#endif
     lobes[ i ] = vec4(centre + viewFromPuff * lobes[ i ].xyz, place.w * lobes[ i ].w);
+#ifdef DEFORMED
+    lobes[ i ] = vec4(unstretching * lobes[ i ].xyz, across * lobes[ i ].w);
+#endif
   }
   #pragma unroll_loop_end
 

@@ -36,6 +36,9 @@ bool boundReceivers(ivec2 tile, vec2 depths, out vec3 low, out vec3 high) {
     vec2 pixel = vec2(DEPTH_TILE * (tile + ivec2(i & 1, (i >> 1) & 1)));
     vec2 point = viewPointOf(pixel, clipFromView, viewport, z);
     vec3 seen = eyeAndGrowth.xyz + point.x * rightAndLength.xyz + point.y * upAndScale.xyz + z * back;
+#ifdef DEFORMED
+    seen.y *= squeeze;
+#endif
     float scale = upAndScale.w + eyeAndGrowth.w * seen.z;
     if (scale <= 0.0) return false;
     seen.xy /= scale;

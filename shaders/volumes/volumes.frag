@@ -14,6 +14,9 @@ flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
 flat in vec3 discs[LOBES];
+#ifdef DEFORMED
+flat in float squeeze;
+#endif
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
@@ -30,6 +33,9 @@ void main() {
   // The receiver in the frame of the volume, and its projection from the light onto the plane of the discs.
   vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
   vec3 place = eyeAndGrowth.xyz + receiver.x * rightAndLength.xyz + receiver.y * upAndScale.xyz + receiver.z * back;
+#ifdef DEFORMED
+  place.y *= squeeze;
+#endif
   vec2 point = place.xy / (upAndScale.w + eyeAndGrowth.w * place.z);
   float inside = 0.0;
   #pragma unroll_loop_start

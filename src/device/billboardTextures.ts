@@ -21,6 +21,7 @@ export class BillboardTextures implements FormTextures {
   readonly colorCoverage: DataArrayTexture;
   readonly startCaps: DataArrayTexture;
   readonly latestCap: number;
+  readonly spread = 1;
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
   readonly capRange: readonly [number, number];

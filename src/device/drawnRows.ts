@@ -13,14 +13,12 @@ import {
 } from 'three';
 import { DrawnMesh } from './drawnMesh.ts';
 
-/** Rows in a row of texels. Even, because a texel holds the attributes of two rows. */
+/** Rows in a row of texels. */
 export const ROWS_PER_LINE = 1024;
-/** Components of a texel. */
-const TEXEL = 4;
 /** Floats of a row's place, a texel. */
 export const PLACE_FLOATS = 4;
 /** Packed words per row; see shaders/lib/attributes.glsl. */
-export const ATTRIBUTE_WORDS = 2;
+export const ATTRIBUTE_WORDS = 4;
 /** Steps per radius of the shadow end, which is in the upper 16 bits of a caster's word 0. */
 export const END_STEPS = 256;
 
@@ -47,7 +45,7 @@ export const ONE_QUAD: RowLayout = { vertices: 4, index: [0, 1, 2, 0, 2, 3] };
 export const TWO_QUADS: RowLayout = { vertices: 8, index: [...ONE_QUAD.index, 4, 6, 5, 4, 7, 6] };
 
 /**
- * Rows of the simulator in two textures: `place` (world x, y, z, radius) and `attributes` (two packed words), 24 bytes per
+ * Rows of the simulator in two textures: `place` (world x, y, z, radius) and `attributes` (four packed words), 32 bytes per
  * row. The arrays are allocated in JavaScript, because growing WASM memory detaches views on it.
  */
 export class RowTextures {
@@ -64,7 +62,7 @@ export class RowTextures {
     this.places = new DataTexture(new Float32Array(PLACE_FLOATS * rows), ROWS_PER_LINE, lines, RGBAFormat, FloatType);
     this.attributes = new DataTexture(
       new Uint32Array(ATTRIBUTE_WORDS * rows),
-      (ROWS_PER_LINE * ATTRIBUTE_WORDS) / TEXEL,
+      ROWS_PER_LINE,
       lines,
       RGBAIntegerFormat,
       UnsignedIntType,
@@ -101,8 +99,8 @@ export function markPrefix(texture: DataTexture, components: number, rows: numbe
   texture.clearUpdateRanges();
   for (let row = 0; row < rows; row += ROWS_PER_LINE) {
     const length = components * Math.min(ROWS_PER_LINE, rows - row);
-    // three.js uploads whole texels, and one line of the texture for each range.
-    texture.addUpdateRange(components * row, TEXEL * Math.ceil(length / TEXEL));
+    // three.js uploads one line of the texture for each range.
+    texture.addUpdateRange(components * row, length);
   }
   texture.needsUpdate = true;
 }

@@ -8,6 +8,8 @@ import type { PuffLayers } from '../puffs/billboards/layers.ts';
 export interface PuffExtents {
   /** Radius of the bounding sphere of all puffs. */
   readonly reach: number;
+  /** Greatest factor by which lobes are farther from the centre than in the baked shape. */
+  readonly spread: number;
   /** Largest distance behind the centre plane at which a part of a puff is visible. */
   readonly depth: number;
   /** Least and greatest distance behind the centre at which shadow volumes start, from the baked table. */

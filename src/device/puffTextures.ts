@@ -44,6 +44,7 @@ export class PuffLibrary {
 export class PuffTextures {
   private readonly library: PuffLibrary;
   private puffs: BakedPuffs;
+  private deformedBy: number | undefined;
   private lobeTextures: LobeTextures | undefined;
   private billboardTextures: BillboardTextures | undefined;
 
@@ -62,8 +63,19 @@ export class PuffTextures {
     return this.billboardTextures;
   }
 
+  /** Whether lobe puffs turn or stretch with the air, or unfold. */
+  get isDeformed(): boolean {
+    return this.deformedBy !== undefined;
+  }
+
+  /** @param ratio greatest ratio of the axes of lobe puffs; undefined if they have their baked shapes */
+  deform(ratio: number | undefined): void {
+    this.deformedBy = ratio;
+  }
+
   of(form: PuffForm): FormTextures {
-    return form === 'lobes' ? this.lobes : this.billboards;
+    if (form === 'billboards') return this.billboards;
+    return this.deformedBy === undefined ? this.lobes : deformed(this.lobes, this.deformedBy);
   }
 
   /** Replaces the puffs. Passes have to call `of` again. */
@@ -78,6 +90,33 @@ export class PuffTextures {
     if (this.billboardTextures) this.library.billboards.release(this.puffs.billboards);
     this.lobeTextures = this.billboardTextures = undefined;
   }
+}
+
+/** Factor on the distance of a lobe along the axis of a stretch, by the ratio of the axes. */
+export function spreadOf(ratio: number): number {
+  return Math.sqrt(ratio);
+}
+
+/**
+ * Lobe puffs that are up to the root of a ratio longer than in the baked shape. Their shadow volumes start behind the
+ * farthest lit point of their lobes, instead of where the table says.
+ */
+function deformed(lobes: FormTextures, ratio: number): FormTextures {
+  const { startCaps, casterTable, casterLobes, capTable, solids } = lobes;
+  const spread = spreadOf(ratio);
+  const reach = spread * lobes.reach;
+  return {
+    startCaps,
+    casterTable,
+    casterLobes,
+    capTable,
+    reach,
+    spread,
+    depth: spread * lobes.depth,
+    capRange: [0, reach],
+    latestCap: 0,
+    solids: { ...solids, tolerance: 2 * spread * solids.tolerance },
+  };
 }
 
 /** The lobes of all puffs as a texture, with a row for each variation. */
@@ -101,6 +140,10 @@ class LobeTextures implements FormTextures {
 
   get latestCap(): number {
     return this.puffs.latestCap;
+  }
+
+  get spread(): number {
+    return 1;
   }
 
   get casterTable(): DataTexture {

@@ -16,7 +16,7 @@ export interface FaceCount {
 
 /** A material that only counts in the stencil: double-sided, depth-tested, without colour and depth writes. */
 export function countingMaterial(
-  shaders: Pick<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'>,
+  shaders: Pick<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms' | 'defines'>,
 ): RawShaderMaterial {
   return new RawShaderMaterial({
     ...shaders,

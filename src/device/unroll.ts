@@ -5,3 +5,6 @@
 export function withLobes(shader: string, lobes: number): string {
   return shader.replaceAll(/\bLOBES\b/g, String(lobes));
 }
+
+/** Defines of programs whose puffs turn, stretch or unfold; see shaders/lib/orientation.glsl. */
+export const DEFORMED = { DEFORMED: '' };

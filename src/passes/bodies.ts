@@ -15,17 +15,27 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { withLobes } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
+/** What changes the code of bodies. */
+export interface BodyKind {
+  /** Whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write. */
+  isFlat: boolean;
+  /** Whether puffs also write the shading of `Targets`. */
+  isShaded: boolean;
+  /** Whether lobe puffs turn or stretch with the air, or unfold. */
+  isDeformed: boolean;
+}
+
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
 export class BodiesPass {
   private readonly rows: DrawnRows;
   /**
-   * Materials by lobe count and by whether they write the shading, because the shaders unroll the loop over the lobes.
+   * Materials by lobe count and by what else changes their code, because the shaders unroll the loop over the lobes.
    * Billboards count as 0 lobes.
    */
   private readonly materials = new Map<string, RawShaderMaterial>();
@@ -133,7 +143,7 @@ export class BodiesPass {
     this.puffUniforms.lobeTable.value = lobeTable;
     this.puffUniforms.fillet.value = puffs.fillet;
     this.puffUniforms.blend.value = puffs.blend;
-    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.isFlat, this.isShaded));
+    return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.kind));
   }
 
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
@@ -142,7 +152,11 @@ export class BodiesPass {
     this.puffUniforms.colorCoverage.value = colorCoverage;
     this.puffUniforms.pad.value = layers.pad;
     this.puffUniforms.distanceRange.value = layers.distanceRange;
-    return this.materialOf(0, { ...shaders, defines: definesOf(this.isFlat, this.isShaded) });
+    return this.materialOf(0, { ...shaders, defines: definesOf(this.kind) });
+  }
+
+  private get kind(): BodyKind {
+    return { isFlat: this.isFlat, isShaded: this.isShaded, isDeformed: this.puffs.isDeformed };
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -154,7 +168,7 @@ export class BodiesPass {
         uniforms: common,
         ...(isFlat ? { side: DoubleSide } : {}),
       });
-    const key = `${lobes} ${this.isShaded}`;
+    const key = [lobes, ...Object.keys(shaders.defines ?? {})].join(' ');
     const material = this.materials.get(key) ?? made();
     this.materials.set(key, material);
     return material;
@@ -162,14 +176,14 @@ export class BodiesPass {
 }
 
 /** The shaders of puffs with a number of lobes, with their loops unrolled. */
-export function lobeBodyShaders(lobes: number, isFlat: boolean, isShaded: boolean): Shaders {
+export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   return {
     vertexShader: withLobes(lobesVertexShader, lobes),
     fragmentShader: withLobes(lobesFragmentShader, lobes),
-    defines: definesOf(isFlat, isShaded),
+    defines: definesOf(kind),
   };
 }
 
-function definesOf(isFlat: boolean, isShaded: boolean): Shaders['defines'] {
-  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }) };
+function definesOf({ isFlat, isShaded, isDeformed }: BodyKind): Shaders['defines'] {
+  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }), ...(isDeformed && DEFORMED) };
 }

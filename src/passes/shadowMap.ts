@@ -24,7 +24,7 @@ import { pictureTarget } from '../device/pictureTarget.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import { withLobes } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
 import { SurfaceTransforms } from './surfaceTransforms.ts';
 import type { SurfaceDescription } from './surface.ts';
@@ -195,7 +195,7 @@ class LobeDepths {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   private readonly rows: DrawnRows;
-  /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
+  /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
 
   constructor(lightEye: FrameView, puffs: PuffTextures) {
@@ -219,16 +219,19 @@ class LobeDepths {
 
   /** Binds the current puff textures and returns the material for their lobe count. */
   private material(): RawShaderMaterial {
-    const { lobeTable, reach, puffs } = this.puffs.lobes;
-    this.uniforms.lobeTable.value = lobeTable;
+    const { casterTable, casterLobes, reach } = this.puffs.of('lobes');
+    const { isDeformed } = this.puffs;
+    this.uniforms.lobeTable.value = casterTable;
     this.uniforms.reach.value = reach;
-    const material = this.materials.get(puffs.lobeCount) ?? this.makeMaterial(puffs.lobeCount);
-    this.materials.set(puffs.lobeCount, material);
+    const key = isDeformed ? -casterLobes : casterLobes;
+    const material = this.materials.get(key) ?? this.makeMaterial(casterLobes, isDeformed);
+    this.materials.set(key, material);
     return material;
   }
 
-  private makeMaterial(lobes: number): RawShaderMaterial {
+  private makeMaterial(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return new RawShaderMaterial({
+      defines: isDeformed ? DEFORMED : {},
       glslVersion: GLSL3,
       vertexShader: withLobes(lobesVertexShader, lobes),
       fragmentShader: withLobes(lobesFragmentShader, lobes),

@@ -16,7 +16,7 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { withLobes } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 
 /** Distance behind a puff's centre, in radii, beyond which the puff has no points, relief included. */
 const BEHIND_THE_PUFF = 1.2;
@@ -27,7 +27,7 @@ const DISC_REACH = 1.15;
 export abstract class ParticleVolumes {
   protected readonly uniforms: Record<string, IUniform>;
   private readonly puffs: PuffTextures;
-  /** Materials by lobe count, because the shaders unroll the loop over the lobes. */
+  /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
   private readonly materials = new Map<number, RawShaderMaterial>();
   protected readonly form = {
     minCap: { value: 0 },
@@ -73,20 +73,22 @@ export abstract class ParticleVolumes {
 
   protected abstract readonly quads: DrawnRows;
 
-  protected abstract materialWith(lobes: number): RawShaderMaterial;
+  protected abstract materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial;
 
   /** Binds the textures of a puff form and returns the material for its lobe count. */
   protected materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
-    const { startCaps, latestCap, casterTable, casterLobes, reach, depth } = this.puffs.of(form);
+    const { startCaps, latestCap, casterTable, casterLobes, reach, depth, spread } = this.puffs.of(form);
+    const { isDeformed } = this.puffs;
     const uniforms = this.form;
-    uniforms.minCap.value = minCapOf(litThreshold, latestCap);
+    uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);
     uniforms.facesEye.value = form === 'billboards';
     uniforms.startCaps.value = startCaps;
     uniforms.casterTable.value = casterTable;
     uniforms.reach.value = reach;
     uniforms.depth.value = depth;
-    const material = this.materials.get(casterLobes) ?? this.materialWith(casterLobes);
-    this.materials.set(casterLobes, material);
+    const key = isDeformed ? -casterLobes : casterLobes;
+    const material = this.materials.get(key) ?? this.materialWith(casterLobes, isDeformed);
+    this.materials.set(key, material);
     return material;
   }
 }
@@ -117,13 +119,13 @@ export class VolumesPass extends ParticleVolumes {
     this.quads.draw(renderer, rows);
   }
 
-  protected shadersWith(lobes: number): Shaders {
-    return volumeShaders(lobes);
+  protected shadersWith(lobes: number, isDeformed: boolean): Shaders {
+    return volumeShaders(lobes, isDeformed);
   }
 
-  protected materialWith(lobes: number): RawShaderMaterial {
+  protected materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return new RawShaderMaterial({
-      ...this.shadersWith(lobes),
+      ...this.shadersWith(lobes, isDeformed),
       uniforms: this.uniforms,
       glslVersion: GLSL3,
       side: DoubleSide,
@@ -137,8 +139,12 @@ export class VolumesPass extends ParticleVolumes {
 }
 
 /** The shaders of volumes of puffs with a number of lobes, with their loops unrolled. */
-export function volumeShaders(lobes: number): Shaders {
-  return { vertexShader: withLobes(vertexShader, lobes), fragmentShader: withLobes(fragmentShader, lobes) };
+export function volumeShaders(lobes: number, isDeformed: boolean): Shaders {
+  return {
+    vertexShader: withLobes(vertexShader, lobes),
+    fragmentShader: withLobes(fragmentShader, lobes),
+    defines: isDeformed ? DEFORMED : {},
+  };
 }
 
 /**

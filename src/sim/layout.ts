@@ -36,7 +36,7 @@ export const LIFTERS_LIMIT = 8;
 export const PLACE_FLOATS = 4;
 
 /** Words (uint32) of a row's packed attributes. */
-export const ATTRIBUTE_WORDS = 2;
+export const ATTRIBUTE_WORDS = 4;
 
 /** Place of each field in the packed attributes of a row, and its maximum; see arrange/row_layout.rs. */
 export const ATTRIBUTE_BITS = {
@@ -47,6 +47,14 @@ export const ATTRIBUTE_BITS = {
   seed: { word: 1, shift: 8, max: 0xff },
   temperature: { word: 1, shift: 16, max: 0xff },
   tint: { word: 1, shift: 24, max: 0xff },
+  casterAge: { word: 1, shift: 16, max: 0xffff },
+  quaternionX: { word: 2, shift: 0, max: 0x3ff },
+  quaternionY: { word: 2, shift: 10, max: 0x3ff },
+  quaternionZ: { word: 2, shift: 20, max: 0x3ff },
+  quaternionLargest: { word: 2, shift: 30, max: 0x3 },
+  stretchU: { word: 3, shift: 0, max: 0xff },
+  stretchV: { word: 3, shift: 8, max: 0xff },
+  stretch: { word: 3, shift: 16, max: 0xff },
 } as const;
 
 /** Temperature for the maximum of `temperature`. */

@@ -73,7 +73,10 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   bodies.fill(seen.rows);
   // Copied, because the next call of arrange replaces it.
   const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
-  const receivers = sources.boxes.reduce((all, box) => all.union(box), smokeBox(eye, seen.bounds));
+  const receivers = sources.boxes.reduce(
+    (all, box) => all.union(box),
+    smokeBox(eye, sources.extents.spread, seen.bounds),
+  );
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
   if (throwsShadow) {

@@ -7,7 +7,9 @@ import type { Device } from '../device/device.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
+import { isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
+import { styleOf } from './style.ts';
 
 /**
  * Computes everything that passes derive from surfaces, in steps of one mesh or one pair of meshes. Results are
@@ -41,11 +43,11 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
-  device.programs.compile(
-    device.renderer,
-    lobeBodyShaders(lobes, !device.writesDepth, (values['style.simplify'] as number) > 0),
-  );
-  device.programs.compile(device.renderer, volumeShaders(lobes));
+  const style = styleOf(values);
+  const { isDeformed } = style;
+  const kind = { isFlat: !device.writesDepth, isShaded: isSimplified(style), isDeformed };
+  device.programs.compile(device.renderer, lobeBodyShaders(lobes, kind));
+  device.programs.compile(device.renderer, volumeShaders(lobes, isDeformed));
   await device.programs.finished(device.renderer);
 }
 

@@ -171,6 +171,7 @@ export class SmokeRenderer {
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
+    this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     volumes.follow(style.form, litThresholdOf(style));

@@ -64,6 +64,12 @@ type Combined =
  */
 export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
   form: PuffForm;
+  /** Greatest ratio of the axes of a puff, 1 for puffs that do not stretch. */
+  stretch: number;
+  /** Part by which the lobes of young puffs are folded, 0..1. */
+  billow: number;
+  /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
+  isDeformed: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
@@ -95,6 +101,7 @@ export function styleOf(values: Values): Style {
   return {
     ...same,
     form: values['puff.form'] as PuffForm,
+    ...deformationOf(values),
     gradientHeights: [gradientBottom, gradientTop],
     stops: ramp,
     isBlended: rampBlend,
@@ -104,6 +111,13 @@ export function styleOf(values: Values): Style {
     backdropColors: backdrop,
     wash: { share: wash, color: washColor },
   };
+}
+
+/** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
+function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
+  const [rotation, stretch, billow] = ['turn', 'stretch', 'billow'].map((name) => values[`puff.${name}`] as number);
+  const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
+  return { stretch, billow, isDeformed };
 }
 
 function nameOf({ key }: Parameter): string {

@@ -107,9 +107,10 @@ function liftersOf(boxes: readonly Box3[]): number[][] {
  * The box of all smoke that can receive a shadow. The relief of a nailboard moves fragments along the view ray, and so
  * sideways. Outside the box, a volume could end in front of a fragment although it has occluded, and so culled, a
  * volume that does not.
+ * @param spread see {@link PuffExtents}
  */
-export function smokeBox({ steepestSlope }: FrameView, { min, max, greatestRadius }: Bounds): Box3 {
-  const shear = steepestSlope * (1 + WIDEST_RING) + WIDEST_RING;
+export function smokeBox({ steepestSlope }: FrameView, spread: number, { min, max, greatestRadius }: Bounds): Box3 {
+  const shear = steepestSlope * (spread + WIDEST_RING) + WIDEST_RING + spread - 1;
   return new Box3(new Vector3(...min), new Vector3(...max)).expandByScalar(shear * greatestRadius);
 }
 

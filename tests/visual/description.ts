@@ -6,7 +6,8 @@ import type { TriangleMesh } from '../../src/passes/extrusion.ts';
 import { fromHalf } from '../../src/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/sim/rows.ts';
 import type { View } from '../../src/sim/view.ts';
-import type { PuffForm } from '../../src/device/puffTextures.ts';
+import { ATTRIBUTE_WORDS } from '../../src/sim/layout.ts';
+import { spreadOf } from '../../src/device/puffTextures.ts';
 import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
 import { DRAWINGS_PER_SECOND } from '../../src/smoke/frame.ts';
@@ -48,7 +49,7 @@ export function describe(shown: Shown): string {
     bodies: rows('eye'),
     casters: rows('light'),
     style: styleAsObject(style, input),
-    puffs: puffsAsObject(style.form),
+    puffs: puffsAsObject(style),
     surfaces: seen.map((surface, index) => surfaceAsObject(surface, index, { ...shown, surfaces: seen })),
     shadows: style.shadows,
   });
@@ -70,7 +71,7 @@ function rowsAsObjects({ count, place, attributes }: Rows): object[] {
   return Array.from({ length: count }, (_, row) => ({
     place: [...place.subarray(4 * row, 4 * row + 3)],
     radius: place[4 * row + 3],
-    attributes: [...attributes.subarray(2 * row, 2 * row + 2)],
+    attributes: [...attributes.subarray(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1))],
   }));
 }
 
@@ -93,14 +94,18 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     rim: style.shading ? style.rim : 0,
     volumes: style.volumes,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
-    minCap: minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
+    minCap: style.isDeformed
+      ? spreadOf(style.stretch) * minCapOf(litThresholdOf(style), 0)
+      : minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
   };
 }
 
-function puffsAsObject(form: PuffForm): object {
+function puffsAsObject({ form, isDeformed, billow, stretch }: Style): object {
   const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
   const { width, height, values } = startCaps;
-  return { ...puffs, startCaps: { width, height, values: [...values] } };
+  const depth = (isDeformed ? spreadOf(stretch) : 1) * puffs.depth;
+  const tallest = isDeformed ? spreadOf(stretch) * bakedPuffs().lobes.reach : 1;
+  return { ...puffs, depth, tallest, isDeformed, billow, startCaps: { width, height, values: [...values] } };
 }
 
 function lobePuffs() {

@@ -52,7 +52,12 @@ export interface LabPuff {
   age?: number;
   /** 0 to 4. */
   temperature?: number;
+  /** Packed fields of its turn and its stretch. */
+  deformation?: Partial<Record<Deformation, number>>;
 }
+
+type Deformation =
+  'quaternionX' | 'quaternionY' | 'quaternionZ' | 'quaternionLargest' | 'stretchU' | 'stretchV' | 'stretch';
 
 export interface LabScene {
   width: number;
@@ -138,7 +143,8 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
   puffs.forEach((puff, index) => {
     const rotation = (puff.roll ?? 0) / (2 * Math.PI);
     place.set([...puff.place, puff.radius], PLACE_FLOATS * index);
-    const fields: Record<Exclude<keyof typeof ATTRIBUTE_BITS, 'end'>, number> = {
+    const fields: Partial<Record<keyof typeof ATTRIBUTE_BITS, number>> = {
+      ...puff.deformation,
       roll: Math.round((rotation - Math.floor(rotation)) * (ATTRIBUTE_BITS.roll.max + 1)),
       age: Math.round((puff.age ?? 0) * ATTRIBUTE_BITS.age.max),
       variation: puff.variation ?? 0,
@@ -147,7 +153,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       tint: puff.tint ?? 0,
     };
     for (const [name, value] of Object.entries(fields)) {
-      const { word, shift, max } = ATTRIBUTE_BITS[name as keyof typeof fields];
+      const { word, shift, max } = ATTRIBUTE_BITS[name as keyof typeof ATTRIBUTE_BITS];
       attributes[ATTRIBUTE_WORDS * index + word] |= (value & max) << shift;
     }
   });
@@ -157,7 +163,11 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
 /** The same rows as casters with unlimited shadow length. */
 function castersOf(puffs: readonly LabPuff[]): Rows {
   const rows = rowsOf(puffs);
-  for (let word = 0; word < rows.attributes.length; word += ATTRIBUTE_WORDS) rows.attributes[word] |= NO_END;
+  const { attributes } = rows;
+  for (let word = 0; word < attributes.length; word += ATTRIBUTE_WORDS) {
+    attributes[word + 1] = (attributes[word + 1] & 0xffff) | (attributes[word] & 0xffff0000);
+    attributes[word] |= NO_END;
+  }
   return rows;
 }
 

@@ -2,13 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use glam::{DMat3, DVec3};
-use sim::arrange::row_layout::{AGE, Attributes, ROLL, SEED, TEMPERATURE, TINT, VARIATION};
+use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
+use sim::arrange::row_layout::{
+    AGE, Attributes, CASTER_AGE, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
+    VARIATION,
+};
 
 use crate::scene::Bands;
 
 const TINTS: usize = 3;
 const SEEDS: f64 = 256.0;
+const QUATERNION_STEPS: f64 = 720.0;
+const MAX_STRETCH: f64 = 4.0;
+const BILLOW_DEPTH: f64 = 0.6;
+const BILLOW_DELAY: f64 = 0.5;
+const BILLOW_STEP: f64 = 0.618034;
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
 #[derive(Clone, Copy)]
@@ -23,6 +31,11 @@ impl PackedAttributes {
     /// Age as a share of the lifetime.
     pub fn age(self) -> f64 {
         f64::from(AGE.of(self.0)) / f64::from(AGE.max)
+    }
+
+    /// The same in a row of a caster.
+    pub fn caster_age(self) -> f64 {
+        f64::from(CASTER_AGE.of(self.0)) / f64::from(CASTER_AGE.max)
     }
 
     pub fn variation(self) -> usize {
@@ -48,6 +61,69 @@ impl PackedAttributes {
         let z = 1.0 - (2.0 * seed + 1.0) / SEEDS;
         let (sin, cos) = (GOLDEN_ANGLE * seed).sin_cos();
         let axis = DVec3::new(cos * (1.0 - z * z).sqrt(), sin * (1.0 - z * z).sqrt(), z);
-        DMat3::from_axis_angle(axis.normalize(), self.roll())
+        stretching(self.stretch())
+            * DMat3::from_quat(self.turn())
+            * DMat3::from_axis_angle(axis.normalize(), self.roll())
     }
+
+    /// The turn by the air: a quaternion without its largest component.
+    fn turn(self) -> DQuat {
+        let mut attributes = self.0;
+        attributes[TURN_LARGEST.word] ^= NO_ROTATION;
+        let rest = TURN.map(|bits| (f64::from(bits.of(attributes)) - 512.0) / QUATERNION_STEPS);
+        let largest = TURN_LARGEST.of(attributes) as usize;
+        let mut turn = [0.0; 4];
+        for (place, component) in rest.into_iter().enumerate() {
+            turn[(largest + 1 + place) % 4] = component;
+        }
+        turn[largest] = (1.0 - rest.iter().map(|component| component * component).sum::<f64>()).sqrt();
+        DQuat::from_array(turn)
+    }
+
+    /// Axis of the stretch and ratio of the axes.
+    pub fn stretch(self) -> (DVec3, f64) {
+        let ratio = 1.0 + (MAX_STRETCH - 1.0) * f64::from(STRETCH.of(self.0)) / f64::from(STRETCH.max);
+        let [u, v] = STRETCH_AXIS.map(|bits| (f64::from(bits.of(self.0)) - 127.0) / 127.0);
+        let z = 1.0 - u.abs() - v.abs();
+        let axis = if z < 0.0 {
+            DVec3::new((1.0 - v.abs()).copysign(u), (1.0 - u.abs()).copysign(v), z)
+        } else {
+            DVec3::new(u, v, z)
+        };
+        (axis.normalize(), ratio)
+    }
+}
+
+/// Longer along the axis of a stretch and thinner across it, at the same area seen across it.
+pub fn stretching((axis, ratio): (DVec3, f64)) -> DMat3 {
+    let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+    (DMat3::IDENTITY + (ratio - 1.0) * along) * ratio.sqrt().recip()
+}
+
+/// A linear map after which the ellipsoids into which a map turns balls are balls again, and lines along z are still
+/// parallel to z.
+pub fn unstretched(stretching: DMat3) -> DMat3 {
+    // Ellipsoids are dot(x, form * x) = 1; completing the square of z leaves a form of x and y.
+    let form = (stretching * stretching.transpose()).inverse();
+    let shear = form.z_axis.truncate() / form.z_axis.z;
+    let flat = DMat2::from_cols(form.x_axis.truncate(), form.y_axis.truncate())
+        - form.z_axis.z * DMat2::from_cols(shear * shear.x, shear * shear.y);
+    // The root of a symmetric matrix, after Cayley and Hamilton.
+    let root = flat.determinant().sqrt();
+    let trace = flat.x_axis.x + flat.y_axis.y;
+    let plane = (flat + DMat2::from_diagonal(DVec2::splat(root))) * (trace + 2.0 * root).sqrt().recip();
+    let depth = form.z_axis.z.sqrt();
+    DMat3::from_cols(
+        plane.x_axis.extend(depth * shear.x),
+        plane.y_axis.extend(depth * shear.y),
+        DVec3::new(0.0, 0.0, depth),
+    )
+}
+
+/// Factor on the centre of lobe `index` at `age`, a share of the lifetime: lobes of young puffs are folded, and unfold one
+/// after another.
+pub fn unfolded(index: usize, age: f64, billow: f64) -> f64 {
+    let delay = BILLOW_DELAY * (index as f64 * BILLOW_STEP).fract();
+    let share = ((2.0 * age - delay) / (1.0 - BILLOW_DELAY)).clamp(0.0, 1.0);
+    1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
 }

@@ -3,7 +3,7 @@
 
 use glam::{DMat3, DVec2, DVec3};
 
-use crate::attributes::PackedAttributes;
+use crate::attributes::{PackedAttributes, stretching};
 use crate::billboards::Billboards;
 use crate::contact::{Ground, Ring};
 use crate::ink::{self, Line};
@@ -69,7 +69,10 @@ impl<'a> Body<'a> {
     ) -> Option<Self> {
         let attributes = PackedAttributes(row.attributes);
         let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
-        let radius = row.radius * grown(camera, &row, center);
+        let (axis, ratio) = billboards.map_or_else(|| attributes.stretch(), |_| (DVec3::Z, 1.0));
+        // A stretched puff is drawn in units of its width across the stretch.
+        let across = ratio.sqrt().recip();
+        let radius = row.radius * grown(camera, &row, center) * across;
         if radius <= 0.0 {
             return None;
         }
@@ -92,7 +95,9 @@ impl<'a> Body<'a> {
                     Puff::Lobes(Lobes::new(
                         &scene.puffs,
                         attributes.variation(),
-                        turn * attributes.world_from_puff(),
+                        attributes.age(),
+                        turn * attributes.world_from_puff() * across.recip(),
+                        (stretching((turn * axis, ratio)) * across.recip(), ratio),
                     ))
                 },
                 Puff::Billboard,

@@ -1,7 +1,8 @@
-//! A puff: balls; a ray along the view axis meets the nearest surface.
+//! A puff: balls, stretched to ellipsoids; a ray along the view axis meets the nearest surface.
 
-use glam::{DMat3, DVec2, DVec3};
+use glam::{DMat2, DMat3, DVec2, DVec3};
 
+use crate::attributes::{unfolded, unstretched};
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
@@ -11,10 +12,14 @@ pub struct Lobe {
     pub radius: f64,
 }
 
-/// The lobes of one variation in view space; lengths in particle radii, z towards the eye.
+/// The lobes of one variation in view space; lengths in radii, z towards the eye.
 pub struct Lobes {
+    /// Where they are balls.
     lobes: Vec<Lobe>,
     pub middle: DVec3,
+    /// From view space to where lobes are balls. Lines along z stay parallel to z.
+    unstretched: DMat3,
+    ratio: f64,
     fillet: f64,
     blend: f64,
 }
@@ -30,17 +35,29 @@ pub struct Meeting {
 }
 
 impl Lobes {
-    pub fn new(puffs: &Puffs, variation: usize, view_from_puff: DMat3) -> Self {
+    /// `age` is a share of the lifetime, `stretching` the part of `view_from_puff` that is not a rotation, with a width of 1
+    /// across the stretch, and `ratio` its length.
+    pub fn new(
+        puffs: &Puffs,
+        variation: usize,
+        age: f64,
+        view_from_puff: DMat3,
+        (stretching, ratio): (DMat3, f64),
+    ) -> Self {
+        let unstretched = unstretched(stretching);
         let lobes: Vec<Lobe> = puffs.lobes[variation % puffs.lobes.len()]
             .iter()
-            .map(|&[x, y, z, radius]| Lobe {
-                center: view_from_puff * DVec3::new(x, y, z),
+            .enumerate()
+            .map(|(index, &[x, y, z, radius])| Lobe {
+                center: unstretched * view_from_puff * DVec3::new(x, y, z) * unfolded(index, age, puffs.billow),
                 radius,
             })
             .collect();
         Self {
-            middle: middle_of(&lobes),
+            middle: unstretched.inverse() * middle_of(&lobes),
             lobes,
+            unstretched,
+            ratio,
             fillet: puffs.fillet,
             blend: puffs.blend,
         }
@@ -50,12 +67,16 @@ impl Lobes {
     pub fn reach(&self) -> f64 {
         self.lobes
             .iter()
-            .map(|lobe| lobe.center.truncate().length() + lobe.radius)
+            .map(|lobe| (lobe.center.length() + lobe.radius) * self.ratio)
             .fold(0.0, f64::max)
     }
 
     /// `surface`: height of an occluding surface. Lobes deeper by more than `slack` have no rim.
     pub fn meet(&self, point: DVec2, surface: f64, slack: f64) -> Meeting {
+        let plane = DMat2::from_mat3(self.unstretched);
+        let on_board = self.unstretched * point.extend(0.0);
+        let depth = self.unstretched.z_axis.z;
+        let (seen, surface) = (on_board.truncate(), on_board.z + depth * surface);
         let mut top = f64::NEG_INFINITY;
         let mut rim = Meeting {
             height: 0.0,
@@ -64,9 +85,9 @@ impl Lobes {
         };
         for lobe in &self.lobes {
             let middle = lobe.center.truncate();
-            let outside = point.distance(middle) - lobe.radius;
+            let outside = seen.distance(middle) - lobe.radius;
             if outside <= 0.0 {
-                let beside = point.distance_squared(middle);
+                let beside = seen.distance_squared(middle);
                 top = top.max(lobe.center.z + (lobe.radius.powi(2) - beside).sqrt());
             } else if outside < rim.outside && lobe.center.z + STEEPEST * outside >= surface - slack {
                 rim = Meeting {
@@ -76,26 +97,38 @@ impl Lobes {
                 };
             }
         }
+        let height = |height: f64| (height - on_board.z) / depth;
         if top > surface {
             Meeting {
-                height: top,
+                height: height(top),
                 outside: 0.0,
                 rim: point,
             }
         } else {
-            rim
+            // Distances along the gradient.
+            let gradient = plane * (rim.rim - seen);
+            Meeting {
+                height: height(rim.height),
+                outside: rim.outside / (plane * (rim.rim - seen).normalize()).length(),
+                rim: point + gradient,
+            }
         }
     }
 
     /// Unit normal for shading: the normal of the form, mixed with the direction from the common centre.
     pub fn normal(&self, place: DVec3) -> DVec3 {
-        self.form_normal(place)
-            .lerp((place - self.middle).normalize(), self.blend)
-            .normalize()
+        let outward = (self.unstretched * (place - self.middle)).normalize();
+        (self.unstretched.transpose() * self.own_normal(place).lerp(outward, self.blend)).normalize()
     }
 
     /// Unit normal of the lobes, blended along creases.
     pub fn form_normal(&self, place: DVec3) -> DVec3 {
+        (self.unstretched.transpose() * self.own_normal(place)).normalize()
+    }
+
+    /// The same where lobes are balls.
+    fn own_normal(&self, place: DVec3) -> DVec3 {
+        let place = self.unstretched * place;
         let mut own = DVec3::ZERO;
         for lobe in &self.lobes {
             let outward = place - lobe.center;

@@ -1,6 +1,7 @@
 //! The scene, as JSON. Lengths in metres, colours display-encoded from 0 to 255, matrices by columns.
 
 use serde::Deserialize;
+use sim::arrange::row_layout::Attributes;
 
 pub type Triple = [f64; 3];
 
@@ -130,6 +131,11 @@ pub struct Puffs {
     pub fillet: f64,
     pub blend: f64,
     pub start_caps: StartCaps,
+    /// Whether puffs turn, stretch and unfold, and the part by which the lobes of young puffs are folded.
+    pub is_deformed: bool,
+    pub billow: f64,
+    /// Maximum height over the nailboard (radii).
+    pub tallest: f64,
     /// Maximum visible depth behind the centre plane (radii).
     pub depth: f64,
     /// Baked fronts of billboards, which roll about the view axis; none for lobes.
@@ -165,7 +171,7 @@ pub struct StartCaps {
 pub struct Row {
     pub place: Triple,
     pub radius: f64,
-    pub attributes: [u32; 2],
+    pub attributes: Attributes,
 }
 
 #[derive(Deserialize)]

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 
-use crate::attributes::PackedAttributes;
+use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
 use crate::bodies::grown;
 use crate::light::Light;
 use crate::ray::{Camera, Ray};
@@ -22,7 +22,9 @@ pub struct Volume {
     begin: f64,
     /// Inverse distance of the light; 0 for a directional light.
     growth: f64,
-    /// The discs of the lobes on the plane through the centre across the axis, in metres from the centre.
+    /// Scales the places on the plane through the centre across the axis so that the discs of lobes are round.
+    flat: DMat3,
+    /// The discs of the lobes on this plane, in metres from the centre.
     discs: Vec<Disc>,
 }
 
@@ -37,7 +39,8 @@ impl Volume {
         let center = DVec3::from(row.place);
         let growth = 1.0 / light.distance(center);
         let axis = -light.towards(center);
-        let discs = discs(scene, camera, row, axis, growth);
+        let flat = flat(scene, row, axis);
+        let discs = discs(scene, camera, row, (axis, flat), growth);
         let widest = discs.iter().map(|disc| disc.center.length() + disc.radius);
         if widest.fold(0.0, f64::max) * growth >= 1.0 {
             return None;
@@ -47,6 +50,7 @@ impl Volume {
             axis,
             begin: begin_behind(scene, camera, light, row) * row.radius,
             growth,
+            flat,
             discs,
         })
     }
@@ -55,7 +59,7 @@ impl Volume {
     pub fn contains(&self, point: DVec3) -> bool {
         let offset = point - self.center;
         let along = offset.dot(self.axis);
-        let seen = offset.reject_from_normalized(self.axis) / (1.0 + self.growth * along);
+        let seen = self.flat * offset / (1.0 + self.growth * along);
         along >= self.begin && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
     }
 
@@ -78,8 +82,8 @@ impl Volume {
         // Divergence of the light's rays along the view ray: `scale + depth * gain`.
         let scale = 1.0 + self.growth * origin.dot(self.axis);
         let gain = self.growth * direction.dot(self.axis);
-        let offset = origin.reject_from_normalized(self.axis) - scale * disc.center;
-        let step = direction.reject_from_normalized(self.axis) - gain * disc.center;
+        let offset = self.flat * origin - scale * disc.center;
+        let step = self.flat * direction - gain * disc.center;
         let square = disc.radius * disc.radius;
         let a = step.length_squared() - square * gain * gain;
         let b = offset.dot(step) - square * scale * gain;
@@ -98,21 +102,45 @@ impl Volume {
     }
 }
 
-fn discs(scene: &Scene, camera: &Camera, row: &Row, axis: DVec3, growth: f64) -> Vec<Disc> {
+/// The stretch of a row: axis and ratio.
+fn stretch(scene: &Scene, row: &Row) -> (DVec3, f64) {
+    match scene.puffs.layers {
+        Some(_) => (DVec3::Z, 1.0),
+        None => PackedAttributes(row.attributes).stretch(),
+    }
+}
+
+/// Projects along the light's axis and scales so that the ellipses of stretched lobes are discs, as wide as the lobes across
+/// their stretch.
+fn flat(scene: &Scene, row: &Row, axis: DVec3) -> DMat3 {
+    let (side, up) = axis.any_orthonormal_pair();
+    let frame = DMat3::from_cols(side, up, axis);
+    let (along, ratio) = stretch(scene, row);
+    let stretching = stretching((frame.transpose() * along, ratio)) * ratio.sqrt();
+    let mut unstretched = unstretched(stretching);
+    unstretched.x_axis.z = 0.0;
+    unstretched.y_axis.z = 0.0;
+    unstretched.z_axis = DVec3::ZERO;
+    frame * unstretched * frame.transpose()
+}
+
+fn discs(scene: &Scene, camera: &Camera, row: &Row, (axis, flat): (DVec3, DMat3), growth: f64) -> Vec<Disc> {
+    let across = stretch(scene, row).1.sqrt().recip();
     let attributes = PackedAttributes(row.attributes);
     let world_from_puff = world_from_puff(scene, camera, attributes);
     let lobes = &scene.puffs.lobes[attributes.variation() % scene.puffs.lobes.len()];
-    let disc = |&[x, y, z, radius]: &[f64; 4]| {
-        let center = row.radius * (world_from_puff * DVec3::new(x, y, z));
+    let disc = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| {
+        let unfolded = unfolded(index, attributes.caster_age(), scene.puffs.billow);
+        let center = row.radius * (world_from_puff * DVec3::new(x, y, z)) * unfolded;
         let nearness = 1.0 / (1.0 + growth * center.dot(axis));
         // The cone of rays that touch the lobe.
-        let seen = radius * row.radius * nearness;
+        let seen = across * radius * row.radius * nearness;
         Disc {
-            center: nearness * center.reject_from_normalized(axis),
+            center: nearness * (flat * center),
             radius: seen / (1.0 - (seen * growth).powi(2)).sqrt(),
         }
     };
-    lobes.iter().map(disc).collect()
+    lobes.iter().enumerate().map(disc).collect()
 }
 
 fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes) -> DMat3 {
@@ -127,11 +155,28 @@ fn world_from_puff(scene: &Scene, camera: &Camera, attributes: PackedAttributes)
 fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64 {
     let attributes = PackedAttributes(row.attributes);
     let towards_light = light.towards(DVec3::from(row.place));
-    let in_puff = world_from_puff(scene, camera, attributes).transpose() * towards_light;
+    let world_from_puff = world_from_puff(scene, camera, attributes);
     let variation = attributes.variation() % scene.puffs.lobes.len();
-    tabled(&scene.puffs.start_caps, variation, in_puff).max(scene.style.min_cap)
-        + shear(scene, camera, row, towards_light)
-        + SLACK
+    let cap = if scene.puffs.is_deformed {
+        // The lit part of a lobe ends where its normals are perpendicular to the light.
+        let stretching = stretching(stretch(scene, row));
+        let support = (stretching * towards_light).length_squared();
+        let tilt = (support - (stretching.inverse() * towards_light).length_squared().recip()).max(0.0);
+        let behind = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| {
+            let center = world_from_puff * DVec3::new(x, y, z);
+            let unfolded = unfolded(index, attributes.caster_age(), scene.puffs.billow);
+            radius * tilt.sqrt() - center.dot(towards_light) * unfolded
+        };
+        let lobes = scene.puffs.lobes[variation].iter().enumerate();
+        lobes.map(behind).fold(0.0, f64::max)
+    } else {
+        tabled(
+            &scene.puffs.start_caps,
+            variation,
+            world_from_puff.transpose() * towards_light,
+        )
+    };
+    cap.max(scene.style.min_cap) + shear(scene, camera, row, towards_light) + SLACK
 }
 
 /// A board shows its relief along view rays instead of the view axis: a point at a height over the board is displaced
@@ -152,9 +197,14 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
     let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
     // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2. A
     // billboard's relief is baked as shown.
-    let share = if scene.puffs.layers.is_some() { 0.0 } else { 0.5 };
+    let tallest = scene.puffs.tallest;
+    let share = if scene.puffs.layers.is_some() {
+        0.0
+    } else {
+        0.5 * tallest * tallest
+    };
     let aside = share * light.length() * grown * row.radius / -center.z;
-    grown * (slope.max(-scene.puffs.depth * slope) + aside)
+    grown * ((tallest * slope).max(-scene.puffs.depth * slope) + aside)
 }
 
 fn tabled(caps: &StartCaps, variation: usize, towards: DVec3) -> f64 {

@@ -47,8 +47,8 @@ export class TiledVolumesPass extends VolumesPass {
     this.tiled?.dispose();
   }
 
-  protected override shadersWith(lobes: number): Shaders {
-    return { ...super.shadersWith(lobes), vertexShader: withLobes(vertexShader, lobes) };
+  protected override shadersWith(lobes: number, isDeformed: boolean): Shaders {
+    return { ...super.shadersWith(lobes, isDeformed), vertexShader: withLobes(vertexShader, lobes) };
   }
 
   private find(renderer: WebGLRenderer, { rows }: RowGeometry, targets: Targets): VolumeQuads {

@@ -10,6 +10,25 @@ export const puffRows: readonly Parameter[] = [
     text: 'Number of different shapes. A puff keeps its shape for life.',
     isBaked: true,
   }),
+  simulated('puff.turn', 'puff', {
+    step: 0.05,
+    slider: 'even',
+    label: 'Turn',
+    text: 'How much puffs turn with the rotation of the air around them; 1 is as fast as the air. Billboards do not.',
+  }),
+  simulated('puff.stretch', 'puff', {
+    step: 0.05,
+    slider: 'even',
+    unit: '\u00d7',
+    label: 'Stretch',
+    text: 'How long fast puffs get along their motion relative to the wind, at most; 1 keeps their shape. Billboards keep it too.',
+  }),
+  simulated('puff.billow', 'puff', {
+    step: 0.05,
+    slider: 'even',
+    label: 'Billow',
+    text: 'How much the lobes of a young puff are drawn together; they swell one after another as it grows. Billboards do not.',
+  }),
   choice(
     'puff.form',
     'puff',

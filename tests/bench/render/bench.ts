@@ -7,7 +7,7 @@ import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
 import { arrangeFrame, drawFrame, reportOf } from '../../../src/smoke/frame.ts';
-import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
+import type { Arranger, FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
 import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';
@@ -41,6 +41,8 @@ export class RenderBench {
   readonly device = createDevice(new OffscreenCanvas(1, 1));
   readonly smoke: SmokeRenderer;
   readonly simulator: Simulator;
+  /** The source of rows. */
+  arranger: Arranger;
   /** Assign a new object to change it. */
   style: Style = PLAIN_STYLE;
   private readonly width: number;
@@ -51,7 +53,7 @@ export class RenderBench {
   private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
 
   private constructor(simulator: Simulator, particles: number, width: number, height: number) {
-    this.simulator = simulator;
+    this.simulator = this.arranger = simulator;
     this.width = width;
     this.height = height;
     this.device.renderer.setSize(width, height, false);
@@ -153,7 +155,7 @@ export class RenderBench {
 
   private input(cull: boolean): FrameInput {
     return {
-      simulator: this.simulator,
+      simulator: this.arranger,
       camera: this.camera,
       light: this.light,
       style: this.style,

@@ -1,15 +1,24 @@
-/** render.lobes: cost of bodies as lobes and as baked billboards, with the same rows, in turns. */
-import type { PuffForm } from '../../../src/device/puffTextures.ts';
+/**
+ * render.lobes, render.stretching: cost of bodies as lobes, as baked billboards and as stretched lobes, of the same particles,
+ * in turns.
+ */
+import { MAX_STRETCH } from '../../../src/constants.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
+import type { Arranger } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { RenderBench } from './bench.ts';
 import type { Fragments } from './fragments.ts';
 
+/** Ratio of the axes of stretched puffs: about the mean of the lamp and of the rocket. */
+const RATIO = 2;
+
 /** Results of one form. */
 interface Side {
-  form: PuffForm;
+  name: string;
   style: Style;
+  arranger: Arranger;
   times: number[];
   bodiesDrawn: number;
   fragments: Fragments;
@@ -17,23 +26,30 @@ interface Side {
 
 export async function measureForms(quick: boolean): Promise<Figure[]> {
   const bench = await RenderBench.create();
-  const [lobes, billboards] = [look(bench, 'lobes'), look(bench, 'billboards')];
+  const arranger = { plain: bench.simulator, stretched: stretched(bench.simulator) };
+  const lobes = look(bench, 'lobes', arranger.plain, {});
+  const billboards = look(bench, 'billboards', arranger.plain, { form: 'billboards' });
+  const deformed = { isDeformed: true, stretch: RATIO };
+  const rotated = look(bench, 'rotated', arranger.plain, deformed);
+  const longer = look(bench, 'stretched', arranger.stretched, deformed);
+  const sides = [lobes, billboards, rotated, longer];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
   const rounds = quick ? 5 : 11;
   for (let round = 0; round < rounds; round++) {
     await say(`render.lobes, round ${round + 1} of ${rounds}`);
-    for (const side of round % 2 === 0 ? [lobes, billboards] : [billboards, lobes]) {
+    for (const side of round % 2 === 0 ? sides : sides.toReversed()) {
       bench.style = side.style;
+      bench.arranger = side.arranger;
       side.times.push(bench.timeFrame(false).bodies);
     }
   }
   bench.dispose();
   return [
-    ...[lobes, billboards].map(({ form, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
+    ...sides.map(({ name, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
       figure(
-        `render.bodies.${form}`,
+        `render.bodies.${name}`,
         'ms',
         times,
         `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
@@ -45,13 +61,41 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       billboards.times.map((time, round) => time / lobes.times[round]),
       'bodies as baked billboards / as lobes met per pixel, the same particles',
     ),
+    figure(
+      'render.rotating',
+      'x',
+      rotated.times.map((time, round) => time / lobes.times[round]),
+      'bodies with the shaders of puffs that turn and stretch / without, the same rows',
+    ),
+    figure(
+      'render.stretching',
+      'x',
+      longer.times.map((time, round) => time / lobes.times[round]),
+      `bodies stretched upwards by ${RATIO} / not stretched, the same particles`,
+    ),
   ];
 }
 
 /** Draws once, which also compiles the programs. */
-function look(bench: RenderBench, form: PuffForm): Side {
-  const style: Style = { ...PLAIN_STYLE, form };
+function look(bench: RenderBench, name: string, arranger: Arranger, changed: Partial<Style>): Side {
+  const style: Style = { ...PLAIN_STYLE, ...changed };
   bench.style = style;
+  bench.arranger = arranger;
   const { bodiesDrawn } = bench.draw(false);
-  return { form, style, times: [], bodiesDrawn, fragments: bench.countFragments().bodies };
+  return { name, style, arranger, times: [], bodiesDrawn, fragments: bench.countFragments().bodies };
+}
+
+/** The same rows, stretched upwards. */
+function stretched(simulator: Arranger): Arranger {
+  const { stretchU, stretchV, stretch } = ATTRIBUTE_BITS;
+  const steps = Math.round((stretch.max * (RATIO - 1)) / (MAX_STRETCH - 1));
+  const word = ((127 << stretchU.shift) | (254 << stretchV.shift) | (steps << stretch.shift)) >>> 0;
+  return {
+    arrange(view) {
+      const arranged = simulator.arrange(view);
+      const { count, attributes } = arranged.rows;
+      for (let row = 0; row < count; row++) attributes[ATTRIBUTE_WORDS * row + stretch.word] = word;
+      return arranged;
+    },
+  };
 }

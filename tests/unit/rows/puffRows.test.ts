@@ -12,7 +12,7 @@ function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,
     place: Float32Array.from({ length: PLACE_FLOATS * ends.length }, () => 0.5),
-    attributes: Uint32Array.from(ends.flatMap((end) => [ending(end), 7])),
+    attributes: Uint32Array.from(ends.flatMap((end) => [ending(end), 7, 0, 0])),
   };
 }
 
@@ -30,9 +30,11 @@ function wordsOf(ends: number[], shortened: number[]): number[] {
 
 test('a shadow ends at the given distance in metres, rounded up to the precision of a row', () => {
   const words = wordsOf([max, max, max], [1, 1.0001, 1e6]);
-  expect(words).toEqual([ending(2 * END_STEPS), 7, ending(2 * END_STEPS + 1), 7, NO_END + ROLL, 7]);
+  expect(words).toEqual(
+    [ending(2 * END_STEPS), ending(2 * END_STEPS + 1), NO_END + ROLL].flatMap((word) => [word, 7, 0, 0]),
+  );
 });
 
 test('an earlier end of a shadow is kept, and a shadow with nothing behind it ends at its centre', () => {
-  expect(wordsOf([100, 600], [1, -3])).toEqual([ending(100), 7, ROLL, 7]);
+  expect(wordsOf([100, 600], [1, -3])).toEqual([ending(100), 7, 0, 0, ROLL, 7, 0, 0]);
 });

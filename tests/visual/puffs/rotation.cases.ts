@@ -74,7 +74,7 @@ ${attributesChunk}
 ${orientationChunk}
 void main() {
   uvec2 at = uvec2(gl_FragCoord.xy);
-  pixel = vec4(worldFromPuff(uvec2(at.y * 4096u, (at.x / 3u) << 8u))[at.x % 3u], 0.0);
+  pixel = vec4(worldFromPuff(uvec4(at.y * 4096u, (at.x / 3u) << 8u, 0u, 0u))[at.x % 3u], 0.0);
 }`;
 const ROLLS = 16;
 

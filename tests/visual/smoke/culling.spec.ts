@@ -16,6 +16,22 @@ test('culling changes no pixel of the lamp', async ({ load }) => {
   expectSame(comparisons);
 });
 
+test('culling changes no pixel of puffs that turn, stretch and unfold', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const values = {
+    'simulation.maxParticles': 800,
+    'emission.rate': 150,
+    'puff.turn': 1,
+    'puff.stretch': 3,
+    'puff.billow': 1,
+  };
+  const comparisons = await cases.evaluate(
+    (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside', 'behind']),
+    values,
+  );
+  expectSame(comparisons);
+});
+
 for (const form of ['lobes', 'billboards'] as const) {
   test(`culling changes no pixel of a dense plume of ${form}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);

@@ -38,6 +38,9 @@ const SUN = { towardsLight: [-0.5, 0.8, 0.4] } as const;
 const SCENES = {
   perspective: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
   offAxis: () => cluster(looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.2, 0]), SUN),
+  deformed: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, deformation),
+  deformedByLamp: () =>
+    cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, deformation),
   orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), SUN),
   eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }),
   backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), { towardsLight: [0.1, 0.35, -1] }),
@@ -78,7 +81,12 @@ function looking(camera: Camera, from: [number, number, number], at: [number, nu
 /**
  * Puffs with all tints, ages and variations above a ground, `raised` metres higher, with a ball and a box among them.
  */
-function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>, raised = 0): Shown {
+function cluster(
+  camera: Camera,
+  light: Pick<LabScene, 'towardsLight' | 'lamp'>,
+  raised = 0,
+  deform?: (next: () => number) => LabPuff['deformation'],
+): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
     place: [next() * 2 - 1, next() * 1.3 - 0.7 + raised, next() * 2 - 1] as const,
@@ -89,10 +97,28 @@ function cluster(camera: Camera, light: Pick<LabScene, 'towardsLight' | 'lamp'>,
     tint: index % 5,
     age: next(),
     temperature: (index % 7) / 6,
+    ...(deform ? { deformation: deform(next) } : {}),
   }));
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
   return { input, surfaces, backdrop: BACKDROP };
+}
+
+/** Any turn, and any stretch up to a ratio of 3. */
+function deformation(next: () => number): LabPuff['deformation'] {
+  const bits = (max: number): number => Math.floor(next() * max);
+  // The highest bit is flipped, and each component is at most 300 / 720.
+  const component = (): number => (212 + bits(600)) ^ 512;
+  const [quaternionX, quaternionY, quaternionZ] = [component(), component(), component()];
+  return {
+    quaternionX,
+    quaternionY,
+    quaternionZ,
+    quaternionLargest: bits(4),
+    stretchU: bits(255),
+    stretchV: bits(255),
+    stretch: bits(170),
+  };
 }
 
 /** Shadows of puffs beside and behind the eye, most of them close to the near plane. */

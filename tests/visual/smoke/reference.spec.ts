@@ -54,6 +54,12 @@ const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLampAmongPuffs', [{ volumes: 'counted' }]],
   ['coincident', [{ volumes: 'counted' }]],
 ];
+const STRETCHED = { isDeformed: true, stretch: 3 };
+const UNFOLDING = { ...STRETCHED, billow: 1 };
+const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['deformed', [STRETCHED, UNFOLDING, { ...UNFOLDING, volumes: 'counted' }, { ...STRETCHED, tones: 3 }]],
+  ['deformedByLamp', [UNFOLDING]],
+];
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
   ['offAxis', [BILLBOARDS]],
@@ -84,6 +90,7 @@ test.beforeAll(buildReference);
 for (const [what, scenes, reversedDepth] of [
   ['puffs among solids', CLUSTERS, false],
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
+  ['puffs that turn, stretch and unfold', DEFORMED, false],
   ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
   ['volumes counted by entry and exit', COUNTED, false],

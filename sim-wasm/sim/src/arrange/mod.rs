@@ -2,10 +2,10 @@
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
-//! written as rows. The memory of the attributes holds the entries while sorting, so that 8 extra bytes per particle
-//! suffice.
+//! written as rows. The memory of the attributes holds the entries while sorting.
 
 pub(crate) mod coverage;
+pub(crate) mod deformation;
 pub mod row_layout;
 pub mod rows;
 pub(crate) mod view;
@@ -15,14 +15,16 @@ use wide::f32x4;
 
 use crate::arrange::coverage::Coverage;
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::row_layout::{ATTRIBUTE_WORDS, Attributes, END, NO_END, PLACE_FLOATS, ROLL};
+use crate::arrange::row_layout::{
+    AGE, ATTRIBUTE_WORDS, Attributes, CASTER_AGE, END, NO_END, PLACE_FLOATS, ROLL, SEED, VARIATION,
+};
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::{LANES, Vector4, blocks};
 use crate::particles::Particles;
 
-/// The rows of the last call, and scratch memory. 32 bytes per particle.
+/// The rows of the last call, and scratch memory. 40 bytes per particle.
 #[derive(Debug)]
 pub struct Arranger {
     place: Vec<[f32; PLACE_FLOATS]>,
@@ -79,14 +81,15 @@ impl Arranger {
         let mut chart_extent = view.coverage.map(|plan| ChartExtent::new(&plan.chart));
         let count = self.collect(particles, view, sampler, chart_extent.as_mut());
         radix_sort::sort(
-            &mut self.attributes[..count],
+            &mut entries(&mut self.attributes)[..count],
             &mut self.order[..count],
             &mut self.histogram,
         );
         let count = match (&view.coverage, &chart_extent) {
             (Some(plan), Some(chart_extent)) => {
-                let attributes = |particle: usize| sampler.orientation(particles, particle);
+                let attributes = |particle: usize| sampler.shape(particles, particle);
                 let rows = &mut self.order[..count];
+                self.coverage.billow = sampler.is_deformed().then_some(sampler.billow);
                 self.coverage.cull(plan, chart_extent, rows, &self.place, attributes)
             }
             _ => {
@@ -107,14 +110,16 @@ impl Arranger {
             self.attributes[row] = sampler.attributes(particles, particle);
             if view.is_light {
                 let end = if has_ends { *end } else { NO_END };
-                let roll = ROLL.of(self.attributes[row]);
-                self.attributes[row][END.word] = ROLL.packed(roll) | END.packed(end);
+                let attributes = &mut self.attributes[row];
+                let [roll, age] = [ROLL, AGE].map(|bits| bits.of(*attributes));
+                attributes[END.word] = ROLL.packed(roll) | END.packed(end);
+                let [variation, seed] = [VARIATION, SEED].map(|bits| bits.of(*attributes));
+                attributes[CASTER_AGE.word] = VARIATION.packed(variation) | SEED.packed(seed) | CASTER_AGE.packed(age);
             }
         }
     }
 
-    /// Writes an entry for each particle that the view keeps into the memory of the attributes, and measures the
-    /// bounds.
+    /// Writes an entry for each particle that the view keeps, and measures the bounds.
     fn collect(
         &mut self,
         particles: &Particles,
@@ -125,6 +130,7 @@ impl Arranger {
         let direction = Vector4::splat(view.direction);
         let mut extent = RowBounds::new();
         let mut count = 0;
+        let found = entries(&mut self.attributes);
         for block in 0..particles.padded_alive() / LANES {
             let (place, radius) = blend(particles, sampler, block);
             let seen = radius.simd_gt(f32x4::ZERO) & living(particles, block);
@@ -142,7 +148,7 @@ impl Arranger {
             let depth = place.dot(direction).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
-                    self.attributes[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
+                    found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
                     count += 1;
                 }
             }
@@ -150,6 +156,11 @@ impl Arranger {
         self.bounds = extent.corners();
         count
     }
+}
+
+/// The memory of attributes as entries, at least one for each row.
+fn entries(attributes: &mut [Attributes]) -> &mut [Entry] {
+    attributes.as_flattened_mut().as_chunks_mut().0
 }
 
 /// Places and radii of a block. Same arithmetic as [`RowSampler::place`].

@@ -1,4 +1,4 @@
-//! The layout of rows, 24 bytes per drawn particle in two arrays. `npm run generate` writes `src/sim/layout.ts` from it.
+//! The layout of rows, 32 bytes per drawn particle in two arrays. `npm run generate` writes `src/sim/layout.ts` from it.
 //!
 //! place: x, y, z in world space (m) and radius (m), blended between the steps. attributes: the fields of
 //! [`ATTRIBUTE_BITS`].
@@ -7,7 +7,7 @@
 pub const PLACE_FLOATS: usize = 4;
 
 /// Words per row of packed attributes.
-pub const ATTRIBUTE_WORDS: usize = 2;
+pub const ATTRIBUTE_WORDS: usize = 4;
 
 /// The packed attributes of a row.
 pub type Attributes = [u32; ATTRIBUTE_WORDS];
@@ -56,6 +56,28 @@ pub const TEMPERATURE: Bits = Bits::new(1, 16, 8);
 /// Tint, 0 for none.
 pub const TINT: Bits = Bits::new(1, 24, 8);
 
+/// In rows for the light, in the place of temperature and tint: the age as in [`AGE`].
+pub const CASTER_AGE: Bits = Bits::new(1, 16, 16);
+/// Turn by the air, without the roll: the components of a unit quaternion x, y, z, w that follow the largest one, which is
+/// positive and left out, in 1/[`QUATERNION_STEPS`], plus 512. Stored with the bits of [`NO_ROTATION`] flipped, so that 0
+/// is no turn.
+pub const TURN: [Bits; 3] = [Bits::new(2, 0, 10), Bits::new(2, 10, 10), Bits::new(2, 20, 10)];
+/// Index of the largest component.
+pub const TURN_LARGEST: Bits = Bits::new(2, 30, 2);
+/// Direction of the stretch: a point of an octahedral map, -1..1 in 127ths, plus 127.
+pub const STRETCH_AXIS: [Bits; 2] = [Bits::new(3, 0, 8), Bits::new(3, 8, 8)];
+/// Ratio of the axes, from 1 to [`MAX_STRETCH`].
+pub const STRETCH: Bits = Bits::new(3, 16, 8);
+
+/// Steps of a quaternion's component per unit: the components left are at most the root of 1/2.
+pub const QUATERNION_STEPS: f32 = 720.0;
+
+/// The word of a puff that does not turn.
+pub const NO_ROTATION: u32 = 3 << 30 | 512 << 20 | 512 << 10 | 512;
+
+/// Greatest ratio of the axes of a stretched puff.
+pub const MAX_STRETCH: f32 = 4.0;
+
 /// All fields by name.
 #[cfg(not(target_family = "wasm"))]
 pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
@@ -66,6 +88,14 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("seed", SEED),
     ("temperature", TEMPERATURE),
     ("tint", TINT),
+    ("casterAge", CASTER_AGE),
+    ("quaternionX", TURN[0]),
+    ("quaternionY", TURN[1]),
+    ("quaternionZ", TURN[2]),
+    ("quaternionLargest", TURN_LARGEST),
+    ("stretchU", STRETCH_AXIS[0]),
+    ("stretchV", STRETCH_AXIS[1]),
+    ("stretch", STRETCH),
 ];
 
 /// Ends of shadows per radius.

@@ -1,9 +1,11 @@
 //! Rows for a renderer. `row_layout` documents their numbers.
 
+use crate::arrange::deformation;
 use crate::arrange::row_layout::{
     AGE, Attributes, Bits, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
 };
 use crate::particles::Particles;
+use crate::particles::following::FlowLaw;
 use crate::particles::held::Held;
 use crate::particles::radius::RadiusLaw;
 
@@ -14,6 +16,10 @@ pub const MAX_SPIN: f32 = 0.04;
 #[derive(Clone, Copy, Debug)]
 pub struct RowSampler {
     pub radii: RadiusLaw,
+    /// How particles turn and stretch; none if they do not.
+    pub flow: Option<FlowLaw>,
+    /// Share by which young puffs are folded, see `coverage::solids`.
+    pub billow: f32,
     /// Elapsed share of the step, 0..1.
     pub blend: f32,
     /// Length of the step (s).
@@ -21,6 +27,11 @@ pub struct RowSampler {
 }
 
 impl RowSampler {
+    /// Whether puffs differ from their baked shapes.
+    pub fn is_deformed(&self) -> bool {
+        self.flow.is_some() || self.billow > 0.0
+    }
+
     /// Age (s) of particle `i`; negative before birth.
     pub fn age(&self, particles: &Particles, i: usize) -> f32 {
         let age = particles.held.as_ref().map_or(&particles.age, |held| &held.age);
@@ -49,25 +60,35 @@ impl RowSampler {
         [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
-    /// The part of the packed attributes that determines the orientation of particle `i`: roll, variation and seed.
-    pub fn orientation(&self, particles: &Particles, i: usize) -> Attributes {
+    /// The part of the packed attributes that determines the shape of particle `i`: roll, age, variation, seed, turn,
+    /// stretch and erosion.
+    // Called in three loops; inlining would repeat it in each.
+    #[inline(never)]
+    pub fn shape(&self, particles: &Particles, i: usize) -> Attributes {
         let attributes = particles.attributes[i];
+        let age = self.age(particles, i);
+        let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
+        let [turn, stretch] = self.flow(particles, i);
         [
-            ROLL.packed(roll(attributes, self.age(particles, i))),
+            ROLL.packed(roll(attributes, age)) | worn,
             constant(attributes),
+            turn,
+            stretch,
         ]
+    }
+
+    fn flow(&self, particles: &Particles, i: usize) -> [u32; 2] {
+        let back = (1.0 - self.blend) * self.dt;
+        self.flow
+            .map_or([0; 2], |law| deformation::packed(&law, particles, i, back))
     }
 
     /// The packed attributes of particle `i`.
     pub fn attributes(&self, particles: &Particles, i: usize) -> Attributes {
-        let attributes = particles.attributes[i];
-        let age = self.age(particles, i);
-        let worn = fraction(age / particles.lifetime[i], AGE);
-        let heat = fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE);
-        [
-            ROLL.packed(roll(attributes, age)) | AGE.packed(worn),
-            constant(attributes) | TEMPERATURE.packed(heat) | TINT.packed(attributes >> 28),
-        ]
+        let [shape, constant, turn, stretch] = self.shape(particles, i);
+        let heat = TEMPERATURE.packed(fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE));
+        let tint = TINT.packed(particles.attributes[i] >> 28);
+        [shape, constant | heat | tint, turn, stretch]
     }
 }
 

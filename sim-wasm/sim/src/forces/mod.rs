@@ -84,3 +84,10 @@ macro_rules! forces {
 }
 
 for_each_force_list!(forces);
+
+impl Forces {
+    /// Adds the air velocity of the winds alone.
+    pub fn wind(&self, tile: &mut Tile) {
+        act::<Wind>(&self.winds, Phase::Air, tile);
+    }
+}

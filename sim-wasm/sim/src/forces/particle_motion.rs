@@ -22,6 +22,7 @@ use crate::layout::parameters::settings::Integrator;
 use crate::math::simd::{LANES, Vector4, blocks, blocks_mut, positive_part, smaller};
 use crate::particles::Particles;
 use crate::particles::entrainment::Entrainment;
+use crate::particles::following::{self, FlowLaw};
 use crate::particles::tile::{Columns, Tile, tiles};
 
 /// The motion of particles in one step.
@@ -29,6 +30,7 @@ pub struct ParticleMotion {
     pub integrator: Integrator,
     forces: Forces,
     entrainment: Option<Entrainment>,
+    flow: Option<FlowLaw>,
     lift: Lift,
     /// Factors of the global drag, and its rate (1/s).
     drag: Factors,
@@ -36,6 +38,8 @@ pub struct ParticleMotion {
     /// Factor on the velocity of vortex particles.
     vortex_scale: f32,
     dt: f32,
+    /// Number of steps before this one.
+    step: u64,
 }
 
 /// Global accelerations. They are vertical: one number per particle.
@@ -60,6 +64,7 @@ impl ParticleMotion {
             integrator: Integrator::from_parameter(parameters.simulation.integrator),
             forces: Forces::new(context),
             entrainment: Entrainment::new(parameters, context.now.dt),
+            flow: FlowLaw::new(parameters),
             lift: Lift {
                 gravity: f32x4::splat(gravity::acceleration(parameters)),
                 buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
@@ -68,6 +73,7 @@ impl ParticleMotion {
             rate: f32x4::splat(rate as f32),
             vortex_scale: parameters.forces.vortex as f32,
             dt: context.now.dt as f32,
+            step: (context.now.time / context.now.dt) as u64,
         }
     }
 
@@ -94,6 +100,20 @@ impl ParticleMotion {
             }
             store(&mut tile, particles, first);
             moved(particles, first, len);
+        }
+    }
+
+    /// Turns and stretches the particles of a tile after a step of theirs, if parameters say so.
+    pub fn follow(
+        &self,
+        particles: &mut Particles,
+        vortex_particles: Option<&VortexParticles>,
+        (first, len): (usize, usize),
+    ) {
+        if let Some(law) = &self.flow {
+            let air = |tile: &mut Tile| self.blow(tile, vortex_particles);
+            let winds = |tile: &mut Tile| self.forces.wind(tile);
+            following::follow(law, particles, (first, len), self.step, air, winds);
         }
     }
 
@@ -143,6 +163,7 @@ impl ParticleMotion {
     }
 
     /// Adds the air velocity of all forces to the flow of `tile`.
+    #[inline(never)]
     pub fn blow(&self, tile: &mut Tile, vortex_particles: Option<&VortexParticles>) {
         self.air(tile, vortex_particles);
         self.forces.act(Phase::Swirl, tile);

@@ -59,6 +59,8 @@ impl Force for Wind {
         wind.blowing(0, context)
     }
 
+    // Called from two places; inlining would repeat it.
+    #[inline(never)]
     fn act(kernels: &[Kernel], tile: &mut Tile) {
         let Columns {
             ahead, flow, weight, ..

@@ -31,6 +31,9 @@ pub fn follow(particles: &mut Particles, step: u64, hold: u64) {
                 .into_iter()
                 .zip(now)
                 .for_each(|(column, value)| column[i] = value);
+            if let Some(flow) = &mut particles.flow {
+                flow.hold_now(i);
+            }
         }
     }
     particles.held = Some(held);

@@ -2,16 +2,20 @@
 //!
 //! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
 //! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
-//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle.
+//! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle, 24 more while puffs
+//! turn or stretch with the air.
 
 pub mod density;
 pub mod entrainment;
+pub mod flow;
+pub mod following;
 pub mod held;
 pub mod radius;
 pub mod tile;
 
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::LANES;
+use crate::particles::flow::Flow;
 use crate::particles::held::Held;
 
 /// Columns of particle state: positions in metres, velocities in metres per second, times in seconds.
@@ -42,6 +46,8 @@ pub struct Particles {
     pub attributes: Vec<u32>,
     /// Shown instead of the current state; none while drawing on ones.
     pub held: Option<Box<Held>>,
+    /// Turning and stretching; none while no parameter needs it.
+    pub flow: Option<Box<Flow>>,
     alive: usize,
     capacity: usize,
 }
@@ -80,6 +86,7 @@ impl Particles {
             temperature: zeros(),
             attributes: vec![0; padded],
             held: None,
+            flow: None,
             alive: 0,
             capacity,
         }
@@ -117,6 +124,9 @@ impl Particles {
         if let Some(held) = &mut self.held {
             held.age[i] = -1.0;
         }
+        if let Some(flow) = &mut self.flow {
+            flow.reset(i);
+        }
         self.alive += 1;
         true
     }
@@ -131,6 +141,9 @@ impl Particles {
         self.attributes.swap(i, last);
         if let Some(held) = &mut self.held {
             held.columns_mut().into_iter().for_each(|column| column.swap(i, last));
+        }
+        if let Some(flow) = &mut self.flow {
+            flow.columns.iter_mut().for_each(|column| column.swap(i, last));
         }
         self.alive = last;
     }
@@ -211,6 +224,17 @@ impl Particles {
                 kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
             }
         }
+        if let Some(flow) = &self.flow {
+            resized.follow(true);
+            for (to, from) in resized
+                .flow
+                .iter_mut()
+                .flat_map(|flow| &mut flow.columns)
+                .zip(&flow.columns)
+            {
+                kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
+            }
+        }
         resized
     }
 
@@ -226,6 +250,20 @@ impl Particles {
                 age: self.age.clone(),
                 size: self.size.clone(),
             }));
+        }
+        if let Some(flow) = &mut self.flow {
+            flow.hold(holds);
+        }
+    }
+
+    /// Starts or stops turning and stretching with the air. Particles start without either.
+    pub fn follow(&mut self, follows: bool) {
+        if !follows {
+            self.flow = None;
+        } else if self.flow.is_none() {
+            let mut flow = Box::new(Flow::new(self.x.len()));
+            flow.hold(self.held.is_some());
+            self.flow = Some(flow);
         }
     }
 

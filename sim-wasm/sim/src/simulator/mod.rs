@@ -11,6 +11,7 @@ pub(crate) mod snapshot;
 pub mod take;
 
 use crate::arrange::Arranger;
+use crate::arrange::row_layout::Attributes;
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
 use crate::collide::analytic::{self, AnalyticCollider};
@@ -33,7 +34,9 @@ use crate::life;
 use crate::life::{Ageing, hold};
 use crate::math::hash::Hash;
 use crate::math::random::Random;
+use crate::particles::following::FlowLaw;
 use crate::particles::radius::RadiusLaw;
+use crate::particles::tile::tiles;
 use crate::particles::{Newborn, Particles};
 #[cfg(feature = "rigids")]
 use crate::rigids::set::Rigids;
@@ -120,6 +123,7 @@ impl Simulator {
             self.vortex_particles_mut();
         }
         self.particles.hold(self.parameters.style.hold > 1.0);
+        self.particles.follow(FlowLaw::new(&self.parameters).is_some());
         Ok(())
     }
 
@@ -179,10 +183,14 @@ impl Simulator {
             ended(StepPart::Motion);
             self.collide();
             ended(StepPart::Collision);
+            for tile in tiles(&self.particles, 0) {
+                motion.follow(&mut self.particles, self.vortex_particles.as_deref(), tile);
+            }
             life::advance(&mut self.particles, &ageing);
         } else {
             // No collision separates motion from ageing: one pass over the memory instead of two.
             motion.advance(&mut self.particles, vortex_particles, &mut |particles, first, len| {
+                motion.follow(particles, vortex_particles, (first, len));
                 life::advance_tile(particles, &ageing, first, len);
             });
             ended(StepPart::Motion);
@@ -205,6 +213,8 @@ impl Simulator {
         let radii = RadiusLaw::new(&self.parameters);
         let sampler = RowSampler {
             radii,
+            flow: FlowLaw::new(&self.parameters),
+            billow: self.parameters.puff.billow as f32,
             // Held particles do not move between steps.
             blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
             dt: STEP as f32,
@@ -218,7 +228,7 @@ impl Simulator {
     }
 
     /// Rows of packed attributes, see `rows`. Valid up to the count of the last `arrange`.
-    pub fn attributes(&self) -> &[[u32; 2]] {
+    pub fn attributes(&self) -> &[Attributes] {
         self.arranger.attributes()
     }
 

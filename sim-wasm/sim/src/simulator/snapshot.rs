@@ -14,12 +14,17 @@ use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::table::Parameters;
 use crate::math::random::Random;
 use crate::particles::Particles;
+use crate::particles::following::FlowLaw;
 use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 
 const KIND: &[u8; 4] = b"smok";
 const VERSION: u32 = 4;
 const NAME: &str = "saved simulation";
+
+/// Bits of the word that says which columns follow the others.
+const HOLDS: u32 = 1;
+const FOLLOWS: u32 = 2;
 
 /// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
 macro_rules! sections {
@@ -108,6 +113,9 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     saved_state.put_into(simulator);
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
+    simulator
+        .particles
+        .follow(FlowLaw::new(&simulator.parameters).is_some());
     Ok(())
 }
 
@@ -187,18 +195,36 @@ fn read_capacity(reader: &mut Reader) -> Result<usize, RestoreError> {
     ))
 }
 
+fn write_column(body: &mut Writer, column: &[f32]) {
+    column.iter().for_each(|value| body.word(value.to_bits()));
+}
+
+fn read_column(reader: &mut Reader, column: &mut [f32]) -> Result<(), RestoreError> {
+    let mut values = column.iter_mut();
+    values.try_for_each(|value| reader.float().map(|saved| *value = saved))
+}
+
+fn read_words(reader: &mut Reader, words: &mut [u32]) -> Result<(), RestoreError> {
+    let mut words = words.iter_mut();
+    words.try_for_each(|word| reader.word().map(|saved| *word = saved))
+}
+
 fn write_particles(body: &mut Writer, particles: &Particles) {
     let alive = particles.alive();
     body.word(alive as u32);
     for column in particles.float_columns() {
-        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+        write_column(body, &column[..alive]);
     }
     particles.attributes[..alive]
         .iter()
         .for_each(|attributes| body.word(*attributes));
-    body.word(u32::from(particles.held.is_some()));
+    let [holds, follows] = [particles.held.is_some(), particles.flow.is_some()].map(u32::from);
+    body.word((holds * HOLDS) | (follows * FOLLOWS));
     for column in particles.held.iter().flat_map(|held| held.columns()) {
-        column[..alive].iter().for_each(|value| body.word(value.to_bits()));
+        write_column(body, &column[..alive]);
+    }
+    for column in particles.flow.iter().flat_map(|flow| &flow.columns) {
+        column[..alive].iter().for_each(|word| body.word(*word));
     }
 }
 
@@ -210,23 +236,22 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     }
     let mut particles = Particles::new(capacity);
     for column in particles.float_columns_mut() {
-        column[..alive]
-            .iter_mut()
-            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+        read_column(reader, &mut column[..alive])?;
     }
-    particles.attributes[..alive]
-        .iter_mut()
-        .try_for_each(|attributes| reader.word().map(|saved| *attributes = saved))?;
+    read_words(reader, &mut particles.attributes[..alive])?;
     if particles.lifetime[..alive].iter().any(|lifetime| *lifetime <= 0.0) {
         return Err(RestoreError::new(
             "the saved simulation holds a particle without a lifetime",
         ));
     }
-    particles.hold(reader.word()? != 0);
+    let columns = reader.word()?;
+    particles.hold(columns & HOLDS != 0);
+    particles.follow(columns & FOLLOWS != 0);
     for column in particles.held_columns_mut() {
-        column[..alive]
-            .iter_mut()
-            .try_for_each(|value| reader.float().map(|saved| *value = saved))?;
+        read_column(reader, &mut column[..alive])?;
+    }
+    for column in particles.flow.iter_mut().flat_map(|flow| &mut flow.columns) {
+        read_words(reader, &mut column[..alive])?;
     }
     particles.set_alive(alive);
     Ok(particles)

@@ -1,8 +1,9 @@
 //! Coverage against brute-force rays.
 
-use crate::common::{STILL, newborn, simulator};
+use crate::common::{STILL, newborn, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
+use sim::arrange::row_layout::Attributes;
 use sim::arrange::view_layout::ViewNumbers;
 use sim::math::random::Random;
 use sim::particles::Newborn;
@@ -155,16 +156,14 @@ struct Puff {
 }
 
 impl Puff {
-    fn new(place: [f32; 4], attributes: [u32; 2], eye: &Observer, solids: &[f32]) -> Self {
+    fn new(place: [f32; 4], attributes: Attributes, eye: &Observer, solids: &[f32], form: Form) -> Self {
         let centre = eye.view([place[0], place[1], place[2]].map(f64::from));
         let full = f64::from(place[3]);
         let radius = full * grown(centre[2], full);
         let columns = &solids[(attributes[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let ball = |ball: usize| {
-            let at = turned(
-                [0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])),
-                attributes,
-            );
+            let age = f64::from(attributes[0] >> 16) / 65_535.0;
+            let at = placed(columns, ball, attributes, age, form);
             let seen = [dot(at, eye.right), dot(at, eye.up), -dot(at, eye.forward)];
             [seen[0], seen[1], seen[2], f64::from(columns[3 * BALLS + ball])]
         };
@@ -195,8 +194,49 @@ impl Puff {
     }
 }
 
+/// Whether the puffs of a cloud have their baked shapes, or turn, stretch and unfold with `puff.billow` 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    Baked,
+    Deformed,
+}
+
+/// Centre of a ball in the world, in radii, without the place of the puff.
+fn placed(columns: &[f32], ball: usize, attributes: Attributes, age: f64, form: Form) -> V3 {
+    let at = [0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball]));
+    if form == Form::Baked {
+        return turned(at, attributes);
+    }
+    let delay = 0.5 * (ball as f64 * 0.618_034).fract();
+    let share = ((2.0 * age - delay) / 0.5).clamp(0.0, 1.0);
+    let unfolded = 1.0 - 0.6 * (1.0 - share * share * (3.0 - 2.0 * share));
+    let at = turned(at.map(|component| component * unfolded), attributes);
+
+    let word = attributes[2] ^ 0xe008_0200;
+    let rest = [0, 10, 20].map(|shift| (f64::from(word >> shift & 0x3ff) - 512.0) / 720.0);
+    let mut turn = [0.0; 4];
+    let largest = (word >> 30) as usize;
+    (0..3).for_each(|place| turn[(largest + 1 + place) % 4] = rest[place]);
+    turn[largest] = (1.0 - dot(rest, rest)).sqrt();
+    let [x, y, z, w] = turn;
+    let across = cross([x, y, z], at);
+    let twice = cross([x, y, z], std::array::from_fn(|i| across[i] + w * at[i]));
+    let at: V3 = std::array::from_fn(|i| at[i] + 2.0 * twice[i]);
+
+    let [u, v] = [0, 8].map(|shift| (f64::from(attributes[3] >> shift & 0xff) - 127.0) / 127.0);
+    let z = 1.0 - u.abs() - v.abs();
+    let axis = unit(if z < 0.0 {
+        [(1.0 - v.abs()).copysign(u), (1.0 - u.abs()).copysign(v), z]
+    } else {
+        [u, v, z]
+    });
+    let ratio = 1.0 + 3.0 * f64::from(attributes[3] >> 16 & 0xff) / 255.0;
+    let along = (ratio - 1.0) * dot(at, axis);
+    std::array::from_fn(|i| (at[i] + along * axis[i]) / ratio.sqrt())
+}
+
 /// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
-fn turned(at: V3, attributes: [u32; 2]) -> V3 {
+fn turned(at: V3, attributes: Attributes) -> V3 {
     let seed = f64::from(attributes[1] >> 8 & 0xff);
     let z = 1.0 - (2.0 * seed + 1.0) / 256.0;
     let angle = seed * std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
@@ -218,6 +258,45 @@ fn cloud(count: u32, seed: u32, spread: f32) -> Simulator {
         });
     }
     simulator
+}
+
+/// Puffs of all ages that turned and stretched for some steps.
+fn deformed_cloud(count: u32, seed: u32, spread: f32) -> Simulator {
+    let deforms = [
+        ("puff.turn", 1.0),
+        ("puff.stretch", STRETCH),
+        ("puff.billow", 1.0),
+        ("vortices.0.circulation", 20.0),
+        ("vortices.0.reach", 9.0),
+    ];
+    let mut simulator = simulator(count, 1, &[STILL, FULL, &deforms]);
+    let mut random = Random::new(seed);
+    for _ in 0..count {
+        let lifetime = 0.5 + random.unit();
+        simulator.add(&Newborn {
+            size: 0.3 + 0.35 * random.unit(),
+            attributes: random.bits(),
+            slip: std::array::from_fn(|_| random.signed() * 4.0),
+            age: random.unit() * lifetime,
+            lifetime,
+            ..newborn(std::array::from_fn(|_| random.signed() * spread))
+        });
+    }
+    steps(&mut simulator, 12);
+    simulator
+}
+
+const STRETCH: f64 = 3.0;
+
+fn cloud_of(form: Form, count: u32, seed: u32, spread: f32) -> Simulator {
+    match form {
+        Form::Baked => cloud(count, seed, spread),
+        Form::Deformed => deformed_cloud(count, seed, spread),
+    }
+}
+
+fn forms() -> impl Strategy<Value = Form> {
+    prop_oneof![Just(Form::Baked), Just(Form::Deformed)]
 }
 
 /// A view with the tables that follow its numbers.
@@ -258,6 +337,13 @@ fn view(eye: &Observer, ink: f64) -> ViewNumbers {
     view
 }
 
+fn with_reach(mut view: TabledView, form: Form) -> TabledView {
+    if form == Form::Deformed {
+        view.numbers.reach = STRETCH.powf(2.0 / 3.0) as f32;
+    }
+    view
+}
+
 fn body_view(eye: &Observer, ink: f64, solids: &[f32]) -> TabledView {
     TabledView {
         numbers: view(eye, ink),
@@ -290,7 +376,7 @@ fn start_caps() -> Vec<f32> {
 }
 
 /// The entry for light from a direction in the frame of the puff.
-fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
+fn start_cap(caps: &[f32], attributes: Attributes, [x, y, z]: V3) -> f64 {
     let column = (y.atan2(x) / std::f64::consts::TAU + 0.5) * TABLE[0] as f64;
     let row = z.clamp(-1.0, 1.0).acos() / std::f64::consts::PI * TABLE[1] as f64;
     let variation = (attributes[1] & 0xff) as usize % VARIATIONS;
@@ -298,7 +384,7 @@ fn start_cap(caps: &[f32], attributes: [u32; 2], [x, y, z]: V3) -> f64 {
     f64::from(caps[row * TABLE[0] + (column as usize).min(TABLE[0] - 1)])
 }
 
-type Row = ([f32; 4], [u32; 2]);
+type Row = ([f32; 4], Attributes);
 
 fn rows(simulator: &mut Simulator, view: &TabledView) -> Vec<Row> {
     let count = simulator.arrange(&view.floats()).unwrap();
@@ -323,7 +409,7 @@ fn culled(simulator: &mut Simulator, mut view: TabledView) -> (Vec<Row>, Vec<Row
 
 /// Whether both are rows of one particle. The ends of shadows can differ.
 fn are_alike(a: &Row, b: &Row) -> bool {
-    a.0 == b.0 && a.1[0] & 0xffff == b.1[0] & 0xffff && a.1[1] == b.1[1]
+    a.0 == b.0 && a.1[0] & 0xffff == b.1[0] & 0xffff && a.1[1..] == b.1[1..]
 }
 
 fn eyes() -> impl Strategy<Value = Observer> {
@@ -355,11 +441,12 @@ proptest! {
     #[test]
     fn culled_puffs_lie_behind_those_that_stay(
         eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, spread in 0.3..1.5_f32, ink in 0.0..0.02_f64,
+        form in forms(),
     ) {
         let solids = solids(seed);
-        let mut simulator = cloud(count, seed, spread);
-        let (kept, left) = culled(&mut simulator, body_view(&eye, ink, &solids));
-        let puff = |(place, attributes): &Row| Puff::new(*place, *attributes, &eye, &solids);
+        let mut simulator = cloud_of(form, count, seed, spread);
+        let (kept, left) = culled(&mut simulator, with_reach(body_view(&eye, ink, &solids), form));
+        let puff = |(place, attributes): &Row| Puff::new(*place, *attributes, &eye, &solids, form);
         let front: Vec<Puff> = kept.iter().map(puff).collect();
         let mut random = Random::new(seed);
         for hidden in left.iter().map(puff).filter(|puff| puff.radius > 0.0) {
@@ -375,14 +462,14 @@ proptest! {
 
     #[test]
     fn culled_casters_cast_no_additional_shadow(
-        eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, covers in prop_oneof![4 => 1..4_usize, 1 => 4..9_usize], lamp in prop::array::uniform3(-1.0..1.0_f64),
+        eye in eyes(), count in 60..500_u32, seed in 0..1000_u32, covers in prop_oneof![4 => 1..4_usize, 1 => 4..9_usize], lamp in prop::array::uniform3(-1.0..1.0_f64), form in forms(),
     ) {
         prop_assume!(dot(lamp, lamp) > 0.1);
         let (travel, solids) = (unit(lamp), solids(seed));
-        let mut simulator = cloud(count, seed, 0.8);
-        let (kept, left) = culled(&mut simulator, shadow_view(&eye, travel, covers, &solids));
+        let mut simulator = cloud_of(form, count, seed, 0.8);
+        let (kept, left) = culled(&mut simulator, with_reach(shadow_view(&eye, travel, covers, &solids), form));
         let caps = start_caps();
-        let shadow = |row: &Row| Shadow::new(row, &eye, travel, &caps, &solids);
+        let shadow = |row: &Row| Shadow::new(row, &eye, travel, &caps, &solids, form);
         let thrown: Vec<Shadow> = kept.iter().map(shadow).collect();
         let mut random = Random::new(seed);
         for hidden in left.iter().map(shadow) {
@@ -426,7 +513,7 @@ struct Shadow {
 }
 
 impl Shadow {
-    fn new((place, attributes): &Row, eye: &Observer, travel: V3, caps: &[f32], solids: &[f32]) -> Self {
+    fn new((place, attributes): &Row, eye: &Observer, travel: V3, caps: &[f32], solids: &[f32], form: Form) -> Self {
         let centre = [place[0], place[1], place[2]].map(f64::from);
         let radius = f64::from(place[3]);
         let [x, y, depth] = eye.view(centre);
@@ -442,19 +529,23 @@ impl Shadow {
             0.0
         };
         let columns = &solids[(attributes[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
+        let age = f64::from(attributes[1] >> 16) / 65_535.0;
         let disc = |ball: usize| {
-            let at = turned(
-                [0, 1, 2].map(|axis| f64::from(columns[axis * BALLS + ball])),
-                *attributes,
-            );
+            let at = placed(columns, ball, *attributes, age, form);
             let middle: V3 = std::array::from_fn(|i| centre[i] + radius * at[i]);
             let along = dot(middle, travel);
             let flat = std::array::from_fn(|i| middle[i] - along * travel[i]);
             (flat, radius * f64::from(columns[3 * BALLS + ball]))
         };
         // Transforms back into the frame of the puff.
-        let unturned = [attributes[0].wrapping_neg() & 0xffff, attributes[1]];
-        let cap = start_cap(caps, *attributes, turned(travel.map(|c| -c), unturned));
+        let unturned = [attributes[0].wrapping_neg() & 0xffff, attributes[1], 0, 0];
+        let cap = match form {
+            Form::Baked => start_cap(caps, *attributes, turned(travel.map(|c| -c), unturned)),
+            Form::Deformed => (0..BALLS)
+                .filter(|ball| columns[3 * BALLS + ball] > 0.0)
+                .map(|ball| dot(travel, placed(columns, ball, *attributes, age, form)))
+                .fold(CAPS[0], f64::max),
+        };
         let start = dot(centre, travel) + (cap + shear + 0.02) * radius;
         let end = match attributes[0] >> 16 {
             0xffff => f64::INFINITY,

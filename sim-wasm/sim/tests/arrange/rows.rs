@@ -194,6 +194,8 @@ fn attributes_are_packed_as_documented() {
         [
             (spin(age) & 0xffff) | ((age / 40.0 * 65_535.0 + 0.5) as u32) << 16,
             3 | 200 << 8 | heat << 16 | 9 << 24,
+            0,
+            0,
         ]
     };
     assert_eq!(

@@ -2,6 +2,7 @@
 
 use crate::common::{LIVELY, STILL, newborn, simulator, steps};
 use sim::Simulator;
+use sim::arrange::row_layout::Attributes;
 use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::particles::Newborn;
 
@@ -41,7 +42,7 @@ fn shown(simulator: &mut Simulator, blend: f32) -> Vec<f32> {
     simulator.place()[..count].iter().map(|place| place[0]).collect()
 }
 
-fn rows(simulator: &mut Simulator) -> (Vec<[f32; 4]>, Vec<[u32; 2]>) {
+fn rows(simulator: &mut Simulator) -> (Vec<[f32; 4]>, Vec<Attributes>) {
     let count = simulator.arrange(&view(0.4)).unwrap();
     (
         simulator.place()[..count].to_vec(),

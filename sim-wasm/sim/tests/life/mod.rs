@@ -2,4 +2,5 @@
 
 mod ageing;
 mod curves;
+mod flow;
 mod hold;

@@ -19,7 +19,7 @@ use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::outline::{NOTHING_LEFT, Outline, Outliner};
 use crate::arrange::coverage::plan::PlanKind;
 use crate::arrange::coverage::solids::Orientations;
-use crate::arrange::row_layout::NO_END;
+use crate::arrange::row_layout::{Attributes, NO_END};
 use crate::math::radix_sort::Entry;
 
 pub use plan::Plan;
@@ -30,6 +30,8 @@ pub(crate) use chart::ChartExtent;
 #[derive(Debug)]
 pub(crate) struct Coverage {
     pub grid: CoverageGrid,
+    /// See [`Outliner::billow`].
+    pub billow: Option<f32>,
     orientations: Orientations,
     outline: Outline,
 }
@@ -39,6 +41,7 @@ impl Coverage {
     pub(crate) fn new(capacity: usize) -> Self {
         Self {
             grid: CoverageGrid::new(capacity),
+            billow: None,
             orientations: Orientations::new(),
             outline: Outline::default(),
         }
@@ -52,10 +55,10 @@ impl Coverage {
         extent: &ChartExtent,
         rows: &mut [Entry],
         places: &[[f32; 4]],
-        attributes: impl Fn(usize) -> [u32; 2],
+        attributes: impl Fn(usize) -> Attributes,
     ) -> usize {
         self.grid.reset(plan, extent);
-        let outliner = Outliner::new(plan, &self.grid, &self.orientations);
+        let outliner = Outliner::new(plan, &self.grid, &self.orientations, self.billow);
         let mut kept = 0;
         let place_of = |row: Option<&Entry>| row.map_or([0.0; 4], |row| places[row[1] as usize]);
         let mut next = place_of(rows.first());
@@ -95,10 +98,10 @@ impl Coverage {
         extent: &ChartExtent,
         rows: &mut [Entry],
         places: &[[f32; 4]],
-        attributes: impl Fn(usize) -> [u32; 2],
+        attributes: impl Fn(usize) -> Attributes,
     ) -> usize {
         self.grid.reset(plan, extent);
-        let outliner = Outliner::new(plan, &self.grid, &self.orientations);
+        let outliner = Outliner::new(plan, &self.grid, &self.orientations, self.billow);
         let typical = extent.typical() / plan.radius_factor();
         for are_large in [true, false] {
             for row in rows.iter_mut() {

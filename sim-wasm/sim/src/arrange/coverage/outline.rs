@@ -7,7 +7,8 @@ use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
-use crate::arrange::row_layout::{END_STEPS, NO_END};
+use crate::arrange::deformation::undeformed;
+use crate::arrange::row_layout::{Attributes, END_STEPS, NO_END};
 use crate::math::scalar::{clamped, greater};
 use crate::math::simd::{LANES, positive_part};
 
@@ -67,15 +68,23 @@ struct ProjectedPuff {
 pub(crate) struct Outliner<'a> {
     plan: &'a Plan<'a>,
     orientations: &'a Orientations,
+    /// Share by which young puffs are folded; none if all puffs have their baked shapes.
+    billow: Option<f32>,
     corner: [f32; 2],
     density: f32,
 }
 
 impl<'a> Outliner<'a> {
-    pub(crate) fn new(plan: &'a Plan, grid: &CoverageGrid, orientations: &'a Orientations) -> Self {
+    pub(crate) fn new(
+        plan: &'a Plan,
+        grid: &CoverageGrid,
+        orientations: &'a Orientations,
+        billow: Option<f32>,
+    ) -> Self {
         Self {
             plan,
             orientations,
+            billow,
             corner: grid.corner,
             density: grid.density,
         }
@@ -92,10 +101,22 @@ impl<'a> Outliner<'a> {
 
     /// Writes the discs of the row that `place` projected.
     #[inline(always)]
-    pub(crate) fn draw(&self, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+    pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
             PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
+        }
+    }
+
+    /// Rows of the map from a puff's frame to the axes of the chart, for a puff fixed in world space.
+    #[inline(always)]
+    fn standing(&self, attributes: Attributes) -> [[f32; 3]; 3] {
+        let axes = &self.plan.chart.axes;
+        match self.billow {
+            None => self.orientations.standing(attributes, axes),
+            Some(_) => self
+                .orientations
+                .standing(attributes, &axes.map(|row| undeformed(attributes, row))),
         }
     }
 
@@ -167,7 +188,7 @@ impl<'a> Outliner<'a> {
         true
     }
 
-    fn draw_body(&self, bodies: &Bodies, attributes: [u32; 2], outline: &mut Outline) {
+    fn draw_body(&self, bodies: &Bodies, attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
         outline.inner.count = 0;
         if !projected.covers {
@@ -177,9 +198,11 @@ impl<'a> Outliner<'a> {
         let rotation = if bodies.solids.faces_eye {
             self.orientations.facing(attributes, &VIEW_AXES)
         } else {
-            self.orientations.standing(attributes, &self.plan.chart.axes)
+            self.standing(attributes)
         };
-        bodies.solids.rotate(attributes, &rotation, &mut outline.balls);
+        bodies
+            .solids
+            .rotate(attributes, &rotation, self.billow, &mut outline.balls);
         let cells = f32x4::splat(projected.radius * projected.density);
         let line = bodies.pad * projected.w * projected.density;
         let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
@@ -187,7 +210,8 @@ impl<'a> Outliner<'a> {
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             let depth = centre - ball.z * radius;
-            let (inside, outside) = ((ball.radius - tolerance) * cells, (ball.radius + tolerance) * cells);
+            let widest = ball.radius * f32x4::splat(outline.balls.ratio);
+            let (inside, outside) = ((ball.radius - tolerance) * cells, (widest + tolerance) * cells);
             let inside = is_present & positive_part(inside);
             let disc = DiscGroup {
                 u: f32x4::splat(projected.u) + ball.x * cells,
@@ -222,7 +246,7 @@ impl<'a> Outliner<'a> {
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut projected = self.projected(place);
-        let [eye_w, shear] = shadows.seen(place);
+        let [eye_w, shear] = shadows.seen(place, self.tallest(shadows));
         projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
@@ -241,21 +265,32 @@ impl<'a> Outliner<'a> {
         place[3] > 0.0
     }
 
+    /// Greatest height of a puff over its nailboard (radii).
+    fn tallest(&self, shadows: &Shadows) -> f32 {
+        match self.billow {
+            Some(_) if !shadows.solids.faces_eye => shadows.reach,
+            _ => 1.0,
+        }
+    }
+
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
-    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: [u32; 2], outline: &mut Outline) {
+    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
         let rotation = if shadows.solids.faces_eye {
             self.orientations.facing(attributes, &shadows.axes_in_view)
         } else {
-            self.orientations.standing(attributes, &self.plan.chart.axes)
+            self.standing(attributes)
         };
-        shadows.solids.rotate(attributes, &rotation, &mut outline.balls);
-        let [_, shear] = shadows.seen(place);
-        let starts = shadows
-            .caps
-            .of(attributes, rotation[2])
-            .map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        shadows
+            .solids
+            .rotate(attributes, &rotation, self.billow, &mut outline.balls);
+        let [_, shear] = shadows.seen(place, self.tallest(shadows));
+        let caps = match self.billow {
+            Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
+            _ => shadows.caps.of(attributes, rotation[2]),
+        };
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
         let cells = place[3] * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
@@ -266,7 +301,8 @@ impl<'a> Outliner<'a> {
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let (x, y) = (ball.x * lanes(cells), ball.y * lanes(cells));
-            let outside = (ball.radius + lanes(projected.tolerance)) * lanes(cells);
+            let widest = ball.radius * lanes(outline.balls.ratio);
+            let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             for lane in 0..LANES {
                 if ball.radius.as_array()[lane] > 0.0 {
@@ -316,9 +352,10 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
 }
 
 impl Shadows<'_> {
-    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii).
+    /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii), for
+    /// puffs of a height `tallest` (radii).
     #[inline(always)]
-    fn seen(&self, place: [f32; 4]) -> [f32; 2] {
+    fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
         let eye = &self.eye;
         let w = eye.w.at(place);
         if !eye.is_perspective {
@@ -335,8 +372,8 @@ impl Shadows<'_> {
             return [w, grown * greater(slope, 0.0)];
         }
         let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
-        let aside = 0.5 * sideways * grown * place[3] / w;
-        [w, grown * (greater(slope, -self.depth * slope) + aside)]
+        let aside = 0.5 * tallest * tallest * sideways * grown * place[3] / w;
+        [w, grown * (greater(tallest * slope, -self.depth * slope) + aside)]
     }
 
     /// Distance from the centre to the start (radii). Same as in the shader.

@@ -2,7 +2,9 @@
 
 use wide::f32x4;
 
-use crate::arrange::row_layout::{ROLL, SEED, VARIATION};
+use crate::arrange::deformation::{across, ratio};
+use crate::arrange::row_layout::{AGE, Attributes, ROLL, SEED, VARIATION};
+use crate::math::scalar::clamped;
 use crate::math::simd::LANES;
 
 /// Maximum number of lobes of a puff.
@@ -14,6 +16,10 @@ const SEEDS: usize = 256;
 const SINES: usize = 4096;
 /// Rotation of the seed axes about z from one seed to the next.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+/// See src/constants.ts.
+const BILLOW_DEPTH: f32 = 0.6;
+const BILLOW_DELAY: f32 = 0.5;
+const BILLOW_STEP: f32 = 0.618_034;
 
 /// The shapes of puffs. Lengths in particle radii.
 #[derive(Clone, Copy, Debug)]
@@ -25,12 +31,15 @@ pub struct Solids<'v> {
     pub faces_eye: bool,
 }
 
-/// The balls of one puff in view space: right, up, towards the eye.
+/// The balls of one puff in view space: right, up, towards the eye. If the puff is stretched, balls that its ellipsoids
+/// contain.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct RotatedBalls {
     groups: [BallGroup; BALLS_LIMIT / LANES],
     /// Number of groups.
     pub count: usize,
+    /// Factor on the radii of the balls that contain the ellipsoids.
+    pub ratio: f32,
 }
 
 /// Four balls. A radius of 0 marks a missing ball.
@@ -61,7 +70,13 @@ impl<'v> Solids<'v> {
 
     /// Rotates the puff with these packed attributes by `rotation`.
     #[inline(always)]
-    pub(crate) fn rotate(&self, attributes: [u32; 2], rotation: &[[f32; 3]; 3], into: &mut RotatedBalls) {
+    pub(crate) fn rotate(
+        &self,
+        attributes: Attributes,
+        rotation: &[[f32; 3]; 3],
+        billow: Option<f32>,
+        into: &mut RotatedBalls,
+    ) {
         let size = 4 * self.balls;
         let variation = VARIATION.of(attributes) as usize % (self.table.len() / size);
         let columns = &self.table[variation * size..(variation + 1) * size];
@@ -70,19 +85,44 @@ impl<'v> Solids<'v> {
             let lanes: &[f32; LANES] = columns[start..start + LANES].try_into().expect("whole blocks");
             f32x4::new(*lanes)
         };
+        let billow = billow.filter(|_| !self.faces_eye);
         into.count = self.balls / LANES;
+        into.ratio = billow.map_or(1.0, |_| ratio(attributes));
+        let across = billow.map_or(1.0, |_| across(into.ratio));
         for (at, group) in into.groups[..into.count].iter_mut().enumerate() {
             let at = at * LANES;
-            let (x, y, z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            let (mut x, mut y, mut z) = (lanes(0, at), lanes(1, at), lanes(2, at));
+            if let Some(billow) = billow
+                && billow > 0.0
+            {
+                let age = AGE.of(attributes) as f32 / AGE.max as f32;
+                let unfolded = unfolded(at, age, billow);
+                (x, y, z) = (x * unfolded, y * unfolded, z * unfolded);
+            }
             let along = |row: [f32; 3]| x * f32x4::splat(row[0]) + y * f32x4::splat(row[1]) + z * f32x4::splat(row[2]);
             *group = BallGroup {
                 x: along(rotation[0]),
                 y: along(rotation[1]),
                 z: along(rotation[2]),
-                radius: lanes(3, at),
+                radius: match billow {
+                    None => lanes(3, at),
+                    Some(_) => lanes(3, at) * f32x4::splat(across),
+                },
             };
         }
     }
+}
+
+/// Factors on the centres of four lobes from `index` on at `age`, a fraction of the lifetime: lobes unfold one after
+/// another over the first half of life. As in shaders/lib/orientation.glsl.
+#[inline(never)]
+fn unfolded(index: usize, age: f32, billow: f32) -> f32x4 {
+    let factor = |lane: usize| {
+        let phase = ((index + lane) as f32 * BILLOW_STEP).fract();
+        let share = clamped((2.0 * age - BILLOW_DELAY * phase) / (1.0 - BILLOW_DELAY), 0.0, 1.0);
+        1.0 - BILLOW_DEPTH * billow * (1.0 - share * share * (3.0 - 2.0 * share))
+    };
+    f32x4::new(std::array::from_fn(factor))
 }
 
 /// The sine table, and the rotation axes of the seeds.
@@ -111,14 +151,14 @@ impl Orientations {
 
     /// Sine and cosine of the roll in packed attributes.
     #[inline(always)]
-    fn roll(&self, attributes: [u32; 2]) -> (f32, f32) {
+    fn roll(&self, attributes: Attributes) -> (f32, f32) {
         let index = (ROLL.of(attributes) as usize * SINES + 0x8000) >> 16;
         (self.sines[index % SINES], self.sines[(index + SINES / 4) % SINES])
     }
 
     /// Rows of the rotation from a puff's frame to `axes`, for a puff fixed in world space.
     #[inline(always)]
-    pub(crate) fn standing(&self, attributes: [u32; 2], axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+    pub(crate) fn standing(&self, attributes: Attributes, axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
         let axis = self.axes[SEED.of(attributes) as usize];
         axes.map(|row| {
@@ -134,7 +174,7 @@ impl Orientations {
 
     /// Same for a puff that faces the eye and rolls, with axes in view space.
     #[inline(always)]
-    pub(crate) fn facing(&self, attributes: [u32; 2], axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
+    pub(crate) fn facing(&self, attributes: Attributes, axes_in_view: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         let (sine, cosine) = self.roll(attributes);
         axes_in_view.map(|[right, up, back]| [right * cosine + up * sine, up * cosine - right * sine, back])
     }
@@ -163,7 +203,7 @@ mod tests {
             let beside = cross(axis, [0.0, 0.6, 0.8]);
             let ahead = cross(axis, beside);
             for roll in [0u32, 4096, 20_000, 65_535] {
-                let rows = orientations.standing([roll, (seed as u32) << 8], &world);
+                let rows = orientations.standing([roll, (seed as u32) << 8, 0, 0], &world);
                 let rotated = |v: [f64; 3]| rows.map(|row| (0..3).map(|i| f64::from(row[i]) * v[i]).sum::<f64>());
                 let (sine, cosine) = (f64::from(roll) / 65_536.0 * std::f64::consts::TAU).sin_cos();
                 for (i, (along, across)) in rotated(axis).into_iter().zip(rotated(beside)).enumerate() {

@@ -2,7 +2,10 @@
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
-use crate::arrange::row_layout::VARIATION;
+use wide::f32x4;
+
+use crate::arrange::coverage::solids::{BallGroup, RotatedBalls};
+use crate::arrange::row_layout::{Attributes, VARIATION};
 use crate::math::scalar::{greater, lesser};
 
 /// Azimuths and polar angles of a variation's table.
@@ -27,9 +30,22 @@ impl<'v> StartCaps<'v> {
         Self { table, range }
     }
 
+    /// The same for a deformed puff: the farthest lit point of a lobe is at least as far as its centre, and farther by at
+    /// most the difference of the semi-axes of the ellipsoid. `balls` have z towards the light.
+    pub(crate) fn behind(&self, balls: &RotatedBalls) -> [f32; 2] {
+        [0.0, balls.ratio - 1.0].map(|excess| {
+            let farthest = |ball: &BallGroup| {
+                let behind = ball.radius * f32x4::splat(excess) - ball.z;
+                let present = ball.radius.simd_gt(f32x4::ZERO) & behind;
+                present.to_array().into_iter().fold(0.0, greater)
+            };
+            greater(balls.groups().iter().map(farthest).fold(0.0, greater), self.range[0])
+        })
+    }
+
     /// Minimum and maximum that the renderer may read for packed attributes, by the direction towards the light in the
     /// puff's frame.
-    pub(crate) fn of(&self, attributes: [u32; 2], [x, y, z]: [f32; 3]) -> [f32; 2] {
+    pub(crate) fn of(&self, attributes: Attributes, [x, y, z]: [f32; 3]) -> [f32; 2] {
         if self.table.is_empty() {
             return self.range;
         }
@@ -97,7 +113,7 @@ mod tests {
             let variation = number % 2;
             let entry =
                 table[variation * ENTRIES + row.min(CAP_ROWS - 1) * CAP_COLUMNS + column.min(CAP_COLUMNS - 1)].max(0.1);
-            let [least, most] = caps.of([0, variation as u32], [x, y, z].map(|c| c as f32));
+            let [least, most] = caps.of([0, variation as u32, 0, 0], [x, y, z].map(|c| c as f32));
             assert!(least <= entry && entry <= most);
             single += usize::from(least == most);
         }

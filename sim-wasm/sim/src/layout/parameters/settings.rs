@@ -28,12 +28,18 @@ impl Item for Emission {
 pub struct Puff {
     pub size: f64,
     pub variations: f64,
+    pub turn: f64,
+    pub stretch: f64,
+    pub billow: f64,
 }
 
 impl Item for Puff {
     const FIELDS: &'static [Field<Self>] = &[
         number("size", "1", [0.1, 4.0], 1.0, |p: &mut Self| &mut p.size),
         number("variations", "1", [1.0, 32.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
+        number("turn", "1", [0.0, 2.0], 0.0, |p: &mut Self| &mut p.turn),
+        number("stretch", "1", [1.0, 4.0], 1.0, |p: &mut Self| &mut p.stretch),
+        number("billow", "1", [0.0, 1.0], 0.0, |p: &mut Self| &mut p.billow),
     ];
 }
 
