@@ -1,4 +1,5 @@
 /** Colours, ink and light of the smoke. */
+import { TINTS } from '../constants.ts';
 import { ParameterError } from '../preset/errors.ts';
 import { fetchPreset } from '../preset/byScene/fetchPreset.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -7,8 +8,6 @@ import { fetched } from '../preset/timeout.ts';
 import { defaults, presetValues } from '../preset/values.ts';
 
 const USUAL = 'air';
-/** Number of tints of the simulator. */
-const TINTS = 3;
 
 /**
  * The values of a look, by flat key.

@@ -113,7 +113,7 @@ export class JoinedSmoke implements Arranger {
     const list = new RowList(view.purpose === 'light');
     const from = this.from.arrange(everything(view));
     list.add(from.rows, (seed) => 1 - this.swelling(seed));
-    list.add(this.to.rows, (seed) => this.swelling(seed));
+    list.add(this.to.rows, (seed) => this.swelling(seed), { isOfEye: true });
     return { rows: list.rows, bounds: boundsOfBoth(from.bounds, this.to.bounds), grid: undefined };
   }
 
@@ -121,8 +121,8 @@ export class JoinedSmoke implements Arranger {
   moving(view: View): MovingRows {
     const list = new RowList(false);
     const from = keep(this.from, view);
-    list.add(from.rows, (seed) => 1 - this.swelling(seed), from.moves);
-    list.add(this.to.rows, (seed) => this.swelling(seed), this.to.moves);
+    list.add(from.rows, (seed) => 1 - this.swelling(seed), { moves: from.moves });
+    list.add(this.to.rows, (seed) => this.swelling(seed), { moves: this.to.moves });
     return { rows: list.rows, moves: Float32Array.from(list.moves) };
   }
 
@@ -153,18 +153,35 @@ class RowList {
     };
   }
 
-  /** @param scaleOf scale of a row's radius by its seed, 0 to 1 */
-  add({ count, place, attributes }: Rows, scaleOf: (seed: number) => number, moves?: Float32Array): void {
+  /**
+   * @param scaleOf scale of a row's radius by its seed, 0 to 1
+   * @param isOfEye whether the rows were arranged for an eye, whatever this list is for
+   */
+  add(
+    { count, place, attributes }: Rows,
+    scaleOf: (seed: number) => number,
+    { moves, isOfEye = false }: { moves?: Float32Array; isOfEye?: boolean } = {},
+  ): void {
     for (let row = 0; row < count; ++row) {
       const scale = scaleOf(readBits(attributes, row, ATTRIBUTE_BITS.seed));
       if (scale === 0) continue;
       const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
-      const [motion, kind] = attributes.subarray(ATTRIBUTE_WORDS * row);
+      const words = attributes.slice(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1));
+      if (this.isForLight) castForever(words, isOfEye);
       this.place.push(x, y, z, scale * radius);
-      this.attributes.push(this.isForLight ? motion | NO_END : motion, kind);
+      this.attributes.push(...words);
       if (moves) this.moves.push(...moves.subarray(3 * row, 3 * row + 3));
     }
   }
+}
+
+/** Makes the attributes of a caster with an unbounded shadow. Its age is where an eye has temperature and tint. */
+function castForever(words: Uint32Array, isOfEye: boolean): void {
+  const { age, casterAge } = ATTRIBUTE_BITS;
+  if (isOfEye) {
+    words[casterAge.word] = (words[casterAge.word] & ~NO_END) | (readBits(words, 0, age) << casterAge.shift);
+  }
+  words[age.word] |= NO_END;
 }
 
 function boundsOfBoth(a: Bounds, b: Bounds): Bounds {

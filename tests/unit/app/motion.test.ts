@@ -24,7 +24,7 @@ function smokeOf(puffs: readonly Puff[]): Arranger {
     const placed = puffs.map((puff) => ({ ...puff, at: puff.from.map((x, axis) => x + blend * puff.move[axis]) }));
     placed.sort((a, b) => a.at[0] - b.at[0]);
     const place = Float32Array.from(placed.flatMap(({ at, radius }) => [...at, radius]));
-    const attributes = Uint32Array.from(placed.flatMap(({ seed }) => [0, seed << 8]));
+    const attributes = Uint32Array.from(placed.flatMap(({ seed }) => [0, seed << 8, 0, 0]));
     const rows: Rows = { count: puffs.length, place, attributes };
     return { rows, bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 1 } as const, grid: undefined };
   };

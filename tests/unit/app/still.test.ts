@@ -1,7 +1,7 @@
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { expect, test } from 'vitest';
 import { joined, stillOf } from '../../../src/app/capture/still.ts';
-import { NO_END } from '../../../src/sim/layout.ts';
+import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../src/sim/layout.ts';
 import type { Rows } from '../../../src/sim/rows.ts';
 import type { View } from '../../../src/sim/view.ts';
 import type { Arranger, FrameInput } from '../../../src/smoke/frameInput.ts';
@@ -12,7 +12,7 @@ const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
 /** A puff of radius 2 for each seed, at the same height. */
 function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
-  const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8]));
+  const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8, 5, 6]));
   const rows: Rows = { count: SEEDS.length, place, attributes };
   const bounds = { min: [0, height, 0], max: [2, height, 0], greatestRadius: 2 } as const;
   const asked: View[] = [];
@@ -54,7 +54,14 @@ test('nothing is culled and shadows do not end, because the occlusion changes', 
   const from = frameAt(1);
   const frame = joined(from, stillOf(frameAt(5)), 0.5);
   const { rows, bounds } = frame.simulator.arrange({ ...VIEW, purpose: 'light' });
-  for (const word of rows.attributes.filter((_, at) => at % 2 === 0)) expect(word).toBe((NO_END | 0x5678) >>> 0);
+  expect(rows.count).toBeGreaterThan(2);
+  for (let row = 0; row < rows.count; ++row) {
+    const [motion, kind, ...form] = rows.attributes.subarray(ATTRIBUTE_WORDS * row);
+    expect(motion).toBe((NO_END | 0x5678) >>> 0);
+    // The age of a caster: kept rows are those of an eye.
+    expect(kind >>> 16).toBe(rows.place[PLACE_FLOATS * row + 1] === 5 ? 0x1234 : 0);
+    expect(form.slice(0, 2)).toEqual([5, 6]);
+  }
   const [view] = (from.simulator as ReturnType<typeof smokeAt>).asked;
   expect(view).toMatchObject({ cull: false, coverage: undefined });
   expect(bounds).toEqual({ min: [0, 1, 0], max: [2, 5, 0], greatestRadius: 2 });

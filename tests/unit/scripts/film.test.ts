@@ -142,10 +142,10 @@ describe('prepareFolder', () => {
   afterEach(() => rmSync(place, { recursive: true }));
 
   it('creates folders in folders and leaves nothing in them', async () => {
-    const folder = join(place, 'a/b/c');
-    await prepareFolder(folder);
-    await prepareFolder(folder);
-    expect(readdirSync(folder)).toEqual([]);
+    const inner = join(place, 'a/b/c');
+    await prepareFolder(inner);
+    await prepareFolder(inner);
+    expect(readdirSync(inner)).toEqual([]);
   });
 
   it('rejects a file and a folder in a file', async () => {

@@ -55,13 +55,13 @@ describe('a simulator', () => {
     expect(factory.module.memory.buffer.byteLength).toBe(size);
   });
 
-  it('uses at most 96 bytes per particle', async () => {
+  it('uses at most 112 bytes per particle', async () => {
     const factory = await loadVariant('core');
     const before = factory.module.memory.buffer.byteLength;
     const simulator = factory.create({ capacity: 1_000_000, seed: 1 });
     const bytes = (factory.module.memory.buffer.byteLength - before) / 1_000_000;
     expect(bytes).toBeGreaterThan(56);
-    expect(bytes).toBeLessThanOrEqual(96);
+    expect(bytes).toBeLessThanOrEqual(112);
     simulator.dispose();
   });
 

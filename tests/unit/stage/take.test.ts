@@ -181,9 +181,12 @@ describe('a take', () => {
     simulation.advance(60);
     expect(simulation.simulator.hash()).toBe(HASH_2);
     const again = simulation.simulator.take(noteOf(take.values));
-    expect(core.readTake(again).isExact).toBe(true);
-    // The new encoding has version 3, and no other difference.
-    expect([...again]).toEqual([...bytes].with(4, 3));
+    // The new encoding has version 3 and the parameters that are newer than version 2.
+    expect(again[4]).toBe(3);
+    expect(core.readTake(again)).toEqual({ ...core.readTake(bytes), isExact: true });
+    simulation.replay(again, take.values);
+    simulation.advance(60);
+    expect(simulation.simulator.hash()).toBe(HASH_2);
     for (const [kept, isNotified] of [
       [bytes, true],
       [again, false],
