@@ -28,12 +28,12 @@ const TOGETHER = [
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
   {
     name: 'cartoonSmokeElement',
-    test: /(element\/(cartoonSmokeElement|attributes\/names)|preset\/assetUrls)\.ts$/,
+    test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/,
     priority: 3,
   },
   {
     name: 'session',
-    test: /src\/(preset\/(table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
+    test: /src\/(preset\/(assetUrls|table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },

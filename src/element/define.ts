@@ -30,5 +30,4 @@ function warnOfSecond(first: CustomElementConstructor): void {
   }
 }
 
-export { setAssetUrls, type AssetUrls } from '../preset/assetUrls.ts';
 export { CartoonSmokeElement };

@@ -1,5 +1,4 @@
 /** Colours, ink and light of the smoke. */
-import { TINTS } from '../constants.ts';
 import { ParameterError } from '../preset/errors.ts';
 import { fetchPreset } from '../preset/byScene/fetchPreset.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -8,6 +7,8 @@ import { fetched } from '../preset/timeout.ts';
 import { defaults, presetValues } from '../preset/values.ts';
 
 const USUAL = 'air';
+/** Number of tints of the simulator. Not imported: the module of constants is in the file of the renderer. */
+export const TINT_LIMIT = 3;
 
 /**
  * The values of a look, by flat key.
@@ -59,7 +60,7 @@ export class Tints {
   }
 
   private next(): number {
-    return this.indices.length < TINTS ? this.indices.length + 1 : this.indices[0];
+    return this.indices.length < TINT_LIMIT ? this.indices.length + 1 : this.indices[0];
   }
 
   private forget(tint: number): void {

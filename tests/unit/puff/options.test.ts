@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { ParameterError } from '../../../src/preset/errors.ts';
-import { Tints } from '../../../src/puff/look.ts';
+import { TINTS } from '../../../src/constants.ts';
+import { TINT_LIMIT, Tints } from '../../../src/puff/look.ts';
 import { demandOptions, EFFECTS, RANGES, type PuffOptions } from '../../../src/puff/options.ts';
 
 beforeEach(() => vi.stubGlobal('CSS', { supports: (_: string, value: string) => value === 'tomato' }));
@@ -35,6 +36,7 @@ describe('options', () => {
 
 describe('tints', () => {
   it('keep a colour and give the oldest away', () => {
+    expect(TINT_LIMIT).toBe(TINTS);
     const tints = new Tints();
     const values = {};
     expect(tints.take(undefined, values)).toBe(0);
