@@ -34,7 +34,7 @@ export default defineConfig({
       input: ['index.html', 'paper.html', 'puff.html'],
       // These files only export. Otherwise the first load would contain every module that they name.
       treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset|puff)\.ts$/, sideEffects: false }] },
-      // The page needs all presets at once. Otherwise each scene's presets are a file, because puff.html loads them singly.
+      // puff.html loads presets one by one, which would split those of the page into a file for each scene.
       output: { codeSplitting: { groups: [{ name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/ }] } },
     },
   },

@@ -37,7 +37,7 @@ export async function writeWhole(path, content) {
   } catch (error) {
     throw diskError(path, error);
   } finally {
-    // Without this condition, a file in place of the folder would hide the error.
+    // If the folder is a file, rmSync throws an error of its own, which would replace the first one.
     if (existsSync(part)) rmSync(part);
     open.delete(part);
   }

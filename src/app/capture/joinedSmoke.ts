@@ -30,10 +30,10 @@ export interface RetainedSmoke extends MovingRows {
 
 /** Copies all puffs of an arranger to new arrays. */
 export function keep(smoke: Arranger, view: View): RetainedSmoke {
-  const { rows: all, bounds } = smoke.arrange(everything(view));
-  const rows = copied(all);
-  const kept = { rows, bounds: structuredClone(bounds) };
-  return { ...kept, moves: movesOf(smoke, view, rows) };
+  const arranged = smoke.arrange(everything(view));
+  // The next arrange overwrites both.
+  const [rows, bounds] = [copied(arranged.rows), structuredClone(arranged.bounds)];
+  return { rows, bounds, moves: movesOf(smoke, view, rows) };
 }
 
 /** Finds each puff at the start and at the end of the latest step. */
@@ -167,7 +167,7 @@ class RowList {
       if (scale === 0) continue;
       const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
       const words = attributes.slice(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1));
-      if (this.isForLight) castForever(words, isOfEye);
+      if (this.isForLight) makeCaster(words, isOfEye);
       this.place.push(x, y, z, scale * radius);
       this.attributes.push(...words);
       if (moves) this.moves.push(...moves.subarray(3 * row, 3 * row + 3));
@@ -175,8 +175,8 @@ class RowList {
   }
 }
 
-/** Makes the attributes of a caster with an unbounded shadow. Its age is where an eye has temperature and tint. */
-function castForever(words: Uint32Array, isOfEye: boolean): void {
+/** Changes attributes to those of a caster with an unbounded shadow: its age replaces temperature and tint. */
+function makeCaster(words: Uint32Array, isOfEye: boolean): void {
   const { age, casterAge } = ATTRIBUTE_BITS;
   if (isOfEye) {
     words[casterAge.word] = (words[casterAge.word] & ~NO_END) | (readBits(words, 0, age) << casterAge.shift);
