@@ -194,13 +194,21 @@ test('elements without a box get no smoke, and nothing is fetched', async ({ pag
 
 test('an element that goes away in mid-puff does not stop it', async ({ page, host }) => {
   await host();
-  await page.evaluate(async () => {
-    const button = document.querySelector('button')!;
-    const calls = [puff(button), puff(button, { effect: 'trail', duration: 0.5 }), puff(button, { effect: 'vanish' })];
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    button.remove();
-    await Promise.all(calls);
+  const box = (await page.locator('#button').boundingBox())!;
+  const over = page.evaluate(async () => {
+    const [button, text] = ['#button', '#below'].map((each) => document.querySelector(each)!);
+    const calls = [puff(text), puff(button), puff(button, { effect: 'trail' }), puff(button, { effect: 'vanish' })];
+    // Before the code has arrived.
+    text.remove();
+    return (await Promise.allSettled(calls)).map(({ status }) => status);
   });
+  await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
+  await page.evaluate(() => document.querySelector('button')!.remove());
+  await frames(page, 10);
+  const { amount, y } = await smoke(page);
+  expect(amount).toBeGreaterThan(1000);
+  expect(Math.abs(y - box.y - box.height / 2)).toBeLessThan(80);
+  expect(await over).toEqual(Array(4).fill('fulfilled'));
 });
 
 test('invalid arguments reject with a ParameterError that lists what is accepted', async ({ page, host }) => {
