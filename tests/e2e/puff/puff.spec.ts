@@ -192,6 +192,33 @@ test('elements without a box get no smoke, and nothing is fetched', async ({ pag
   expect(server.sent.length).toBe(sent);
 });
 
+test('preload draws hidden smoke, because drivers compile shaders at their first use', async ({ page, host }) => {
+  // On the page's own thread, whose WebGL calls can be counted.
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen');
+    const { prototype } = WebGL2RenderingContext;
+    Object.assign(window, { hidden: 0, visible: 0 });
+    const native = prototype.drawElements;
+    prototype.drawElements = function (...given) {
+      const { visibility } = getComputedStyle(document.querySelector('canvas')!);
+      Reflect.set(window, visibility, Math.max(given[1], Reflect.get(window, visibility)));
+      native.apply(this, given);
+    };
+  });
+  await host();
+  await page.evaluate(() => puff.preload());
+  const [hidden, visible] = await page.evaluate(() => ['hidden', 'visible'].map((each) => Reflect.get(window, each)));
+  const corners = 6;
+  expect(hidden).toBeGreaterThan(5 * corners);
+  // The empty scene has obstacles.
+  expect(visible).toBeLessThan(5 * corners);
+  expect((await smoke(page)).amount).toBe(0);
+  await expect(canvases(page)).toHaveCSS('visibility', 'visible');
+  const over = page.evaluate(() => puff(document.querySelector('button')));
+  await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
+  await over;
+});
+
 test('an element that goes away in mid-puff does not stop it', async ({ page, host }) => {
   await host();
   const box = (await page.locator('#button').boundingBox())!;
