@@ -166,6 +166,7 @@ async function measureStarts(open, sent, rounds) {
 
 /** One page, so that both draw in the same window. */
 const CONTESTS = /** @type {const} */ ([
+  ['page.main0Ms', 'new Promise((resolve) => setTimeout(resolve, 2000))'],
   ['puff.main1Ms', "puff(document.querySelector('button'))"],
   ['confetti.main1Ms', 'confetti()'],
   ['puff.main20Ms', 'Promise.all(Array.from({ length: 20 }, (_, at) => puff({ x: 30 * at, y: 200 })))'],
