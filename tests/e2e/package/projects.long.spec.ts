@@ -30,15 +30,21 @@ test('a page without a bundler', async ({ page, project }) => {
 
 for (const version of ['7', '8']) {
   test(`Vite ${version} without configuration, built and on its development server`, async ({ page, project }) => {
-    const main = `${PAGE_WITH_ELEMENT}<script type="module" src="/main.ts"></script>`;
+    const body = PAGE_WITH_ELEMENT.replace('preset=', 'emision-rate="1" preset=');
+    const main = `${body}<script type="module" src="/main.ts"></script>`;
     const place = project([`vite@${version}`], { 'index.html': main, 'main.ts': MAIN });
+    const warnings: string[] = [];
+    page.on('console', (message) => message.text().includes('emision-rate') && warnings.push(message.text()));
     bin(place, 'vite/bin/vite.js', 'build');
     await expectTitle(page, join(place, 'dist'), READY);
+    expect(warnings).toEqual([]);
     const { createServer } = (await import(join(place, 'node_modules/vite/dist/node/index.js'))) as typeof Vite;
     const server = await createServer({ root: place, logLevel: 'error', server: { port: 0 } });
     await server.listen();
     await page.goto(server.resolvedUrls!.local[0]);
     await expect(page).toHaveTitle(READY);
+    // The server may reload the page when it has bundled the dependencies.
+    expect(new Set(warnings).size).toBe(1);
     await server.close();
   });
 }
