@@ -75,10 +75,28 @@ export class Simulator {
     return this.#attempt(() => this.#handle.addSurface(...mesh));
   }
 
+  /**
+   * Sets an emitter of the pool, outside the parameter table, or adds births to the next step of any emitter. It is saved,
+   * but not recorded in takes.
+   *
+   * @param index 0 to 7 in the table, 8 to 391 in the pool
+   * @param numbers Parameters of `emitters.#` in the order of the table, three for a vector, 30 in all. `share` is its rate
+   * in particles/s. Without numbers and a count the place is freed.
+   * @param count Births in the next step.
+   */
+  setEmitter(index: number, numbers: Float64Array, count = 0): void {
+    this.#attempt(() => this.#handle.setEmitter(index, numbers, count));
+  }
+
   /** Adds a rigid body and returns its index. Requires the variant with physics. */
   addRigid(description: RigidDescription): number {
     const rigid = this.#rigids.rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
+  }
+
+  /** Removes a rigid that no joint holds. The next rigid that is added takes the lowest free index. */
+  removeRigid(index: number): void {
+    this.#attempt(() => this.#handle.removeRigid(index));
   }
 
   /** Adds a joint between two rigids and returns its index. */

@@ -177,7 +177,9 @@ test.describe('errors', () => {
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
+    expect(said.repeated).toBe('nothing');
     expect(said.again).toBe('nothing');
+    expect(said.call).toMatch(/^SimulatorError: .*disposed/);
     expect(said.disposed).toMatch(/^SimulatorError: .*disposed/);
   });
 });
