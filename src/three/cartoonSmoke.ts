@@ -48,13 +48,13 @@ const FIRST = -1e9;
  * ```ts
  * const smoke = await CartoonSmoke.create({ renderer, keyLight, values: { 'style.smokeColor': '#ffffff' } });
  * scene.add(smoke);
+ * const exhaust = smoke.emitFrom(car, { rate: 40, inherit: 0.3 });
  * smoke.collide(robot);
  * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
  * ```
  *
- * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports a resource
- * that could not be fetched and that smoke does without; such errors are not thrown from the render loop.
- * See {@link CartoonSmokeEvents}.
+ * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports what fails in
+ * the render loop, which never throws. See {@link CartoonSmokeEvents}.
  */
 export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly device: Device;

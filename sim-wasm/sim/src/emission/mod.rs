@@ -84,6 +84,7 @@ impl Births {
     }
 
     /// Emitter `number` of the table, followed by the pool, and what it owes.
+    #[inline(never)]
     fn emitter<'e>(&'e mut self, table: &'e [Emitter], number: usize) -> (&'e Emitter, &'e mut Debt) {
         match number.checked_sub(table.len()) {
             None => (&table[number], &mut self.debts[number]),

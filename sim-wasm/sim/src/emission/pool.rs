@@ -28,6 +28,7 @@ impl Births {
     ///
     /// # Errors
     /// There is no such emitter, or a number is out of range; nothing changes.
+    #[cold]
     pub fn put(&mut self, index: usize, numbers: &[f64], count: u32, table: usize) -> Result<(), ParameterError> {
         if index >= table {
             let slot = index.wrapping_sub(LIST_LIMIT);
@@ -54,18 +55,22 @@ impl Births {
 }
 
 impl SnapshotSection for Births {
+    #[cold]
     fn write(&self, body: &mut Writer) {
         let (table, pool) = self.debts().split_at(LIST_LIMIT);
         table.iter().for_each(|debt| body.number(debt.owed));
         table.iter().for_each(|debt| body.long(debt.waiting));
         for (emitter, debt) in self.pool.iter().zip(pool) {
             let mut emitter = *emitter;
-            slots().for_each(|(_, at)| body.number(*value(&mut emitter, at)));
+            for number in 0..EMITTER_NUMBERS {
+                body.number(*value(&mut emitter, place_of(number).1));
+            }
             body.number(debt.owed);
             body.long(debt.waiting);
         }
     }
 
+    #[cold]
     fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
         let mut births = Self::default();
         for debt in &mut births.debts[..LIST_LIMIT] {
@@ -92,27 +97,39 @@ impl SnapshotSection for Births {
     }
 }
 
+#[cold]
 #[inline(never)]
 fn read_owed(reader: &mut Reader) -> Result<f64, RestoreError> {
     reader.number().map(|owed| owed.clamp(-1.0, 1.0))
 }
 
+#[cold]
 fn emitter_from(numbers: &[f64]) -> Result<Emitter, ParameterError> {
     let mut emitter = Emitter::default();
-    for (number, (meta, at)) in slots().enumerate() {
+    for number in 0..EMITTER_NUMBERS {
+        let (meta, at) = place_of(number);
         let given = numbers.get(number).copied().unwrap_or(f64::NAN);
         *value(&mut emitter, at) = accept(meta.key, meta, given)?;
     }
     Ok(emitter)
 }
 
-/// The places of the numbers of an emitter in order.
-fn slots() -> impl Iterator<Item = (&'static Meta, Slot)> {
-    (0..)
-        .map_while(|field| meta::<Emitter>(field).map(|(meta, parts)| (field, meta, parts.len())))
-        .flat_map(|(field, meta, parts)| (0..parts).map(move |part| (meta, Slot { field, part })))
+/// The parameter of number 0..[`EMITTER_NUMBERS`] of an emitter.
+#[cold]
+#[inline(never)]
+fn place_of(number: usize) -> (&'static Meta, Slot) {
+    let (mut field, mut part) = (0, number);
+    loop {
+        let (meta, parts) = meta::<Emitter>(field).expect("an emitter has this many numbers");
+        if part < parts.len() {
+            return (meta, Slot { field, part });
+        }
+        part -= parts.len();
+        field += 1;
+    }
 }
 
+#[cold]
 fn error_of(index: usize) -> ParameterError {
     ParameterError::out_of_range("emitter", index as f64, 0.0, (LIST_LIMIT + POOL_LIMIT - 1) as f64)
 }
