@@ -71,6 +71,7 @@ export abstract class Handle implements SmokeHandle {
     this.start();
     this.isActive = true;
     this.handles = handles;
+    this.noteScene(rootOf(handles.owner.object));
   }
 
   /** Reads the object for the next steps. Reports errors once, until the object is sound again. */
@@ -131,9 +132,13 @@ export abstract class Handle implements SmokeHandle {
   /** Objects that were never in the scene count as present: they are mere anchors. */
   private isPresent(smoke: Object3D): boolean {
     const root = rootOf(smoke);
+    return this.noteScene(root) || !this.wasInScene || root === smoke;
+  }
+
+  private noteScene(root: Object3D): boolean {
     const isInScene = rootOf(this.object) === root;
     this.wasInScene ||= isInScene;
-    return isInScene || !this.wasInScene || root === smoke;
+    return isInScene;
   }
 }
 

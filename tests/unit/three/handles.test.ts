@@ -58,6 +58,8 @@ test('options, set and burst reach the simulator, and remove ends the emission',
   emitter.set({ rate: 60 });
   smoke.frames(60);
   expect(smoke.simulator.alive).toBe(85);
+  // The options that `set` does not name stay.
+  expect(new Set(smoke.places().map(String))).toEqual(new Set(['2,0,0']));
   emitter.remove();
   emitter.remove();
   smoke.frames(60);
@@ -77,6 +79,18 @@ test('a burst comes once, at its place, in its direction and with its speed', ()
     // Births are spread over the first step.
     expect(Math.abs(z - (3 - 6.05))).toBeLessThan(0.06);
   }
+  smoke.simulator.dispose();
+});
+
+test('a burst has no options of the one before', () => {
+  const smoke = new HandledSmoke(factory);
+  const position = new Vector3(0, 5, 0);
+  smoke.pool.burst({ ...RESTING, position, count: 1, temperature: 3, spread: 0 });
+  smoke.pool.burst({ position, count: 200, direction: { x: 0, y: 0, z: 1 } });
+  smoke.frames(30);
+  const moved = smoke.places().filter(([, , z]) => z > 0.1);
+  expect(moved).toHaveLength(200);
+  expect(new Set(moved.map(([x]) => x)).size).toBeGreaterThan(100);
   smoke.simulator.dispose();
 });
 
@@ -144,9 +158,10 @@ test('a table emitter is silent while it is disabled, keeps the rates of the oth
   // A puff that is born at the end of the step is not drawn yet.
   expect(counts()).toEqual([59, 59]);
   first.enabled = false;
+  smoke.frame();
   // The values of the table must not wake it.
   smoke.set({ 'emitters.0.envelope.duration': 0, 'emitters.0.speed': 1 });
-  smoke.frames(60);
+  smoke.frames(59);
   expect(counts()).toEqual([60, 119]);
   first.enabled = true;
   second.set({ speed: 3, extent: { x: 1, y: 2, z: 3 } });
@@ -161,6 +176,10 @@ test('a table emitter is silent while it is disabled, keeps the rates of the oth
   smoke.emitFrom(smoke.put(new Object3D(), 10), 0);
   smoke.frames(60);
   expect(counts()).toEqual([179, 306]);
+  // Of two handles of an emitter one is enough.
+  smoke.emitFrom(smoke.put(new Object3D(), 10), 0).remove();
+  smoke.frames(60);
+  expect(counts()).toEqual([239, 366]);
   smoke.simulator.dispose();
 });
 
@@ -256,9 +275,12 @@ function isThere(smoke: HandledSmoke, from: number): boolean {
   return x < 3;
 }
 
-test('an object that was never in the scene is an anchor', () => {
+test('an object that was never in the scene is an anchor, one that leaves before the first step is not', () => {
   const smoke = new HandledSmoke(factory);
   smoke.emitFrom(new Object3D(), { rate: 60 });
+  const object = smoke.put(new Object3D());
+  smoke.emitFrom(object, { rate: 60 });
+  smoke.scene.remove(object);
   smoke.frames(60);
   expect(smoke.simulator.alive).toBe(60);
   smoke.simulator.dispose();

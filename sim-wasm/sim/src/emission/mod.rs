@@ -36,7 +36,7 @@ pub struct Debt {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Births {
     /// What each emitter owes: first those of the table, then those of the pool.
-    debts: Vec<Debt>,
+    debts: [Debt; LIST_LIMIT + POOL_LIMIT],
     /// Emitters outside of the table by slot; empty until the first is set.
     pool: Vec<Emitter>,
 }
@@ -44,7 +44,7 @@ pub struct Births {
 impl Default for Births {
     fn default() -> Self {
         Self {
-            debts: vec![Debt::default(); LIST_LIMIT + POOL_LIMIT],
+            debts: [Debt::default(); LIST_LIMIT + POOL_LIMIT],
             pool: Vec::new(),
         }
     }
