@@ -15,10 +15,10 @@ import { LivePuffs } from '../smoke/livePuffs.ts';
 import type { Style } from '../smoke/style.ts';
 import { Attachment } from './attachment.ts';
 import { Caster } from './caster.ts';
-import { Collider, type CollideOptions } from './colliders.ts';
+import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
 import type { BurstOptions, EmitterOptions } from './emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, type EmitterHandle } from './emitters.ts';
-import { Handles, type HandleOwner, type SmokeHandle } from './handle.ts';
+import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost, markWith } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
@@ -33,6 +33,7 @@ import {
 } from './options.ts';
 import { receiversIn } from './casters.ts';
 import { Overrides } from './overrides.ts';
+import { PushedObject } from './pushed.ts';
 import { requirementError, requireRenderer } from './requirements.ts';
 import { Riders } from './riders.ts';
 
@@ -148,7 +149,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.requireAlive();
     if (!this.hasPhysics)
       throw new UnsupportedError('collide() does not work with physics: false. Remove that option.');
-    return this.handles.add(new Collider(this.simulator, object, options));
+    requireCollideOptions(options);
+    const Kind = options.feelsSmoke ? PushedObject : Collider;
+    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
   }
 
   /**
@@ -215,6 +218,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       this.reportDrawing();
       this.now += 1000 * seconds;
       this.advance(this.clock.tick(this.now));
+      this.handles.show(this.clock.blend);
       this.showPuffs(this.puffs.workFor(BAKING_MS));
     } catch (error) {
       this.reportOnce(error);
@@ -232,6 +236,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.reportDrawing();
     this.clock.settle();
     this.advance(count);
+    this.handles.show(this.clock.blend);
     this.showPuffs(this.puffs.finish());
   }
 
@@ -275,6 +280,18 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   /** Hash of the simulator's state, 16 hexadecimal digits. Equal states have equal hashes. */
   hash(): string {
     return this.simulator.hash();
+  }
+
+  /** @throws UnsupportedError always: a copy needs a simulator of its own, which takes time to create */
+  override clone(): this {
+    throw new UnsupportedError('Smoke cannot be cloned, since its simulator is created asynchronously: call create().');
+  }
+
+  /** @throws UnsupportedError always: JSON cannot hold the state of the simulator */
+  override toJSON(): never {
+    throw new UnsupportedError(
+      'Smoke cannot be written as JSON: remove it from the scene before toJSON(), and keep its values by get().',
+    );
   }
 
   /**

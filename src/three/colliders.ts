@@ -12,9 +12,16 @@ import { poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.t
 export interface CollideOptions extends RigidSurface {
   /** Balls that replace the object's meshes. */
   proxies?: readonly ProxyBall[];
+  /**
+   * Whether smoke pushes the object, which then also falls and collides with the other colliders: the simulator moves it.
+   * True is as strong as air; a number from 0 to 10 is a factor. Default false: the object moves as the host moves it.
+   */
+  feelsSmoke?: boolean | number;
+  /** Density of an object that feels smoke, 0.01 to 100,000 kg/m3. Default 3, as a paper lantern. */
+  density?: number;
 }
 
-const OPTIONS = ['restitution', 'friction', 'action', 'tint', 'boundaryLayer', 'proxies'];
+const OPTIONS = ['restitution', 'friction', 'action', 'tint', 'boundaryLayer', 'proxies', 'feelsSmoke', 'density'];
 
 /** A rigid of the simulator that follows an object of the host's scene. */
 interface Follower {
@@ -33,11 +40,8 @@ export class Collider extends Handle {
   private readonly options: CollideOptions;
   private followers: Follower[] = [];
 
-  /** @throws ParameterError for an unknown option or a proxy without a radius */
   constructor(simulator: Simulator, object: Object3D, options: CollideOptions) {
     super('collide', object);
-    requireKnown('collide', options, OPTIONS);
-    requireProxies('collide', options.proxies);
     this.simulator = simulator;
     this.options = { ...options };
   }
@@ -59,7 +63,7 @@ export class Collider extends Handle {
    */
   protected start(): void {
     const { object } = this;
-    const { proxies, ...surface } = this.options;
+    const { proxies, feelsSmoke: _push, ...surface } = this.options;
     object.updateWorldMatrix(true, true);
     try {
       if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
@@ -134,8 +138,18 @@ function newPose(): Pose {
   return { position: new Vector3(), rotation: new Quaternion() };
 }
 
+/** @throws ParameterError for an unknown option, a proxy without a radius or an invalid strength of the push */
+export function requireCollideOptions(options: CollideOptions): void {
+  requireKnown('collide', options, OPTIONS);
+  requireProxies('collide', options.proxies);
+  const { feelsSmoke = false } = options;
+  const isStrength = typeof feelsSmoke === 'number' && feelsSmoke >= 0 && feelsSmoke <= 10;
+  if (typeof feelsSmoke !== 'boolean' && !isStrength)
+    throw new ParameterError('collide.feelsSmoke', feelsSmoke, 'true, false or a number from 0 to 10');
+}
+
 /** The simulator's error with the name that the caller gave: options of `collide` are those of a rigid. */
-function errorOfOption(error: unknown): unknown {
+export function errorOfOption(error: unknown): unknown {
   if (!(error instanceof ParameterError) || !error.key.startsWith('rigid.')) return error;
   return new ParameterError(error.key.replace('rigid', 'collide'), error.value, error.accepted);
 }

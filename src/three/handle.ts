@@ -96,6 +96,9 @@ export abstract class Handle implements SmokeHandle {
   /** Prepares a step. @param from, to fractions of the way between the poses of the last two looks */
   move(_from: number, _to: number): void {}
 
+  /** Shows where the simulator has moved the object. @param blend between the previous step (0) and the latest (1) */
+  show(_blend: number): void {}
+
   /** Turns the effect on at the current pose. @throws ParameterError when it cannot; it is off then */
   protected abstract start(): void;
   /** Turns the effect off. */
@@ -167,6 +170,10 @@ export class Handles {
 
   move(from: number, to: number): void {
     for (const handle of this.all) handle.move(from, to);
+  }
+
+  show(blend: number): void {
+    for (const handle of this.all) handle.show(blend);
   }
 }
 

@@ -7,11 +7,12 @@ import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/layout.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
-import { Collider, type CollideOptions } from '../../src/three/colliders.ts';
+import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
 import type { EmitterOptions } from '../../src/three/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
-import { Handles } from '../../src/three/handle.ts';
+import { Handles, type Handle } from '../../src/three/handle.ts';
 import { Overrides } from '../../src/three/overrides.ts';
+import { PushedObject } from '../../src/three/pushed.ts';
 import { Riders } from '../../src/three/riders.ts';
 
 /** Still air in which nothing dies, and no emitter of the table emits. */
@@ -77,7 +78,9 @@ export class HandledSmoke {
   }
 
   collide(object: Object3D, options: CollideOptions = {}) {
-    return this.handles.add(new Collider(this.simulator, object, options));
+    requireCollideOptions(options);
+    const Kind = options.feelsSmoke ? PushedObject : Collider;
+    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
   }
 
   attach(item: string, object: Object3D) {
@@ -93,6 +96,7 @@ export class HandledSmoke {
       this.riders.place(step / count, (step + 1) / count);
       this.simulator.step();
     }
+    this.handles.show(1);
   }
 
   frames(count: number): void {

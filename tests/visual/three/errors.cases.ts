@@ -50,6 +50,8 @@ export async function errors(): Promise<Record<string, string>> {
   await attempt('open', () => smoke.cast(new Mesh(new PlaneGeometry())));
   await attempt('empty', () => smoke.cast(new Group()));
   await attempt('emitter', () => smoke.emitFrom(new Group(), 8));
+  await attempt('clone', () => host.scene.clone());
+  await attempt('json', () => host.scene.toJSON());
   update('seconds', NaN);
   await attempt('count', () => smoke.step(NaN));
   await attempt('fraction', () => smoke.step(1.5));

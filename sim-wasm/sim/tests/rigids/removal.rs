@@ -6,7 +6,7 @@ use sim::Simulator;
 use sim::math::pose::Pose;
 use sim::math::vector::Vector;
 use sim::particles::Newborn;
-use sim::rigids::{JointDescription, RigidDescription, RigidKind, RigidShape};
+use sim::rigids::{JointDescription, RigidDescription, RigidKind, RigidPart, RigidShape};
 
 const BALL: RigidShape = RigidShape::Ball { radius: 0.5 };
 
@@ -178,4 +178,55 @@ fn a_removed_rigid_with_a_layer_or_in_smoke_leaves_no_trace() {
     };
     assert_eq!(run(Some(layered)), run(None));
     assert_eq!(run(Some(feeling)), run(None));
+}
+
+#[test]
+fn other_rigids_meet_the_shapes_of_the_new_rigid_only() {
+    let speck = RigidShape::Ball { radius: 0.01 };
+    let slab = |x: f32| RigidPart {
+        shape: RigidShape::Cuboid {
+            half_extents: [1.0, 0.5, 1.0],
+        },
+        pose: at(x),
+    };
+    let both = RigidShape::Compound {
+        parts: vec![slab(0.0), slab(10.0)],
+    };
+    // Heights at which balls come to rest, or fall past, over both slabs.
+    let rest = |shapes: &[RigidShape]| {
+        let mut simulator = simulator(10, 1, &[STILL]);
+        let rigids = simulator.rigids_mut();
+        for (turn, shape) in shapes.iter().enumerate() {
+            if turn > 0 {
+                rigids.remove(0).unwrap();
+            }
+            let kind = [RigidKind::Dynamic, RigidKind::Fixed][usize::from(turn + 1 == shapes.len())];
+            rigids.add(RigidDescription::new(kind, shape.clone(), at(0.0))).unwrap();
+        }
+        for x in [0.0, 10.0] {
+            let above = Pose::at(Vector::new(x, 1.5, 0.0));
+            rigids
+                .add(RigidDescription::new(RigidKind::Dynamic, BALL, above))
+                .unwrap();
+        }
+        steps(&mut simulator, 120);
+        [1, 2].map(|rigid| simulator.rigids().poses()[14 * rigid + 8] > 0.9)
+    };
+    assert_eq!(rest(&[speck.clone(), both.clone()]), [true, true]);
+    assert_eq!(rest(&[speck.clone(), slab(0.0).shape]), [true, false]);
+    assert_eq!(rest(&[both.clone(), slab(0.0).shape]), [true, false]);
+    assert_eq!(rest(&[both.clone(), speck.clone(), both]), [true, true]);
+}
+
+#[test]
+fn a_rigid_with_a_joint_stays() {
+    let mut simulator = simulator(10, 1, &[STILL]);
+    let rigids = simulator.rigids_mut();
+    rigids.add(feeling(0.0)).unwrap();
+    rigids.add(feeling(2.0)).unwrap();
+    let joint = JointDescription::from_numbers(&[1.0, 0.0, 1.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0]).unwrap();
+    rigids.add_joint(&joint).unwrap();
+    let error = rigids.remove(1).unwrap_err();
+    assert_eq!(error.key, "rigid.index");
+    assert!(error.message.contains("joints"), "{}", error.message);
 }
