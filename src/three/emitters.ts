@@ -66,8 +66,6 @@ export class EmitterPool {
   burst(options: BurstOptions): void {
     const numbers = burstNumbers(options);
     const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
-    // What a burst of 256 bursts ago still owes ends here.
-    this.simulator.setEmitter(index, NO_NUMBERS);
     this.simulator.setEmitter(index, numbers, options.count);
   }
 }

@@ -32,12 +32,12 @@ impl Simulator {
         self.simulator.add_surface(vertices, indices).map_err(parameter_error)
     }
 
-    /// Sets, frees or bursts an emitter. See `sim::emission::Births::put`.
+    /// Sets, frees or bursts an emitter. See `sim::emission::Births::put`. Returns the error, since a `Result` would be an
+    /// array for each call.
     #[wasm_bindgen(js_name = setEmitter)]
-    pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> Result<(), JsValue> {
-        self.simulator
-            .set_emitter(index, numbers, count)
-            .map_err(parameter_error)
+    pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> JsValue {
+        let result = self.simulator.set_emitter(index, numbers, count);
+        result.map_or_else(parameter_error, |()| JsValue::UNDEFINED)
     }
 
     /// Sets the poses of the scene's parts for the coming step. See `sim::layout::scope::parts::Parts::place`.

@@ -124,6 +124,20 @@ test('thousands of bursts lose nothing while there is room, and the hash depends
   expect(run(6).hash).not.toBe(first.hash);
 });
 
+test('bursts leave no garbage', () => {
+  const smoke = new HandledSmoke(factory);
+  const burst = { position: new Vector3(), direction: new Vector3(0, 1, 0), count: 1, speed: 4, size: 0.25, tint: 3 };
+  const bytesPerBurst = () => {
+    const before = process.memoryUsage().heapUsed;
+    for (let count = 0; count < 5000; count++) smoke.pool.burst(burst);
+    return (process.memoryUsage().heapUsed - before) / 5000;
+  };
+  bytesPerBurst();
+  // A collection in between makes the difference negative; an object for each burst would be 100 bytes or more.
+  expect(Math.min(bytesPerBurst(), bytesPerBurst(), bytesPerBurst())).toBeLessThan(40);
+  smoke.simulator.dispose();
+});
+
 test('a pool that is not used leaves the hash alone, and a table emitter moves as before', () => {
   const values = { ...STILL, 'emission.rate': 60, 'emitters.0.share': 1 };
   const smoke = new HandledSmoke(factory, values);

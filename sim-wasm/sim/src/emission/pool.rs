@@ -22,8 +22,9 @@ impl Births {
     ///
     /// # Arguments
     /// * `index` - 0..=7 in the table, 8 plus the slot in the pool.
-    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter of the pool; none leave it as it is. It keeps what it owes.
-    /// * `count` - The number of births. With 0 and no `numbers` a slot becomes free and owes nothing.
+    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter of the pool; none leave it as it is.
+    /// * `count` - The number of births. With `numbers` they replace those that wait, unless it is 0. With 0 and no `numbers`
+    ///   a slot becomes free and owes nothing.
     /// * `table` - The number of emitters in the table.
     ///
     /// # Errors
@@ -41,6 +42,9 @@ impl Births {
             let emitter = &mut self.pool[slot];
             if !numbers.is_empty() {
                 *emitter = emitter_from(numbers)?;
+                if count > 0 {
+                    self.debts[index].waiting = 0;
+                }
             } else if count == 0 {
                 *emitter = Emitter::default();
                 self.debts[index] = Debt::default();

@@ -106,6 +106,20 @@ fn a_burst_waits_while_the_simulator_is_full() {
 }
 
 #[test]
+fn a_burst_with_numbers_replaces_the_one_that_waits() {
+    let mut simulator = simulator(50, 1, &[STILL, SILENT, &[("emission.lifetime", 1.0)]]);
+    let still = emitter(&[("share", 0.0), ("lifetimeVariation", 0.0)]);
+    simulator.set_emitter(index(0), &still, 120).unwrap();
+    steps(&mut simulator, 1);
+    assert_eq!((simulator.alive(), simulator.waiting()), (50, 70));
+    simulator.set_emitter(index(0), &still, 20).unwrap();
+    assert_eq!(simulator.waiting(), 20);
+    simulator.set_emitter(index(0), &still, 0).unwrap();
+    simulator.set_emitter(index(0), &[], 3).unwrap();
+    assert_eq!(simulator.waiting(), 23);
+}
+
+#[test]
 fn a_free_slot_emits_nothing_more_and_its_next_user_starts_anew() {
     let mut simulator = simulator(4000, 1, &[STILL, SILENT]);
     simulator

@@ -136,7 +136,7 @@ fn a_state_with_removed_rigids_continues_to_the_same_hash() {
     for x in 0..4 {
         let rigids = original.rigids_mut();
         rigids.add(feeling(x as f32)).unwrap();
-        rigids.add(layered(x as f32 - 6.0)).unwrap();
+        rigids.add(layered(0.3 * x as f32 - 0.6)).unwrap();
         rigids.add(fixed(x as f32 + 9.0)).unwrap();
     }
     steps(&mut original, 30);
@@ -144,6 +144,10 @@ fn a_state_with_removed_rigids_continues_to_the_same_hash() {
         original.rigids_mut().remove(rigid).unwrap();
     }
     original.rigids_mut().add(layered(0.5)).unwrap();
+    // Layers that overlap, and of which the lowest index was registered last.
+    for spinning in [1, 2, 4] {
+        original.rigids_mut().set_spin(spinning, [0.0, 1.0, 0.0], 9.0).unwrap();
+    }
     original.rigids_mut().add(feeling(-0.5)).unwrap();
     for wait in [0, 1, 9] {
         steps(&mut original, wait);
