@@ -15,7 +15,7 @@ pub(crate) mod shapes;
 pub mod surface;
 
 use crate::emission::birth::{EmissionContext, EmitterSource};
-use crate::emission::pool::POOL_LIMIT;
+use crate::layout::limits::POOL_LIMIT;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::scope::envelope;

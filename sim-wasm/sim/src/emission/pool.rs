@@ -7,13 +7,12 @@
 use crate::emission::{Births, Debt};
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
+use crate::layout::limits::POOL_LIMIT;
 use crate::layout::parameters::accept;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::field::Meta;
 use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
 
-/// Number of slots.
-pub const POOL_LIMIT: usize = 384;
 /// Numbers of an emitter: its parameters in the order of the table, three for a vector.
 pub const EMITTER_NUMBERS: usize = 30;
 

@@ -2,8 +2,8 @@
 
 use crate::common::{LIVELY, STILL, place, simulator, steps};
 use sim::Simulator;
-use sim::emission::pool::{EMITTER_NUMBERS, POOL_LIMIT};
-use sim::layout::limits::STEP;
+use sim::emission::pool::EMITTER_NUMBERS;
+use sim::layout::limits::{POOL_LIMIT, STEP};
 use sim::layout::parameters::LIST_LIMIT;
 use sim::layout::parameters::rows;
 use sim::layout::scope::parts::{FIRST_PART, PART_FLOATS};

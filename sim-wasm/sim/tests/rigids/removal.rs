@@ -234,3 +234,18 @@ fn a_rigid_with_a_joint_stays() {
     assert_eq!(error.key, "rigid.index");
     assert!(error.message.contains("joints"), "{}", error.message);
 }
+
+#[test]
+fn other_rigids_fall_where_one_was_removed() {
+    let mut simulator = simulator(10, 1, &[STILL]);
+    let rigids = simulator.rigids_mut();
+    rigids.add(fixed(0.0)).unwrap();
+    let above = Pose::at(Vector::new(0.0, 1.5, 0.0));
+    rigids
+        .add(RigidDescription::new(RigidKind::Dynamic, BALL, above))
+        .unwrap();
+    steps(&mut simulator, 20);
+    simulator.rigids_mut().remove(0).unwrap();
+    steps(&mut simulator, 60);
+    assert!(simulator.rigids().poses()[14 + 8] < -1.0);
+}
