@@ -462,3 +462,12 @@ test('a thousand adds and removes of each handle leave rigids and memory flat, a
   expect(second.hash).toBe(first.hash);
   expect(second.grown).toBeLessThan(200_000);
 });
+
+test('the simulator rejects emitters that do not exist and numbers out of range', () => {
+  const { simulator } = new HandledSmoke(factory);
+  expect(() => simulator.setEmitter(392, new Float64Array(30), 1)).toThrow(/^emitter cannot be 392/);
+  expect(() => simulator.setEmitter(8, new Float64Array(3))).toThrow(ParameterError);
+  expect(() => simulator.setEmitter(9, new Float64Array(), 5)).toThrow(/^emitter cannot be 9/);
+  simulator.dispose();
+  expect(() => simulator.setEmitter(8, new Float64Array())).toThrow(SimulatorError);
+});
