@@ -39,7 +39,14 @@ await fetchExtras({
   view: 'normals',
   isTiled: true,
 });
-await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1, outlines: true, strokes: 1 });
+await fetchExtras({
+  renderer: 'nailboards',
+  form: 'lobes',
+  volumes: 'receiver',
+  simplify: 1,
+  outlines: true,
+  strokes: 1,
+});
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {

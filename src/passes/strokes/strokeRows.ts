@@ -1,5 +1,4 @@
 import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, RowTextures, type RowLayout } from '../../device/drawnRows.ts';
-import type { PuffRows } from '../../rows/puffRows.ts';
 
 /** Segments of a stroke. */
 export const SEGMENTS = 40;
@@ -24,8 +23,8 @@ export class StrokeRows {
    * @param lobes number of lobes of a puff
    * @param strokes `style.strokes`, 0..1; a larger value keeps all strokes of a smaller one
    */
-  find(bodies: PuffRows, lobes: number, strokes: number): RowGeometry {
-    const { places, attributeWords } = bodies;
+  find(bodies: RowTextures, lobes: number, strokes: number): RowGeometry {
+    const { placeArray, attributeWords } = bodies;
     const found: number[] = [];
     for (let row = 0; row < bodies.count; row++) {
       const look = attributeWords[ATTRIBUTE_WORDS * row + 1] & 0xffff;
@@ -37,7 +36,7 @@ export class StrokeRows {
     for (let stroke = 0; stroke < found.length / 2; stroke++) {
       const [row, lobe] = [found[2 * stroke], found[2 * stroke + 1]];
       const [place, words] = [PLACE_FLOATS * row, ATTRIBUTE_WORDS * row];
-      rows.placeArray.set(places.subarray(place, place + PLACE_FLOATS), PLACE_FLOATS * stroke);
+      rows.placeArray.set(placeArray.subarray(place, place + PLACE_FLOATS), PLACE_FLOATS * stroke);
       rows.attributeWords.set(attributeWords.subarray(words, words + ATTRIBUTE_WORDS), ATTRIBUTE_WORDS * stroke);
       rows.attributeWords[ATTRIBUTE_WORDS * stroke + 1] = (attributeWords[words + 1] & 0xffffff) | (lobe << 24);
     }

@@ -23,7 +23,6 @@ import { FullScreen, pictureMaterial } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
 import type { PuffTextures } from '../../device/puffTextures.ts';
 import { DEFORMED } from '../../device/unroll.ts';
-import type { PuffRows } from '../../rows/puffRows.ts';
 import type { SurfaceDepth } from '../surfaceDepth.ts';
 import type { Targets } from '../targets.ts';
 import { SEGMENTS, StrokeRows } from './strokeRows.ts';
@@ -85,14 +84,14 @@ export class StrokesPass {
    * Draws the opacity of the strokes, after the bodies. Leaves the targets bound.
    * @param drawing index of the drawing, for the boil of lines
    */
-  draw(renderer: WebGLRenderer, targets: Targets, bodies: PuffRows, drawing: number, surfaces?: SurfaceDepth): void {
+  draw(renderer: WebGLRenderer, targets: Targets, bodies: RowGeometry, drawing: number, surfaces?: SurfaceDepth): void {
     const { uniforms, coverage, found } = this;
     uniforms.depth.value = targets.depth;
     uniforms.lit.value = targets.lit;
     uniforms.surfaceDepth.value = surfaces?.depth ?? null;
     uniforms.hasSurfaces.value = surfaces !== undefined;
     uniforms.drawing.value = drawing;
-    const strips = found.find(bodies, this.puffs.lobes.puffs.lobeCount, this.strokes);
+    const strips = found.find(bodies.rows, this.puffs.lobes.puffs.lobeCount, this.strokes);
     this.compare(renderer, strips);
     coverage.setSize(targets.width, targets.height);
     renderer.setRenderTarget(coverage);

@@ -27,9 +27,10 @@ const MOST_STROKES = 4096;
  */
 export async function changesOfOpacity(preset: string, starts: readonly number[], frames: number): Promise<number[]> {
   const lab = await SceneLab.create(preset, CHOICE);
+  lab.step(starts[0]);
   const watched = watch(lab);
   const changes: number[] = [];
-  let steps = 0;
+  let [steps] = starts;
   for (const start of starts) {
     lab.step(start - steps);
     lab.draw();
@@ -41,14 +42,14 @@ export async function changesOfOpacity(preset: string, starts: readonly number[]
     }
     steps = start + frames;
   }
-  watched.points?.dispose();
+  watched.points.dispose();
   lab.dispose();
   return changes;
 }
 
 interface Watched {
   strokes: Stroke[];
-  points?: DrawnPoints;
+  readonly points: DrawnPoints;
 }
 
 /** Reads the strokes of each frame right after they are drawn, while the textures that they read are valid. */
@@ -85,10 +86,7 @@ function watch(lab: SceneLab): Watched {
   return watched;
 }
 
-function read(
-  { rows, layout }: RowGeometry,
-  readPixels: (pixels: Uint8Array, count: number) => void,
-): Stroke[] {
+function read({ rows, layout }: RowGeometry, readPixels: (pixels: Uint8Array, count: number) => void): Stroke[] {
   if (rows.count > MOST_STROKES) throw new Error(`${rows.count} strokes`);
   const pixels = new Uint8Array(4 * layout.vertices * rows.count);
   readPixels(pixels, rows.count);

@@ -121,9 +121,14 @@ export function inkWithoutSmokeBehind(): number[] {
  * A ball before a part of a stroke: ink of the stroke with and without it, ink that is on the ball, and ink where there is
  * no smoke.
  * @param x, y place of the ball, CSS pixels
+ * @param radius metres
  */
-export function behindBall(seed: number, x: number, y: number): Record<'bare' | 'covered' | 'over' | 'outside', number> {
-  const radius = 0.16;
+export function behindBall(
+  seed: number,
+  x: number,
+  y: number,
+  radius: number,
+): Record<'bare' | 'covered' | 'over' | 'outside', number> {
   const place = [x * METRES_PER_PIXEL, y * METRES_PER_PIXEL, 2] as const;
   const shapes = [...SHAPES, ...BALL];
   const puff = { ...PUFF, seed };
@@ -131,9 +136,7 @@ export function behindBall(seed: number, x: number, y: number): Record<'bare' | 
   const bare = strokesOf({ puffs: [puff], shapes });
   const covered = strokesOf({ puffs: [puff, ball], shapes });
   const isOver = (at: InkPixel) => Math.hypot(at.x - x, at.y - y) < radius / METRES_PER_PIXEL;
-  const outside = [bare, covered].flatMap(({ ink, without }) =>
-    ink.filter((at) => alphaAt(without, at) === 0),
-  );
+  const outside = [bare, covered].flatMap(({ ink, without }) => ink.filter((at) => alphaAt(without, at) === 0));
   return {
     bare: bare.ink.length,
     covered: covered.ink.length,
@@ -181,7 +184,15 @@ function sceneOf({ puffs, style, pixelRatio = 1, surfaces = [], ...others }: Dra
     shapes: 'shapes' in others ? others.shapes : SHAPES,
     towardsLight: TOWARDS_LIGHT,
     // White smoke in one tone: the opacity of ink follows from the colour.
-    style: { strokes: 1, shadows: false, tones: 1, smokeColor: [255, 255, 255], inkColor: [0, 0, 0], outlineWidth: 4, ...style },
+    style: {
+      strokes: 1,
+      shadows: false,
+      tones: 1,
+      smokeColor: [255, 255, 255],
+      inkColor: [0, 0, 0],
+      outlineWidth: 4,
+      ...style,
+    },
   };
 }
 

@@ -136,11 +136,14 @@ test('smoke in front hides a stroke, and none is outside the silhouette', async 
   const seed = await cases.evaluate((module) => module.seedWithStroke());
   const ink = await cases.evaluate((module, given) => module.inkOf(1, given, 1), seed);
   const { x, y } = ink[Math.floor(ink.length / 3)];
-  const seen = await cases.evaluate((module, given) => module.behindBall(...given), [seed, x, y] as const);
-  expect.soft(seen.covered).toBeGreaterThan(0);
-  expect.soft(seen.covered).toBeLessThan(seen.bare);
-  expect.soft(seen.over).toBe(0);
-  expect.soft(seen.outside).toBe(0);
+  // The second ball is smaller than the distance between samples of the arc.
+  for (const radius of [0.16, 0.025]) {
+    const seen = await cases.evaluate((module, given) => module.behindBall(...given), [seed, x, y, radius] as const);
+    expect.soft(seen.covered).toBeGreaterThan(0);
+    expect.soft(seen.covered).toBeLessThan(seen.bare);
+    expect.soft(seen.over).toBe(0);
+    expect.soft(seen.outside).toBe(0);
+  }
 });
 
 test('the opacity of a stroke changes by at most 1/6 in 1/60 s', async ({ load }) => {
