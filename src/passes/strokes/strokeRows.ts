@@ -2,9 +2,7 @@ import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, RowTextures, type RowLayout
 
 /** Segments of a stroke. */
 export const SEGMENTS = 40;
-/** Share of the lobes that have a stroke when `style.strokes` is 1. */
-const MOST = 1;
-const LEAST_CAPACITY = 256;
+const MIN_CAPACITY = 256;
 
 const STRIP: RowLayout = {
   vertices: 2 * (SEGMENTS + 1),
@@ -16,7 +14,7 @@ const STRIP: RowLayout = {
  * seed of a particle decide which of its lobes have a stroke, so strokes stay with their lobes.
  */
 export class StrokeRows {
-  private strips = stripsFor(LEAST_CAPACITY);
+  private strips = stripsFor(MIN_CAPACITY);
 
   /**
    * Finds the strokes of the bodies.
@@ -29,7 +27,7 @@ export class StrokeRows {
     for (let row = 0; row < bodies.count; row++) {
       const look = attributeWords[ATTRIBUTE_WORDS * row + 1] & 0xffff;
       for (let lobe = 0; lobe < lobes; lobe++) {
-        if (hashOf(look | (lobe << 16)) < MOST * strokes) found.push(row, lobe);
+        if (hashOf(look | (lobe << 16)) < strokes) found.push(row, lobe);
       }
     }
     const { rows } = this.withRoomFor(found.length / 2);

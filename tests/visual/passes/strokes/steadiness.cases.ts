@@ -19,7 +19,7 @@ const CHOICE = {
 } as const;
 /** Farthest that a particle moves in a step, metres. */
 const FARTHEST = 0.15;
-const MOST_STROKES = 4096;
+const MAX_STROKES = 4096;
 
 /**
  * The change of opacity between two frames of each stroke that one of them shows.
@@ -65,13 +65,13 @@ function watch(lab: SceneLab): Watched {
       drawStroke();
       seen = gl_Position.z > 1.0 ? 0.0 : opacity;
       vec2 texel = vec2(gl_VertexID % ${vertices}, gl_VertexID / ${vertices}) + 0.5;
-      gl_Position = vec4(texel / vec2(${vertices}, ${MOST_STROKES}) * 2.0 - 1.0, 0.0, 1.0);
+      gl_Position = vec4(texel / vec2(${vertices}, ${MAX_STROKES}) * 2.0 - 1.0, 0.0, 1.0);
       gl_PointSize = 1.0;
     }`;
   const fragment = 'precision highp float; in float seen; out vec4 pixel; void main() { pixel = vec4(seen); }';
   const points = new DrawnPoints(shader, fragment, uniforms, defines as Record<string, string>);
   const target = pictureTarget();
-  target.setSize(vertices, MOST_STROKES);
+  target.setSize(vertices, MAX_STROKES);
   const watched: Watched = { strokes: [], points };
   const draw = pass.draw.bind(pass);
   pass.draw = (renderer, targets, ...others) => {
@@ -87,7 +87,7 @@ function watch(lab: SceneLab): Watched {
 }
 
 function read({ rows, layout }: RowGeometry, readPixels: (pixels: Uint8Array, count: number) => void): Stroke[] {
-  if (rows.count > MOST_STROKES) throw new Error(`${rows.count} strokes`);
+  if (rows.count > MAX_STROKES) throw new Error(`${rows.count} strokes`);
   const pixels = new Uint8Array(4 * layout.vertices * rows.count);
   readPixels(pixels, rows.count);
   return Array.from({ length: rows.count }, (_, stroke) => ({

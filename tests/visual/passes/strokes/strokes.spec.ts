@@ -12,14 +12,14 @@ const LOBE = { x: 0.1, y: -0.05, radius: 0.45 };
 const PARTS = 9;
 
 /** Angle of a pixel about the middle of a stroke, radians, and its place across it. */
-interface Place {
+interface PolarPixel {
   angle: number;
   across: number;
   opacity: number;
 }
 
 /** @param outline distance of a pixel from the outline, CSS pixels, positive outside */
-function placesOf(ink: readonly InkPixel[], outline: (x: number, y: number) => number, radius = 1): Place[] {
+function placesOf(ink: readonly InkPixel[], outline: (x: number, y: number) => number, radius = 1): PolarPixel[] {
   const [x, y] = [100 * radius * LOBE.x, 100 * radius * LOBE.y];
   const vectors = ink.map((pixel) => ({ x: pixel.x - x, y: pixel.y - y, opacity: pixel.opacity }));
   const sum = vectors.reduce((all, each) => ({ x: all.x + each.x, y: all.y + each.y, opacity: 0 }));
@@ -33,7 +33,7 @@ function placesOf(ink: readonly InkPixel[], outline: (x: number, y: number) => n
 const circle = (radius: number) => (x: number, y: number) => Math.hypot(x, y) - 100 * radius * LOBE.radius;
 
 /** Length of a stroke, CSS pixels, and mean width and place of each of its parts. */
-function measure(places: readonly Place[], radius: number, pixelRatio: number) {
+function measure(places: readonly PolarPixel[], radius: number, pixelRatio: number) {
   const angles = places.map(({ angle }) => angle);
   const [from, to] = [Math.min(...angles), Math.max(...angles)];
   const length = (to - from) * 100 * radius * LOBE.radius;
