@@ -30,7 +30,7 @@ out float opacity;
 // at least 12 CSS pixels, and is no straight dash.
 const float REACH = 40.0;
 const float REACH_OF_ARC = 0.35;
-const vec2 AVERAGES = vec2(0.28, 0.75);
+const vec2 AVERAGES = vec2(0.34, 0.85);
 // Width of a stroke that begins or ends, as a share. It fades below.
 const float THINNEST = 0.5;
 
@@ -95,7 +95,7 @@ void main() {
   }
   float share = to > from ? (along - from) / (to - from) : 0.0;
   // Not a smoothstep, which is steeper.
-  opacity *= clamp((averageStanding(along) - AVERAGES.x) / (AVERAGES.y - AVERAGES.x), 0.0, 1.0);
+  opacity *= clamp((averageStanding(0.5 * (from + to)) - AVERAGES.x) / (AVERAGES.y - AVERAGES.x), 0.0, 1.0);
 
   vec2 normal = viewNormal(outwardAt(along));
   float width = lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * exp2(-inkSwell);

@@ -112,7 +112,8 @@ export function inkWithoutSmokeBehind(): number[] {
   const puffs = Array.from({ length: 12 }, (_, seed): LabPuff => ({ ...PUFF, seed: 21 * seed, radius: 0.9 }));
   return [
     strokesOf({ puffs, shapes: BALL }).ink.length,
-    strokesOf({ puffs, shapes: BALL, surfaces: [wall] }).ink.length,
+    // Beyond a thin line, the samples of the depth meet the wall.
+    strokesOf({ puffs, shapes: BALL, surfaces: [wall], style: { outlineWidth: 1 } }).ink.length,
     strokesOf({ puffs, style: { outlines: false } }).ink.length,
   ];
 }
@@ -143,6 +144,21 @@ export function behindBall(
     over: covered.ink.filter(isOver).length,
     outside: outside.length,
   };
+}
+
+/**
+ * What a ball of the same size leaves of a stroke, as it moves off it along a direction.
+ * @param shifts places of the ball, CSS pixels from the middle of the lobe
+ */
+export function leftByBall(seed: number, toward: number, shifts: readonly number[], pixelRatio: number): InkPixel[][] {
+  const shapes = [...SHAPES, ...BALL];
+  const drawings = shifts.map((shift): Drawing => {
+    const x = LOBE.x + shift * METRES_PER_PIXEL * Math.cos(toward);
+    const y = LOBE.y + shift * METRES_PER_PIXEL * Math.sin(toward);
+    const ball: LabPuff = { place: [x, y, 2], radius: LOBE.radius + 0.05, variation: 1, age: 0.5 };
+    return { puffs: [{ ...PUFF, seed }, ball], shapes, pixelRatio };
+  });
+  return withLab(drawings[0], (draw) => drawings.map((drawing) => draw(drawing).ink));
 }
 
 interface Drawn {

@@ -89,6 +89,27 @@ test('a stroke is at least 12 CSS pixels long, or there is none', async ({ load 
   }
 });
 
+test('what smoke in front leaves of a stroke is as long, or nothing', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const seed = await cases.evaluate((module) => module.seedWithStroke());
+  const whole = await cases.evaluate((module, given) => module.inkOf(1, given, 1), seed);
+  const sum = whole.reduce((all, { x, y }) => [all[0] + x - 100 * LOBE.x, all[1] + y - 100 * LOBE.y], [0, 0]);
+  // Across the middle of the stroke, so that one of its ends is left.
+  const toward = Math.atan2(sum[1], sum[0]) + Math.PI / 2;
+  const shifts = Array.from({ length: 16 }, (_, step) => 2 * step);
+  const amounts: number[][] = [];
+  for (const pixelRatio of [1, 2]) {
+    const given = [seed, toward, shifts, pixelRatio] as const;
+    const left = await cases.evaluate((module, all) => module.leftByBall(...all), given);
+    const lengths = left.map((ink) => (ink.length > 0 ? measure(placesOf(ink, circle(1)), 1, pixelRatio).length : 0));
+    expect.soft(lengths[0]).toBe(0);
+    expect.soft(lengths.at(-1)).toBeGreaterThan(20);
+    expect.soft(Math.min(...lengths.filter((length) => length > 0))).toBeGreaterThan(12);
+    amounts.push(left.map((ink) => ink.reduce((all, { opacity }) => all + opacity, 0) / pixelRatio ** 2));
+  }
+  for (const [index, amount] of amounts[0].entries()) expect.soft(Math.abs(amount - amounts[1][index])).toBeLessThan(8);
+});
+
 test('strokes of stretched puffs lie on the ellipse of their lobe', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const seed = await cases.evaluate((module) => module.seedWithStroke());
@@ -149,7 +170,7 @@ test('smoke in front hides a stroke, and none is outside the silhouette', async 
 test('the opacity of a stroke changes by at most 1/6 in 1/60 s', async ({ load }) => {
   const cases = await load<Steadiness>('/tests/visual/passes/strokes/steadiness.cases.ts');
   const changes = await cases.evaluate((module) => module.changesOfOpacity('lamp', [570, 840], 24));
-  expect.soft(changes.length).toBeGreaterThan(200);
+  expect.soft(changes.length).toBeGreaterThan(100);
   expect.soft(Math.max(...changes)).toBeGreaterThan(0.02);
   expect.soft(Math.max(...changes)).toBeLessThan(1 / 6);
 });
