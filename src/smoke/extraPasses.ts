@@ -4,6 +4,7 @@ import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
@@ -20,6 +21,7 @@ const imports = {
   countedVolumes: () => import('../passes/countedVolumes.ts'),
   tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
   simplify: () => import('../passes/simplify/simplify.ts'),
+  strokes: () => import('../passes/strokes/strokes.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -35,6 +37,9 @@ export interface PictureKind {
   readonly volumes: Volumes;
   /** Distance over which light is smoothed, CSS pixels. */
   readonly simplify: number;
+  readonly outlines: boolean;
+  /** Number of strokes inside the silhouette, 0..1. */
+  readonly strokes: number;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
@@ -45,8 +50,19 @@ export function isSimplified({ renderer, simplify }: Pick<PictureKind, 'renderer
   return renderer === 'nailboards' && simplify > 0;
 }
 
+/** Whether a style has strokes. They are lines, on lobes only. */
+export function hasStrokes({
+  renderer,
+  form,
+  outlines,
+  strokes,
+}: Pick<PictureKind, 'renderer' | 'form' | 'outlines' | 'strokes'>): boolean {
+  return renderer === 'nailboards' && form === 'lobes' && outlines && strokes > 0;
+}
+
 /** The modules that a picture needs, with their names in error messages. */
-function needsOf({ renderer, form, volumes, simplify, view, isTiled }: PictureKind): Partial<Record<Name, string>> {
+function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
+  const { renderer, form, volumes, view, isTiled } = kind;
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -55,7 +71,8 @@ function needsOf({ renderer, form, volumes, simplify, view, isTiled }: PictureKi
     }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
-    ...(isSimplified({ renderer, simplify }) && { simplify: 'Simplified light' }),
+    ...(isSimplified(kind) && { simplify: 'Simplified light' }),
+    ...(hasStrokes(kind) && { strokes: 'Strokes' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -103,6 +120,7 @@ export class ExtraPasses implements FrameExtras {
   private madeVolumes: CountedVolumesPass | undefined;
   private madeTiles: TiledVolumesPass | undefined;
   private madeSimplify: SimplifyPass | undefined;
+  private madeStrokes: StrokesPass | undefined;
   private requested: Promise<void> | undefined;
   private madeViews: DebugViews | undefined;
 
@@ -135,6 +153,12 @@ export class ExtraPasses implements FrameExtras {
     return this.madeSimplify;
   }
 
+  get strokes(): StrokesPass | undefined {
+    const { eye, puffs } = this.sources;
+    if (here.strokes) this.madeStrokes ??= new here.strokes.StrokesPass(eye, puffs);
+    return this.madeStrokes;
+  }
+
   get debugViews(): DebugViews | undefined {
     if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
@@ -148,6 +172,7 @@ export class ExtraPasses implements FrameExtras {
   /** Releases render targets until the next frame. */
   rest(): void {
     this.madeSimplify?.rest();
+    this.madeStrokes?.rest();
   }
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */
@@ -156,6 +181,7 @@ export class ExtraPasses implements FrameExtras {
     this.madeVolumes?.dispose();
     this.madeTiles?.dispose();
     this.madeSimplify?.dispose();
+    this.madeStrokes?.dispose();
     this.madeViews?.dispose();
   }
 }

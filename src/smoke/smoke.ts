@@ -20,7 +20,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras, isSimplified } from './extraPasses.ts';
+import { ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -39,7 +39,7 @@ export interface SmokeOptions {
 /** World height below which surfaces are hidden, metres. */
 export const OUT_OF_SIGHT = -60;
 /** The parameters of a style that needs no further modules. */
-const PLAIN_PICTURE = { renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 0 } as const;
+const PLAIN_PICTURE = { renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 0, strokes: 0 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -166,7 +166,7 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { eye, body, volumes, mask, extras } = this.passes;
+    const { eye, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
@@ -174,6 +174,9 @@ export class SmokeRenderer {
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    const strokes = hasStrokes(style) ? extras.strokes : undefined;
+    strokes?.follow(style.strokes, pixelRatio);
+    resolve.overlay = strokes;
     volumes.follow(style.form, litThresholdOf(style));
     extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);

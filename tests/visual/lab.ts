@@ -34,10 +34,19 @@ await fetchExtras({
   form: 'billboards',
   volumes: 'counted',
   simplify: 0,
+  outlines: true,
+  strokes: 0,
   view: 'normals',
   isTiled: true,
 });
-await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1 });
+await fetchExtras({
+  renderer: 'nailboards',
+  form: 'lobes',
+  volumes: 'receiver',
+  simplify: 1,
+  outlines: true,
+  strokes: 1,
+});
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {

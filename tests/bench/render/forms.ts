@@ -1,6 +1,6 @@
 /**
- * render.lobes, render.stretching: cost of bodies as lobes, as baked billboards and as stretched lobes, of the same particles,
- * in turns.
+ * render.lobes, render.stretching, render.strokes: cost of bodies as lobes, as baked billboards and as stretched lobes, and of
+ * strokes, of the same particles, in turns.
  */
 import { MAX_STRETCH } from '../../../src/constants.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
@@ -19,7 +19,9 @@ interface Side {
   name: string;
   style: Style;
   arranger: Arranger;
+  /** Milliseconds of the bodies and of the whole frame. */
   times: number[];
+  frames: number[];
   bodiesDrawn: number;
   fragments: Fragments;
 }
@@ -32,7 +34,8 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   const deformed = { isDeformed: true, stretch: RATIO };
   const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
-  const sides = [lobes, billboards, rotated, longer];
+  const drawn = look(bench, 'strokes', arranger.plain, { strokes: 1 });
+  const sides = [lobes, billboards, rotated, longer, drawn];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -42,19 +45,23 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
     for (const side of round % 2 === 0 ? sides : sides.toReversed()) {
       bench.style = side.style;
       bench.arranger = side.arranger;
-      side.times.push(bench.timeFrame(false).bodies);
+      const times = bench.timeFrame(false);
+      side.times.push(times.bodies);
+      side.frames.push(times.frame);
     }
   }
   bench.dispose();
   return [
-    ...sides.map(({ name, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
-      figure(
-        `render.bodies.${name}`,
-        'ms',
-        times,
-        `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
+    ...sides
+      .slice(0, 4)
+      .map(({ name, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
+        figure(
+          `render.bodies.${name}`,
+          'ms',
+          times,
+          `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
+        ),
       ),
-    ),
     figure(
       'render.lobes',
       'x',
@@ -73,6 +80,12 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       longer.times.map((time, round) => time / lobes.times[round]),
       `bodies stretched upwards by ${RATIO} / not stretched, the same particles`,
     ),
+    figure(
+      'render.strokes',
+      'x',
+      drawn.frames.map((time, round) => time / lobes.frames[round]),
+      'frames with style.strokes=1 / with 0, the same particles',
+    ),
   ];
 }
 
@@ -82,7 +95,7 @@ function look(bench: RenderBench, name: string, arranger: Arranger, changed: Par
   bench.style = style;
   bench.arranger = arranger;
   const { bodiesDrawn } = bench.draw(false);
-  return { name, style, arranger, times: [], bodiesDrawn, fragments: bench.countFragments().bodies };
+  return { name, style, arranger, times: [], frames: [], bodiesDrawn, fragments: bench.countFragments().bodies };
 }
 
 /** The same rows, stretched upwards. */
