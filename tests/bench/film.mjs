@@ -21,6 +21,8 @@ import { spread } from './support/spread.mjs';
 const FULL = ['--size', '1920x1080'];
 /** The scenes are in full smoke. */
 const LEAD = 48;
+/** From here on as many puffs die as are born, so that all frames cost about the same. */
+const STEADY = 240;
 
 /** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
 export async function run({ quick, say }) {
@@ -111,13 +113,12 @@ async function shardFigures(rounds, frames, say) {
  */
 async function pinned(shards, count) {
   return inFolder(async (folder) => {
-    // In full smoke, so that all frames cost about the same.
-    const shot = ['#v=1&preset=lamp', '--frames', `${LEAD}-${LEAD + count - 1}`, '--out', folder, ...FULL];
+    const shot = ['#v=1&preset=lamp', '--frames', `${STEADY}-${STEADY + count - 1}`, '--out', folder, ...FULL];
     const began = Date.now();
     const runs = shards.map((shard, core) =>
       start('taskset', ['-c', String(core), process.execPath, inRoot('scripts/film.mjs'), ...shot, '--shard', shard]),
     );
-    const timer = setInterval(pinThreads, 200);
+    const timer = setInterval(pinThreads, 1000);
     try {
       for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
     } finally {
