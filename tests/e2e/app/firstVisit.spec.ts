@@ -33,14 +33,14 @@ test.describe('at the first visit', () => {
 test('shortcuts of a single character can be turned off, which lasts', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const gallery = page.locator('.gallery');
-  const turn = async () => {
+  const toggle = async () => {
     await page.getByRole('button', { name: 'Help' }).click();
     await page.getByLabel('Shortcuts of a single character').click();
     await page.keyboard.press('Escape');
   };
   await page.keyboard.press('g');
   await expect(gallery).toBeHidden();
-  await turn();
+  await toggle();
   await page.keyboard.press('g');
   await page.keyboard.press('?');
   await expect(page.getByRole('dialog')).toHaveCount(0);
@@ -52,7 +52,7 @@ test('shortcuts of a single character can be turned off, which lasts', async ({ 
   await page.locator('#smoke').focus();
   await page.keyboard.press(' ');
   await expect.poll(() => ask(page, (stage) => stage.playing)).toBe(true);
-  await turn();
+  await toggle();
   await page.keyboard.press('g');
   await expect(gallery).toBeHidden();
 });
