@@ -26,7 +26,7 @@ export class DrawnPoints {
     vertexShader: string,
     fragmentShader: string,
     uniforms: Record<string, IUniform>,
-    defines?: Shaders['defines'],
+    defines: Shaders['defines'] = {},
   ) {
     this.points = new PointsWithoutAttributes(pictureMaterial({ vertexShader, fragmentShader, uniforms, defines }));
     this.scene.add(this.points);
