@@ -107,7 +107,8 @@ function expectNone(consoleErrors: string[], allowed: RegExp): void {
   expect(unexpected, 'errors on the console of the page').toEqual([]);
 }
 
-function knowGestures(): void {
+/** Runs in a page: it is no first visit. */
+export function knowGestures(): void {
   try {
     localStorage.setItem('cartoon-smoke.knowsGestures', '1');
   } catch {
