@@ -55,9 +55,9 @@ export async function addControls(controlled: Controlled): Promise<void> {
   describeScene(stage, canvas);
   await nextTask();
   const { hasStatistics } = environment;
-  const silence = new Flag('noShortcuts');
-  const page = await buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics, silence });
-  connectInput(stage, canvas, editor, page, scrubber, () => !silence.value);
+  const noShortcuts = new Flag('noShortcuts');
+  const page = await buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics, noShortcuts });
+  connectInput(stage, canvas, editor, page, scrubber, () => !noShortcuts.value);
   showHint(stage, canvas, notices);
   notifyOfSlowMachine(stage, notices);
 }

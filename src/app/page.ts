@@ -51,13 +51,13 @@ export interface PageParts {
   /** Whether statistics are shown initially. */
   readonly hasStatistics: boolean;
   /** Whether shortcuts of a single character are turned off. */
-  readonly silence: Flag;
+  readonly noShortcuts: Flag;
 }
 
 /** Adds the controls over the canvas, in several short tasks. @param container parent of the controls */
 export async function buildPage(container: HTMLElement, parts: PageParts): Promise<Page> {
   const { editor, stage, notices, scrubber } = parts;
-  const help = new Help(stage, parts.silence);
+  const help = new Help(stage, parts.noShortcuts);
   const captureButton = new CaptureButton(stage, container, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());

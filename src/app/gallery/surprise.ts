@@ -2,13 +2,13 @@ import { presets, presetValues, type State } from '../../preset.ts';
 import type { Editor } from '../editor/editor.ts';
 
 /**
- * A look that nobody has made: the scene and the motion of one preset in the style of another.
+ * A random look: the scene and the motion of one preset in the style of another.
  *
  * @param current name of the preset that is shown; the scene is that of another one
- * @param random a number from 0 to below 1
+ * @param random returns a number from 0 to below 1
  */
 export function mixedState(current: string, random: () => number = Math.random): State {
-  const pick = (names: typeof presets) => names[Math.floor(random() * names.length)];
+  const pick = (from: typeof presets) => from[Math.floor(random() * from.length)];
   const base = pick(presets.filter(({ name }) => name !== current));
   const model = pick(presets.filter(({ name }) => name !== base.name));
   const values = { ...presetValues(base) };

@@ -11,8 +11,8 @@ export class Help {
   private readonly byHand = create('dl', {});
   private readonly byKeys = create('dl', {});
 
-  /** @param silence whether shortcuts of a single character are turned off */
-  constructor(stage: Stage, silence: Flag) {
+  /** @param noShortcuts whether shortcuts of a single character are turned off */
+  constructor(stage: Stage, noShortcuts: Flag) {
     const { title, keyboard, shortcuts, paper, puff, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
@@ -29,8 +29,8 @@ export class Help {
     const heading = create('h2', { id: 'help-title', tabindex: -1, autofocus: true }, title);
     const attributes = { class: 'sheet card help', 'aria-labelledby': 'help-title' };
     const middle = create('h3', {}, keyboard);
-    const box = create('input', { type: 'checkbox', checked: !silence.value });
-    box.addEventListener('change', () => (silence.value = !box.checked));
+    const box = create('input', { type: 'checkbox', checked: !noShortcuts.value });
+    box.addEventListener('change', () => (noShortcuts.value = !box.checked));
     const choice = create('label', { class: 'help-shortcuts' }, box, shortcuts);
     this.element = create(
       'dialog',
