@@ -56,7 +56,7 @@ export default defineConfig<object, WorkerOptions>({
       use: { ...fewPixels, ...brief, showsBuiltSite: true, serviceWorkers: 'block' },
     },
     // Third-party pages, with the files that npm and CDNs would deliver.
-    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: halfThePixels },
+    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: { ...halfThePixels, ...brief } },
   ],
   reporter: 'list',
   use: {

@@ -13,7 +13,7 @@ import { stopPrograms } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { ENGINES } from './setup/engines.mjs';
-import { setUp, TOOLS, WASM } from './setup/setup.mjs';
+import { setUp, TOOLCHAIN, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
 import { suites } from './test/suites.mjs';
 
@@ -33,7 +33,7 @@ await conclude(async () => {
   );
   const choice = { long: values.long, engines: values.engines, update: values.update };
   const runners = chooseRunners(choice, positionals);
-  await setUp(TOOLS);
+  await setUp(TOOLCHAIN);
   const missing = values.engines ? await setUpEngines() : [];
   const results = await runInLanes(runners);
   const [passed, failed] = [sumOf(results, 'passed'), sumOf(results, 'failed')];
@@ -44,6 +44,7 @@ await conclude(async () => {
 
 /** @returns a sentence for each missing engine, with the reason */
 async function setUpEngines() {
+  await setUp(TOOLS);
   /** @type {string[]} */
   const missing = [];
   for (const engine of ENGINES) {
@@ -57,6 +58,11 @@ async function setUpEngines() {
   return missing;
 }
 
+/** Fetching packages leaves the processor to the compiler. */
+async function setUpOthers(/** @type {boolean} */ areNeeded) {
+  if (areNeeded) await Promise.all([setUp(TOOLS), setUp(WASM)]);
+}
+
 /** @param {import('./test/checks.mjs').Runner[]} runners */
 async function runInLanes(runners) {
   const others = runners.filter(({ lane }) => lane !== 'cargo');
@@ -66,12 +72,12 @@ async function runInLanes(runners) {
       runners.filter(({ lane }) => lane === 'cargo'),
       stop.signal,
     ),
-    setUp(others.length > 0 ? WASM : []).then(() => runInOrder(others, stop.signal)),
+    setUpOthers(others.length > 0).then(() => runInOrder(others, stop.signal)),
   ];
   try {
     return (await Promise.all(lanes)).flat();
   } catch (error) {
-    // The other suites cannot run without WASM. Stopping all lanes first makes the error the last output.
+    // The other suites cannot run without packages or WASM. Stopping all lanes first makes the error the last output.
     stop.abort();
     stopPrograms();
     await Promise.allSettled(lanes);

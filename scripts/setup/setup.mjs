@@ -27,12 +27,14 @@ export const PAGE = [packages, toolchain, wasm];
  */
 export const TESTS = [...PAGE, browser];
 /**
- * TESTS in two parts, because cargo's tests do not need WASM.
+ * TESTS in three parts: cargo's tests need the toolchain alone, and WASM is built while packages are fetched.
  * @type {Component[]}
  */
-export const TOOLS = TESTS.filter((component) => component !== wasm);
+export const TOOLCHAIN = [toolchain];
 /** @type {Component[]} */
 export const WASM = [wasm];
+/** @type {Component[]} */
+export const TOOLS = [packages, browser];
 /** Components for pictures that do not use the simulator. */
 export const PICTURES = [packages, browser];
 

@@ -1,10 +1,7 @@
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { expect, test } from '../support/fixtures.ts';
 import { linesOf } from '../support/sim/hashFixture.ts';
-import { nativeHashes, nativeTakes } from '../support/sim/nativeTakes.ts';
-import { HASH_LIST, motionOf, presetHashes, type HashList } from '../support/sim/presetHashes.ts';
-import { RecordedCalls } from '../support/sim/recordedCalls.ts';
-import { loadVariant } from '../support/sim/simWasm.ts';
+import { nativeTakes } from '../support/sim/nativeTakes.ts';
 
 type Load = typeof import('../../src/sim/load.ts');
 type Fixture = typeof import('../support/sim/hashFixture.ts');
@@ -49,16 +46,4 @@ test('takes over the whole parameter table have the same hashes natively and in 
     });
   }, takes);
   expect(hashes).toEqual(takes.map(({ hash }) => hash));
-});
-
-// `UPDATE_HASHES=1 npx playwright test --no-deps --project=pages tests/e2e/hash.spec.ts` writes the list.
-test('every preset has the hashes of tests/engines/hashes.json in Node and, with the same calls, natively', async () => {
-  const calls = new RecordedCalls();
-  const hashes = await presetHashes(async (physics) => calls.record(await loadVariant(physics ? 'physics' : 'core')));
-  if (process.env.UPDATE_HASHES) writeFileSync(HASH_LIST, `${JSON.stringify(hashes, null, 2)}\n`);
-  const list = JSON.parse(readFileSync(HASH_LIST, 'utf8')) as HashList;
-  expect(hashes).toEqual(list);
-  const simulated = new Map(Object.keys(list).map((name) => [motionOf(name), list[name]]));
-  expect(simulated.size).toBeGreaterThan(10);
-  expect(await nativeHashes(calls.bytes())).toEqual([...simulated.values()].flatMap(Object.values));
 });

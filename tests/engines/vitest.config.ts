@@ -3,8 +3,8 @@ import { defineConfig } from 'vitest/config';
 import { findEngines } from './engines.ts';
 
 const TESTS = 'tests/engines/*.test.ts';
-// Each of these tests starts all engines itself.
-const OF_ALL = 'tests/engines/pictures.test.ts';
+// These tests start all engines themselves, or none.
+const OF_ALL = ['pictures', 'native'].map((name) => `tests/engines/${name}.test.ts`);
 
 // The tests of a missing engine fail in CI. Elsewhere they are skipped, and the command reports it.
 const isCheck = process.env.CI === 'true';
@@ -18,11 +18,11 @@ const engines = (await findEngines()).filter(({ path }) => isCheck || path !== u
  */
 const ATTEMPTS_AGAIN = { WebKit: 1, All: 1 };
 
-const project = (name: string, include: string, exclude: string[], provide: Partial<ProvidedContext>) => ({
+const project = (name: string, include: string[], exclude: string[], provide: Partial<ProvidedContext>) => ({
   extends: true as const,
   test: {
     name,
-    include: [include],
+    include,
     exclude,
     provide: { engines, ...provide },
     retry: ATTEMPTS_AGAIN[name as keyof typeof ATTEMPTS_AGAIN] ?? 0,
@@ -42,7 +42,7 @@ export default defineConfig({
     globalSetup: 'tests/engines/servers.ts',
     projects: [
       project('All', OF_ALL, [], {}),
-      ...engines.map((engine) => project(engine.title, TESTS, [OF_ALL], { engine })),
+      ...engines.map((engine) => project(engine.title, [TESTS], OF_ALL, { engine })),
     ],
   },
 });

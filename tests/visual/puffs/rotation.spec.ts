@@ -46,7 +46,7 @@ test('puffs have the orientation of the CPU for every seed', async ({ load }) =>
 test('puffs equal the reference from every side', async ({ load }, testInfo) => {
   const cases = await load<Cases>(CASES);
   for (const by of ['orbit', 'roll'] as const) {
-    const angles = [0.5, 1, 130];
+    const angles = [1, 130];
     const pictures = await cases.evaluate((module, input) => module.rotated(...input), [by, angles] as const);
     for (const [index, picture] of pictures.entries()) {
       await expectReference(`${by} ${angles[index]} degrees`, picture, testInfo, { maxOfEdges: 0.04 });
