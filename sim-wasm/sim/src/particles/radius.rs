@@ -3,23 +3,30 @@
 //! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
 //! is t (2 - t) for t = age / growthTime up to 1. Growth is steepest at birth, so that smoke leaves a nozzle as a stem
 //! instead of a string of specks. Growth times below [`MIN_GROWTH_TIME`] are raised to it, except for the integrator
-//! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`.
+//! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`. With
+//! `emission.dissolve` `erode`, a puff keeps its radius and is eroded instead, until the density is [`ERODED_DENSITY`]; the
+//! factor is then density / [`ERODED_DENSITY`].
 //!
 //! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
 //! slope / lifetime), the first term only for growthTime above 0. The slope is 1 for the linear law and the steepest
-//! slope of a curve otherwise, at most 50. Entrainment adds puff.size * entrainment * |slip| * h.
+//! slope of a curve otherwise, at most 50, and 1 / [`ERODED_DENSITY`] times as much for eroded puffs. Entrainment adds puff.size * entrainment * |slip| * h.
 
 use wide::f32x4;
 
 use crate::layout::parameters::settings::Integrator;
 use crate::layout::parameters::table::Parameters;
-use crate::math::scalar::greater;
+use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{positive_part, smaller};
 use crate::particles::density::Curve;
 
 /// Minimum growth time (s), so that no particle appears at full size from one step to the next. Does not apply to the
 /// integrator `paper`, which keeps the law of the paper.
 pub const MIN_GROWTH_TIME: f32 = 0.1;
+
+/// Density from which an eroded puff shrinks, so that its last piece vanishes without a jump.
+pub const ERODED_DENSITY: f32 = 0.25;
+/// Density at which the erosion of a puff begins; it is complete at [`ERODED_DENSITY`].
+pub const EROSION_DENSITY: f32 = 0.75;
 
 /// The radius of a particle as a function of size and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +37,8 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
+    /// Whether puffs are eroded before they shrink.
+    erodes: bool,
 }
 
 impl RadiusLaw {
@@ -45,6 +54,7 @@ impl RadiusLaw {
                 growth_time.max(MIN_GROWTH_TIME)
             },
             curve: Curve::new(parameters.density.items()),
+            erodes: parameters.emission.dissolve == 1.0,
         }
     }
 
@@ -54,6 +64,7 @@ impl RadiusLaw {
             puff_size,
             growth_time,
             curve: None,
+            erodes: false,
         }
     }
 
@@ -61,12 +72,29 @@ impl RadiusLaw {
     /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
-        let worn = age / lifetime;
-        let density = match &self.curve {
+        let density = self.density(age / lifetime);
+        let share = if self.erodes {
+            lesser(density * (1.0 / ERODED_DENSITY), 1.0)
+        } else {
+            density
+        };
+        self.undiminished(size, age) * share
+    }
+
+    /// Erosion of a particle at `age` of `lifetime` (s), 0..=1; 0 if puffs only shrink.
+    pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
+        if !self.erodes {
+            return 0.0;
+        }
+        let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);
+        lesser(greater(lost / (EROSION_DENSITY - ERODED_DENSITY), 0.0), 1.0)
+    }
+
+    fn density(&self, worn: f32) -> f32 {
+        match &self.curve {
             None => greater(1.0 - worn, 0.0),
             Some(curve) => curve.density(worn),
-        };
-        self.undiminished(size, age) * density
+        }
     }
 
     /// Radius (m) at density 1; `age` is 0 or more.
@@ -79,10 +107,13 @@ impl RadiusLaw {
     pub fn radii(&self, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
         let age = positive_part(age);
         let worn = age / lifetime;
-        let density = match &self.curve {
+        let mut density = match &self.curve {
             None => positive_part(f32x4::ONE - worn),
             Some(curve) => curve.densities(worn),
         };
+        if self.erodes {
+            density = smaller(density * f32x4::splat(1.0 / ERODED_DENSITY), f32x4::ONE);
+        }
         let full = size * f32x4::splat(self.puff_size);
         if self.growth_time <= 0.0 {
             return full * density;
@@ -104,7 +135,7 @@ impl RadiusLaw {
 mod tests {
     use super::*;
 
-    fn law(stops: &[[f64; 2]], growth_time: f64, integrator: f64) -> RadiusLaw {
+    fn law(stops: &[[f64; 2]], growth_time: f64, integrator: f64, dissolve: f64) -> RadiusLaw {
         let mut parameters = Parameters::default();
         let mut set = |key: &str, value| parameters.set(key, value).expect("a test's values are in range");
         for (index, [age, value]) in stops.iter().enumerate() {
@@ -114,6 +145,7 @@ mod tests {
         set("puff.size", 1.3);
         set("emission.growthTime", growth_time);
         set("simulation.integrator", integrator);
+        set("emission.dissolve", dissolve);
         RadiusLaw::new(&parameters)
     }
 
@@ -134,11 +166,11 @@ mod tests {
                 [1.0, 1.0],
             ],
         ];
-        for (stops, (growth_time, integrator)) in curves
+        for (stops, (growth_time, integrator, dissolve)) in curves
             .iter()
-            .flat_map(|curve| [(0.0, 1.0), (0.7, 0.0)].map(|rest| (curve, rest)))
+            .flat_map(|curve| [(0.0, 1.0, 0.0), (0.7, 0.0, 0.0), (0.7, 0.0, 1.0)].map(|rest| (curve, rest)))
         {
-            let law = law(stops, growth_time, integrator);
+            let law = law(stops, growth_time, integrator, dissolve);
             for step in -5..300 {
                 let age = step as f32 / 60.0;
                 let lanes = law.radii(f32x4::splat(0.4), f32x4::splat(age), f32x4::splat(3.1));
