@@ -112,6 +112,9 @@ vec2 viewGradient(vec2 outward) {
 #endif
 }
 
+// ERODED: bites.glsl.
+#pragma insert_bites
+
 // The centre in view space. The whole puff is lit as at its centre, because the start cap of its shadow volume depends
 // on one direction.
 vec3 centreOf(vec2 point) {
@@ -130,11 +133,13 @@ void main() {
 #endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
   float height = NOWHERE;
+#ifndef ERODED
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     height = max(height, frontOf(lobes[ i ], point));
   }
   #pragma unroll_loop_end
+#endif
 
   float radius = depthsAndRamp.y;
   float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
@@ -148,17 +153,32 @@ void main() {
 #else
   float surface = heightOf((surfaceZ(clipFromView) - depthsAndRamp.x) / radius, point);
 #endif
+  vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
+#ifdef ERODED
+  placeBites(biteAxisAndErosion.w, biteAxisAndErosion.xyz, biteSideways);
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
+  }
+  #pragma unroll_loop_end
+  bool isEdge;
+  Remains remains = bitten(point, reach, line, isEdge);
+  height = remains.height;
+#else
+  const bool isEdge = false;
+#endif
   bool isRing = height <= max(NOWHERE, surface);
 #ifdef FLAT
   if (isRing == gl_FrontFacing) discard;
 #endif
-  vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
   if (isRing) {
+#ifndef ERODED
     #pragma unroll_loop_start
     for (int i = 0; i < LOBES; i++) {
       line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
     }
     #pragma unroll_loop_end
+#endif
 #ifdef DEFORMED
     line.w /= length(viewGradient(normalize(point - line.xy)));
 #endif
@@ -173,6 +193,12 @@ void main() {
     normal += shareOf(lobes[ i ], place);
   }
   #pragma unroll_loop_end
+#ifdef ERODED
+  bool isWall = !isRing && remains.bite >= 0;
+  if (isWall) normal = biteCentre(remains.bite) - place;
+  // The line of a bite can be far from the surface of every lobe.
+  else if (normal == vec3(0.0)) normal = vec3(0.0, 0.0, 1.0);
+#endif
   normal = normalize(normal);
   vec3 viewNormal = normal;
 #ifdef DEFORMED
@@ -181,11 +207,14 @@ void main() {
 
   float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
 #ifdef FLAT
-  bool isInk = isRing;
+  bool isInk = isRing || isEdge;
 #else
-  bool isInk = isRing || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
+  bool isInk = isRing || isEdge || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
 #endif
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
+#ifdef ERODED
+  if (!isWall)
+#endif
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
@@ -209,7 +238,7 @@ void main() {
   vec2 inward = normalize(viewGradient(line.xy - point)) * (outside / pixel + 0.5);
   float depth = isRing
     ? ringDepth(clipFromView, viewZ, viewZ - lineDrop * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
-    : windowDepth(clipFromView, viewZ);
+    : windowDepth(clipFromView, isEdge ? viewZ - lineDrop : viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
 }

@@ -3,6 +3,7 @@ precision highp int;
 
 // The body of a lobe particle: transforms the lobes to view space, and places a nailboard parallel to the image plane
 // around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
+// ERODED: puffs have bites. PARTED: a program draws only the puffs that have bites, or only the others.
 // FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
 // puff through its centre, and after it the ink, which is deeper.
 uniform mat4 viewFromWorld;
@@ -25,6 +26,11 @@ flat out vec4 middleAndInkReach;
 // and the radius is the one across the stretch. Points and lobes are those of stretch.glsl.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
+#ifdef ERODED
+// See bites.glsl; in the space of the lobes.
+flat out vec4 biteAxisAndErosion;
+flat out vec3 biteSideways;
+#endif
 
 #include ../lib/rows.glsl
 #include ../lib/pixel.glsl
@@ -33,6 +39,11 @@ flat out vec4 lobes[LOBES];
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
+#pragma insert_bites
+#ifdef ERODED
+// Farther away from the puff than any line is wide, in radii.
+const float GONE = 1e4;
+#endif
 
 void main() {
   readRow();
@@ -80,6 +91,32 @@ void main() {
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
 
+#ifdef ERODED
+  vec3 axis = viewFromPuff * biteAxis(variation);
+  vec3 sideways = viewFromPuff * biteSide(variation);
+#ifdef DEFORMED
+  axis = unstretched(projection, axis / across);
+  sideways = unstretched(projection, sideways / across);
+#endif
+  biteAxisAndErosion = vec4(axis, erosionOf(attributes));
+  biteSideways = sideways;
+  if (erosionOf(attributes) > EROSION_LEAD) {
+    placeBites(erosionOf(attributes), axis, sideways);
+    lowest = vec2(0.0);
+    highest = vec2(0.0);
+    #pragma unroll_loop_start
+    for (int i = 0; i < LOBES; i++) {
+      // Nothing must be drawn around a lobe of which nothing is left.
+      if (isEaten(lobes[ i ])) lobes[ i ] = vec4(GONE, GONE, 0.0, 0.0);
+      else {
+        lowest = min(lowest, lobes[ i ].xy - lobes[ i ].w);
+        highest = max(highest, lobes[ i ].xy + lobes[ i ].w);
+      }
+    }
+    #pragma unroll_loop_end
+  }
+#endif
+
   vec2 margin = corner * inkReach;
 #ifdef DEFORMED
   // A line lies within its width along the gradient of the distance: these are the extents of its points about a lobe.
@@ -99,7 +136,7 @@ void main() {
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef DEFORMED
   // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.
-  depthsAndRamp.z = float(attributes.w);
+  depthsAndRamp.z = float(attributes.w & 0xffffffu);
 #endif
 #ifdef FLAT
   float drop = gl_VertexID % 8 > 3 ? innerLine * radius : 0.0;
@@ -108,5 +145,14 @@ void main() {
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   clip.z = 0.0;
 #endif
-  gl_Position = radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+  bool isDrawn = radius > 0.0;
+#ifdef PARTED
+  bool hasBites = erosionOf(attributes) > EROSION_LEAD;
+#ifdef ERODED
+  isDrawn = isDrawn && hasBites;
+#else
+  isDrawn = isDrawn && !hasBites;
+#endif
+#endif
+  gl_Position = isDrawn ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

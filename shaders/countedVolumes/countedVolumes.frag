@@ -15,9 +15,15 @@ uniform vec2 viewportOrigin;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
+#ifdef ERODED
+flat in vec4 discs[LOBES];
+flat in vec4 biteSideAndSqueeze;
+#define squeeze biteSideAndSqueeze.w
+#else
 flat in vec3 discs[LOBES];
 #ifdef DEFORMED
 flat in float squeeze;
+#endif
 #endif
 
 #include ../lib/depth.glsl
@@ -65,7 +71,7 @@ void main() {
   vec2 stretch = vec2(FAR, -FAR);
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    pass(stretch, discs[ i ], direction, offset);
+    pass(stretch, discs[ i ].xyz, direction, offset);
   }
   #pragma unroll_loop_end
 

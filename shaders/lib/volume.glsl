@@ -26,16 +26,26 @@ flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
 // Discs on the plane where the scale is 1: centre and squared radius.
+#ifdef ERODED
+// And the middle of the lobe along the light. The bites are in the frame of the discs, see bites.glsl. The w components are 255
+// times the erosion, plus half of the width across the stretch, and `squeeze`.
+flat out vec4 discs[LOBES];
+flat out vec4 biteAxisAndErosion;
+flat out vec4 biteSideAndSqueeze;
+#define squeeze biteSideAndSqueeze.w
+#else
 flat out vec3 discs[LOBES];
 #ifdef DEFORMED
 // Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
 flat out float squeeze;
+#endif
 #endif
 
 #include attributes.glsl
 #include orientation.glsl
 #include box.glsl
 #include light.glsl
+#pragma insert_bites
 
 const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
@@ -81,6 +91,14 @@ float farthest;
 // frame, which makes the discs of lobes circles.
 vec3 widthTiltFactor;
 #endif
+#ifdef ERODED
+// Distance from the centre to the end of the puff, in radii along the light's travel.
+float behind;
+#ifdef DEFORMED
+// Half of the extent of a stretched ball along the light in its radii; factor on depths where balls are balls, and shear.
+vec3 supportDepthShear;
+#endif
+#endif
 
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
@@ -91,6 +109,10 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   vec2 angles = vec2(atan(towards.y, towards.x) / (2.0 * PI) + 0.5, acos(clamp(towards.z, -1.0, 1.0)) / PI);
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
+#endif
+#ifdef ERODED
+  // Bites open the puff to the light up to its end.
+  cap = mix(cap, max(cap, behind), min(erosionOf(attributes) / EROSION_LEAD, 1.0));
 #endif
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
   return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
@@ -113,13 +135,29 @@ vec4 lobeOf(int index, int variation) {
   return lobe;
 }
 
+#ifdef ERODED
+// A place in the frame of the discs, where balls are balls along the light, too.
+vec3 inDiscFrame(vec3 seen) {
+#ifdef DEFORMED
+  return vec3(seen.x, seen.y * widthTiltFactor.z, supportDepthShear.y * (seen.z + supportDepthShear.z * seen.y));
+#else
+  return seen;
+#endif
+}
+#endif
+
 // The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
 vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
 #ifdef DEFORMED
   lobe.w *= widthTiltFactor.x;
   farthest = max(farthest, seen.z + lobe.w * widthTiltFactor.y);
+#ifdef ERODED
+  behind = max(behind, seen.z + lobe.w * supportDepthShear.x);
+#endif
   seen.y *= widthTiltFactor.z;
+#elif defined(ERODED)
+  behind = max(behind, seen.z + lobe.w);
 #endif
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
@@ -143,12 +181,22 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 #ifdef DEFORMED
   farthest = 0.0;
 #endif
+#ifdef ERODED
+  behind = 0.0;
+#endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
-    widest = max(widest, farSide(discs[ i ]));
+    discs[ i ].xyz = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+#ifdef ERODED
+    discs[ i ].w = inDiscFrame(frameFromPuff * lobeOf(UNROLLED_LOOP_INDEX, variation).xyz).z;
+#endif
+    widest = max(widest, farSide(discs[ i ].xyz));
   }
   #pragma unroll_loop_end
+#ifdef ERODED
+  biteAxisAndErosion.xyz = inDiscFrame(frameFromPuff * biteAxis(variation));
+  biteSideAndSqueeze.xyz = inDiscFrame(frameFromPuff * biteSide(variation));
+#endif
   return widest;
 }
 
@@ -175,6 +223,9 @@ bool writeVolume(out Ends ends) {
   float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
   float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
   widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
+#ifdef ERODED
+  supportDepthShear = vec3(sqrt(support), projection.depth, dot(projection.shear, along));
+#endif
 #endif
 
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
@@ -185,6 +236,15 @@ bool writeVolume(out Ends ends) {
   if (extent <= 0.0) return false;
 #ifdef DEFORMED
   squeeze = widthTiltFactor.z;
+#endif
+#ifdef ERODED
+  float across = 1.0;
+#ifdef DEFORMED
+  across = widthTiltFactor.x;
+#else
+  squeeze = 1.0;
+#endif
+  biteAxisAndErosion.w = float(attributes.w >> 24u) + 0.5 * across;
 #endif
   vec3 start = centre + cap * place.w * axis;
   float scale = 1.0 + growth * cap;

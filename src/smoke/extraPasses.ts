@@ -20,6 +20,7 @@ const imports = {
   countedVolumes: () => import('../passes/countedVolumes.ts'),
   tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
   simplify: () => import('../passes/simplify/simplify.ts'),
+  bites: () => import('./bites.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -35,6 +36,8 @@ export interface PictureKind {
   readonly volumes: Volumes;
   /** Distance over which light is smoothed, CSS pixels. */
   readonly simplify: number;
+  /** Whether puffs have bites. */
+  readonly isEroded: boolean;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
@@ -46,7 +49,15 @@ export function isSimplified({ renderer, simplify }: Pick<PictureKind, 'renderer
 }
 
 /** The modules that a picture needs, with their names in error messages. */
-function needsOf({ renderer, form, volumes, simplify, view, isTiled }: PictureKind): Partial<Record<Name, string>> {
+function needsOf({
+  renderer,
+  form,
+  volumes,
+  simplify,
+  isEroded,
+  view,
+  isTiled,
+}: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -56,6 +67,7 @@ function needsOf({ renderer, form, volumes, simplify, view, isTiled }: PictureKi
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
     ...(isSimplified({ renderer, simplify }) && { simplify: 'Simplified light' }),
+    ...(isEroded && { bites: 'Bites' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

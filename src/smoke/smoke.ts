@@ -20,7 +20,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras, isSimplified } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras, isSimplified } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -39,7 +39,13 @@ export interface SmokeOptions {
 /** World height below which surfaces are hidden, metres. */
 export const OUT_OF_SIGHT = -60;
 /** The parameters of a style that needs no further modules. */
-const PLAIN_PICTURE = { renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 0 } as const;
+const PLAIN_PICTURE = {
+  renderer: 'nailboards',
+  form: 'lobes',
+  volumes: 'receiver',
+  simplify: 0,
+  isEroded: false,
+} as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -171,7 +177,7 @@ export class SmokeRenderer {
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
-    this.puffs.deform(style.isDeformed ? style.stretch : undefined);
+    this.puffs.change(style.isDeformed ? style.stretch : undefined, style.isEroded ? codeOf('bites').BITES : undefined);
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     volumes.follow(style.form, litThresholdOf(style));

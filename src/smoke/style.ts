@@ -70,6 +70,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   billow: number;
   /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
   isDeformed: boolean;
+  /** Whether puffs have bites as they dissolve. Billboards do not. */
+  isEroded: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
@@ -102,6 +104,7 @@ export function styleOf(values: Values): Style {
     ...same,
     form: values['puff.form'] as PuffForm,
     ...deformationOf(values),
+    isEroded: hasBites(values),
     gradientHeights: [gradientBottom, gradientTop],
     stops: ramp,
     isBlended: rampBlend,
@@ -111,6 +114,11 @@ export function styleOf(values: Values): Style {
     backdropColors: backdrop,
     wash: { share: wash, color: washColor },
   };
+}
+
+/** Whether puffs have bites as they dissolve. */
+export function hasBites(values: Values): boolean {
+  return values['puff.form'] === 'lobes' && values['emission.dissolve'] === 'erode';
 }
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */

@@ -52,8 +52,8 @@ export class ShownSmoke {
 
   /** The settings that decide which modules the picture needs. */
   get kind(): PictureKind {
-    const { renderer, form, volumes, simplify } = this.style;
-    return { renderer, form, volumes, simplify };
+    const { renderer, form, volumes, simplify, isEroded } = this.style;
+    return { renderer, form, volumes, simplify, isEroded };
   }
 
   /** Applies new values. */

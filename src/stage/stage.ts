@@ -11,7 +11,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import type { Renderer, Volumes } from '../smoke/style.ts';
+import { hasBites, type Renderer, type Volumes } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -505,6 +505,7 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
     form: values['puff.form'] as PuffForm,
     volumes: values['style.volumes'] as Volumes,
     simplify: values['style.simplify'] as number,
+    isEroded: hasBites(values),
     view,
   };
 }

@@ -34,10 +34,11 @@ await fetchExtras({
   form: 'billboards',
   volumes: 'counted',
   simplify: 0,
+  isEroded: true,
   view: 'normals',
   isTiled: true,
 });
-await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1 });
+await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1, isEroded: false });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {
@@ -52,6 +53,8 @@ export interface LabPuff {
   age?: number;
   /** 0 to 4. */
   temperature?: number;
+  /** 0 to 1. */
+  erosion?: number;
   /** Packed fields of its turn and its stretch. */
   deformation?: Partial<Record<Deformation, number>>;
 }
@@ -151,6 +154,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       seed: puff.seed ?? 0,
       temperature: Math.round(((puff.temperature ?? 0) / TEMPERATURE_MAX) * ATTRIBUTE_BITS.temperature.max),
       tint: puff.tint ?? 0,
+      erosion: Math.round((puff.erosion ?? 0) * ATTRIBUTE_BITS.erosion.max),
     };
     for (const [name, value] of Object.entries(fields)) {
       const { word, shift, max } = ATTRIBUTE_BITS[name as keyof typeof ATTRIBUTE_BITS];

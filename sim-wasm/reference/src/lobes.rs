@@ -1,10 +1,16 @@
 //! A puff: balls, stretched to ellipsoids; a ray along the view axis meets the nearest surface.
 
+use std::f64::consts::TAU;
+
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
-use crate::attributes::{unfolded, unstretched};
+use crate::attributes::{PackedAttributes, unfolded, unstretched};
+use crate::bites::{self, EROSION_LEAD};
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
+
+/// Directions in which an edge is sought.
+const LINE_SIDES: usize = 8;
 
 #[derive(Clone, Copy)]
 pub struct Lobe {
@@ -16,6 +22,8 @@ pub struct Lobe {
 pub struct Lobes {
     /// Where they are balls.
     lobes: Vec<Lobe>,
+    /// Balls that are cut out of them.
+    bites: Vec<Lobe>,
     pub middle: DVec3,
     /// From view space to where lobes are balls. Lines along z stay parallel to z.
     unstretched: DMat3,
@@ -32,19 +40,28 @@ pub struct Meeting {
     pub outside: f64,
     /// Centre of the lobe with the nearest silhouette.
     pub rim: DVec2,
+    /// The bite whose wall this is; none for a lobe.
+    pub wall: Option<usize>,
+    /// Whether the line along the edge of a wall is here.
+    pub is_edge: bool,
 }
 
 impl Lobes {
-    /// `age` is a share of the lifetime, `stretching` the part of `view_from_puff` that is not a rotation, with a width of 1
+    /// `stretching` is the part of `view_from_puff` that is not a rotation, with a width of 1
     /// across the stretch, and `ratio` its length.
     pub fn new(
         puffs: &Puffs,
-        variation: usize,
-        age: f64,
+        attributes: PackedAttributes,
         view_from_puff: DMat3,
         (stretching, ratio): (DMat3, f64),
     ) -> Self {
         let unstretched = unstretched(stretching);
+        let (variation, age, erosion) = (attributes.variation(), attributes.age(), attributes.erosion());
+        let bites = if puffs.is_eroded && erosion > EROSION_LEAD {
+            bites::bites(variation % puffs.lobes.len(), erosion, unstretched * view_from_puff)
+        } else {
+            Vec::new()
+        };
         let lobes: Vec<Lobe> = puffs.lobes[variation % puffs.lobes.len()]
             .iter()
             .enumerate()
@@ -55,7 +72,8 @@ impl Lobes {
             .collect();
         Self {
             middle: unstretched.inverse() * middle_of(&lobes),
-            lobes,
+            lobes: lobes.into_iter().filter(|lobe| !is_eaten(lobe, &bites)).collect(),
+            bites,
             unstretched,
             ratio,
             fillet: puffs.fillet,
@@ -71,8 +89,9 @@ impl Lobes {
             .fold(0.0, f64::max)
     }
 
-    /// `surface`: height of an occluding surface. Lobes deeper by more than `slack` have no rim.
-    pub fn meet(&self, point: DVec2, surface: f64, slack: f64) -> Meeting {
+    /// `surface`: height of an occluding surface. `line`: width of a line; lobes deeper by more than two of them have no
+    /// rim.
+    pub fn meet(&self, point: DVec2, surface: f64, line: f64) -> Meeting {
         let plane = DMat2::from_mat3(self.unstretched);
         let on_board = self.unstretched * point.extend(0.0);
         let depth = self.unstretched.z_axis.z;
@@ -82,6 +101,8 @@ impl Lobes {
             height: 0.0,
             outside: f64::INFINITY,
             rim: DVec2::ZERO,
+            wall: None,
+            is_edge: false,
         };
         for lobe in &self.lobes {
             let middle = lobe.center.truncate();
@@ -89,20 +110,46 @@ impl Lobes {
             if outside <= 0.0 {
                 let beside = seen.distance_squared(middle);
                 top = top.max(lobe.center.z + (lobe.radius.powi(2) - beside).sqrt());
-            } else if outside < rim.outside && lobe.center.z + STEEPEST * outside >= surface - slack {
+            }
+            let is_seen = lobe.center.z + STEEPEST * outside >= surface - 2.0 * line;
+            if outside > 0.0 && outside < rim.outside && is_seen {
                 rim = Meeting {
                     height: lobe.center.z,
                     outside,
                     rim: middle,
+                    ..rim
                 };
             }
         }
         let height = |height: f64| (height - on_board.z) / depth;
+        let top_of_whole = top;
+        let mut wall = None;
+        let mut is_edge = false;
+        if !self.bites.is_empty() {
+            let left = self.remains(seen, 0.0);
+            (top, wall) = left.unwrap_or((f64::NEG_INFINITY, None));
+            if let Some(bite) = wall {
+                let outward = (seen - self.bites[bite].center.truncate()).normalize_or_zero();
+                let beside = self.remains(seen + outward * line * (plane * outward).length(), 0.0);
+                is_edge = beside.is_some_and(|(_, other)| other != wall);
+            }
+            if left.is_none() && (top_of_whole > f64::NEG_INFINITY || self.is_rim_bitten(&rim, seen)) {
+                let edge = self.edge_of_bite(seen, line);
+                return Meeting {
+                    height: edge.map_or(0.0, |(height, _)| (height - on_board.z) / depth),
+                    outside: edge.map_or(f64::INFINITY, |_| 0.5 * line),
+                    rim: edge.map_or(point, |(_, offset)| point + offset),
+                    ..rim
+                };
+            }
+        }
         if top > surface {
             Meeting {
                 height: height(top),
                 outside: 0.0,
                 rim: point,
+                wall,
+                is_edge,
             }
         } else {
             // Distances along the gradient.
@@ -111,8 +158,46 @@ impl Lobes {
                 height: height(rim.height),
                 outside: rim.outside / (plane * (rim.rim - seen).normalize()).length(),
                 rim: point + gradient,
+                ..rim
             }
         }
+    }
+
+    /// What is left over a point where lobes are balls, with lobes that are larger and bites that are smaller by the width of
+    /// a line: its height, and the bite whose wall it is.
+    fn remains(&self, seen: DVec2, line: f64) -> Option<(f64, Option<usize>)> {
+        let plane = DMat2::from_mat3(self.unstretched);
+        let wider = |ball: &Lobe, line: f64| {
+            let outward = (seen - ball.center.truncate()).normalize_or_zero();
+            let radius = ball.radius + line * (plane * outward).length();
+            bites::crossed(seen.extend(0.0), DVec3::Z, Lobe { radius, ..*ball })
+        };
+        let lobes: Vec<_> = self.lobes.iter().filter_map(|lobe| wider(lobe, line)).collect();
+        let bites: Vec<_> = self.bites.iter().map(|bite| wider(bite, -line)).collect();
+        bites::top(&lobes, &bites)
+    }
+
+    /// The height of what is left within the width of a line, and the way to it.
+    fn edge_of_bite(&self, seen: DVec2, line: f64) -> Option<(f64, DVec2)> {
+        self.remains(seen, line)?;
+        (0..LINE_SIDES).find_map(|side| {
+            let offset = line * DVec2::from_angle(TAU / LINE_SIDES as f64 * side as f64);
+            let (height, _) = self.remains(seen + DMat2::from_mat3(self.unstretched) * offset, 0.0)?;
+            Some((height, offset))
+        })
+    }
+
+    /// Whether a bite contains the nearest point of the rim that was met.
+    fn is_rim_bitten(&self, rim: &Meeting, seen: DVec2) -> bool {
+        let place = seen + rim.outside * (rim.rim - seen).normalize_or_zero();
+        let contains = |bite: &Lobe| bite.center.distance(place.extend(rim.height)) < bite.radius;
+        rim.outside.is_finite() && self.bites.iter().any(contains)
+    }
+
+    /// Unit normal of the wall of a bite.
+    pub fn wall_normal(&self, bite: usize, place: DVec3) -> DVec3 {
+        let inward = self.bites[bite].center - self.unstretched * place;
+        (self.unstretched.transpose() * inward).normalize()
     }
 
     /// Unit normal for shading: the normal of the form, mixed with the direction from the common centre.
@@ -135,8 +220,15 @@ impl Lobes {
             let away = (outward.length() - lobe.radius).abs();
             own += (1.0 - away / self.fillet).max(0.0).powi(2) * outward.normalize_or_zero();
         }
-        own.normalize()
+        own.normalize_or(DVec3::Z)
     }
+}
+
+/// Whether one bite contains a lobe.
+fn is_eaten(lobe: &Lobe, bites: &[Lobe]) -> bool {
+    bites
+        .iter()
+        .any(|bite| lobe.center.distance(bite.center) + lobe.radius < bite.radius)
 }
 
 /// Centre of the lobes' volumes.

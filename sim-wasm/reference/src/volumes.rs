@@ -5,8 +5,10 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat3, DVec3};
 
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
+use crate::bites::{self, EROSION_LEAD};
 use crate::bodies::grown;
 use crate::light::Light;
+use crate::lobes::Lobe;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 
@@ -26,6 +28,45 @@ pub struct Volume {
     flat: DMat3,
     /// The discs of the lobes on this plane, in metres from the centre.
     discs: Vec<Disc>,
+    eaten: Option<Eaten>,
+}
+
+/// An eroded puff in a space about its centre where lobes and bites are balls of their own radii.
+struct Eaten {
+    from_world: DMat3,
+    lobes: Vec<Lobe>,
+    bites: Vec<Lobe>,
+}
+
+impl Eaten {
+    fn new(scene: &Scene, row: &Row) -> Option<Self> {
+        let attributes = PackedAttributes(row.attributes);
+        let erosion = attributes.erosion();
+        if !scene.puffs.is_eroded || erosion <= EROSION_LEAD {
+            return None;
+        }
+        let from_world = (stretching(attributes.stretch()) * row.radius).inverse();
+        let from_puff = from_world * attributes.world_from_puff() * row.radius;
+        let variation = attributes.variation() % scene.puffs.lobes.len();
+        let lobe = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| Lobe {
+            center: from_puff * DVec3::new(x, y, z) * unfolded(index, attributes.caster_age(), scene.puffs.billow),
+            radius,
+        };
+        Some(Self {
+            from_world,
+            lobes: scene.puffs.lobes[variation].iter().enumerate().map(lobe).collect(),
+            bites: bites::bites(variation, erosion, from_puff),
+        })
+    }
+
+    /// Whether a line through `offset` from the centre meets what is left.
+    fn is_met(&self, offset: DVec3, direction: DVec3) -> bool {
+        let (origin, direction) = (self.from_world * offset, self.from_world * direction);
+        let through = |ball: &Lobe| bites::crossed(origin, direction, *ball);
+        let lobes: Vec<_> = self.lobes.iter().filter_map(through).collect();
+        let bites: Vec<_> = self.bites.iter().map(through).collect();
+        bites::top(&lobes, &bites).is_some()
+    }
 }
 
 struct Disc {
@@ -52,6 +93,7 @@ impl Volume {
             growth,
             flat,
             discs,
+            eaten: Eaten::new(scene, row),
         })
     }
 
@@ -60,7 +102,11 @@ impl Volume {
         let offset = point - self.center;
         let along = offset.dot(self.axis);
         let seen = self.flat * offset / (1.0 + self.growth * along);
-        along >= self.begin && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
+        // The light ray through the point: from a lamp, along the line to it.
+        let ray = self.axis + self.growth * (offset - along * self.axis) / (1.0 + self.growth * along);
+        along >= self.begin
+            && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
+            && self.eaten.as_ref().is_none_or(|eaten| eaten.is_met(offset, ray))
     }
 
     /// Returns true if it contains the point of a view ray at a depth, counted as the paper does: on each ray it extends
@@ -175,6 +221,23 @@ fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64
             variation,
             world_from_puff.transpose() * towards_light,
         )
+    };
+    let cap = if scene.puffs.is_eroded {
+        // Bites open the puff to the light up to its end.
+        let (along, ratio) = stretch(scene, row);
+        let reach = (stretching((along, ratio)).transpose() * towards_light).length();
+        let end = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| {
+            let unfolded = unfolded(index, attributes.caster_age(), scene.puffs.billow);
+            radius * reach - (world_from_puff * DVec3::new(x, y, z)).dot(towards_light) * unfolded
+        };
+        let end = scene.puffs.lobes[variation]
+            .iter()
+            .enumerate()
+            .map(end)
+            .fold(cap, f64::max);
+        cap + (end - cap) * (attributes.erosion() / EROSION_LEAD).min(1.0)
+    } else {
+        cap
     };
     cap.max(scene.style.min_cap) + shear(scene, camera, row, towards_light) + SLACK
 }

@@ -35,7 +35,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await openPage('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
   await stands(page);
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 66, goal: 66 },
+    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 66.5, goal: 66 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 114.5 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -48,7 +48,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
     { name: 'page', kB: fetched(server, own), limit: 17.5 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 206.5 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 210 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });

@@ -16,7 +16,9 @@ const CHANGED: readonly (readonly [key: string, value: number])[] = [
 
 const LOOKS: readonly Values[] = [{ 'puff.form': 'billboards' }, { 'style.renderer': 'selle' }];
 
-beforeAll(() => fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'receiver', simplify: 0 }));
+beforeAll(() =>
+  fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'receiver', simplify: 0, isEroded: false }),
+);
 
 function layersOf(values: Values) {
   return new LivePuffs({ ...ONE, ...values }).finish()!.billboards.layers;
