@@ -54,6 +54,7 @@ export async function bundleAll(folder, plugins = shortening()) {
   const modules = {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
+    'element.development': 'src/element/development.ts',
     puff: 'src/puff.ts',
     errors: 'src/preset/errors.ts',
   };

@@ -48,6 +48,43 @@ export function customElements() {
   return { schemaVersion: '1.0.0', readme: 'README.md', modules };
 }
 
+/** Custom data for the HTML editor of VS Code (version 1.1). @param {ReturnType<typeof customElements>} manifest */
+export function htmlCustomData(manifest) {
+  const [{ tagName, description, attributes: all }] = manifest.modules[0].declarations;
+  const described = all.map((each) => {
+    const values = choicesOf(each).map((name) => ({ name }));
+    return { name: each.name, description: each.description, ...(values.length > 0 && { values }) };
+  });
+  return { version: 1.1, tags: [{ name: tagName, description, attributes: described }] };
+}
+
+/** Web types for the editors of JetBrains. @param {ReturnType<typeof customElements>} manifest @param {string} version */
+export function webTypes(manifest, version) {
+  const [{ tagName, description, attributes: all, members, events: own }] = manifest.modules[0].declarations;
+  const attributesOf = all.map((each) => {
+    const values = choicesOf(each);
+    const type = values.length > 0 ? values.map((value) => `'${value}'`).join(' | ') : each.type.text;
+    return { name: each.name, description: each.description, default: each.default, value: { type } };
+  });
+  const properties = members
+    .filter(({ kind }) => kind === 'field')
+    .map((member) => ({ name: member.name, description: member.description }));
+  const js = { events: own.map(({ name, description: text }) => ({ name, description: text })), properties };
+  const elements = [{ name: tagName, description, attributes: attributesOf, js }];
+  return {
+    $schema: 'https://json.schemastore.org/web-types',
+    name: 'cartoon-smoke',
+    version,
+    'description-markup': 'markdown',
+    contributions: { html: { elements } },
+  };
+}
+
+/** The values of a choice. @param {{ type: { text: string } }} of */
+function choicesOf({ type }) {
+  return [...type.text.matchAll(/'([^']*)'/g)].map(([, value]) => value);
+}
+
 function camelCase(/** @type {string} */ name) {
   return name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
 }

@@ -24,6 +24,34 @@ const FRAMEWORKS = {
   preact: { module: 'preact', own: "import('preact').HTMLAttributes<CartoonSmokeElement>" },
   solid: { module: 'solid-js/jsx-runtime', own: 'HTMLAttributes<CartoonSmokeElement>' },
 };
+/** Frameworks with templates of their own. */
+const TEMPLATES = {
+  svelte: `import type { HTMLAttributes } from 'svelte/elements';
+import type { SmokeAttributes, SmokeListeners } from '../element/attributes.js';
+import type { CartoonSmokeElement } from '../element/cartoonSmokeElement.js';
+declare module 'svelte/elements' {
+  interface SvelteHTMLElements {
+    'cartoon-smoke': Omit<HTMLAttributes<CartoonSmokeElement>, keyof (SmokeAttributes & SmokeListeners)> & SmokeAttributes & SmokeListeners;
+  }
+}
+export * from '../element/define.js';
+`,
+  vue: `import type { DefineComponent } from 'vue';
+import type { SmokeAttributes } from '../element/attributes.js';
+import type { SmokeEvents } from '../element/events.js';
+type CamelCase<Name> = Name extends \`\${infer Head}-\${infer Tail}\` ? \`\${Head}\${Capitalize<CamelCase<Tail>>}\` : Name;
+/** Attributes as templates compare them, in camel case, and events. */
+export type SmokeProps = { [Name in keyof SmokeAttributes as CamelCase<Name>]: SmokeAttributes[Name] } & {
+  [Name in keyof SmokeEvents as \`on\${Capitalize<Name>}\`]?: (event: CustomEvent<SmokeEvents[Name]>) => unknown;
+};
+declare module 'vue' {
+  interface GlobalComponents {
+    'cartoon-smoke': DefineComponent<SmokeProps>;
+  }
+}
+export * from '../element/define.js';
+`,
+};
 const EVENTS = ['ready', 'error', 'statechange'];
 
 /** @param {string} folder of the declarations written by the compiler */
@@ -37,6 +65,7 @@ export function writeElementTypes(folder) {
   for (const [name, one] of Object.entries(FRAMEWORKS)) {
     writeFileSync(join(folder, `jsx/${name}.d.ts`), framework(one));
   }
+  for (const [name, text] of Object.entries(TEMPLATES)) writeFileSync(join(folder, `jsx/${name}.d.ts`), text);
 }
 
 const MERGED = `import type { ParameterProperties } from './parameterProperties.js';
@@ -46,9 +75,10 @@ export interface CartoonSmokeElement extends ParameterProperties {}
 const EXPORTED = `export type { ParameterProperties } from './element/parameterProperties.js';\n`;
 
 function properties() {
-  const lines = rows().map(
-    ({ row, property }) =>
-      `${comment(row)}  get ${property}(): ${typeOf(row)} | undefined;\n  set ${property}(value: ${settable(row)} | null | undefined);`,
+  const lines = rows().map(({ row, property, isListed }) =>
+    isListed
+      ? `${comment(row)}  [property: \`${property}\`]: ${settable(row)} | null | undefined;`
+      : `${comment(row)}  get ${property}(): ${typeOf(row)} | undefined;\n  set ${property}(value: ${settable(row)} | null | undefined);`,
   );
   return `/** Every parameter as a property; undefined where the preset decides. */\nexport interface ParameterProperties {\n${lines.join('\n')}\n}\n`;
 }
@@ -58,9 +88,10 @@ function markup() {
     ({ name, type, description }) =>
       `  /** ${description} */\n  '${name}'?: ${type.text === 'number' ? 'number | string' : type.text} | undefined;`,
   );
-  const parameters = rows().map(
-    ({ row, attribute }) => `${comment(row)}  '${attribute}'?: ${settable(row)} | undefined;`,
-  );
+  const parameters = rows().map(({ row, attribute, isListed }) => {
+    const name = isListed ? `[attribute: \`${attribute}\`]` : `'${attribute}'?`;
+    return `${comment(row)}  ${name}: ${settable(row)} | undefined;`;
+  });
   const events = EVENTS.map(
     (name) => `  on${name}?: ((event: CustomEvent<SmokeEvents['${name}']>) => unknown) | undefined;`,
   );
@@ -92,11 +123,17 @@ export * from '../element/define.js';
 `;
 }
 
-/** The rows of the table with their attribute and property names. */
+/**
+ * The rows of the table with their attribute and property names. The names of list items are patterns, which type
+ * checkers accept but editors do not suggest: there are thousands of them.
+ */
 function rows() {
-  return names.flatMap(({ key, ...name }) => {
+  return names.flatMap(({ key, attribute, property }) => {
     const row = table.find((each) => each.key === key);
-    return row ? [{ row, ...name }] : [];
+    if (!row || OF_LATER_ITEMS.test(key)) return [];
+    const isListed = /^\w+\.0\./.test(key);
+    const any = (/** @type {string} */ name) => (isListed ? name.replace('0', '${number}') : name);
+    return [{ row, isListed, attribute: any(attribute), property: any(property) }];
   });
 }
 
@@ -109,10 +146,7 @@ function settable(row) {
   return /\b(number|\d)\b/.test(type) ? 'number | string' : type;
 }
 
-/**
- * Only the first item of a list has a comment; it applies to the others.
- * @param {Parameter} row
- */
-function comment({ key, label, text }) {
-  return OF_LATER_ITEMS.test(key) ? '' : `  /** ${label}: ${text} */\n`;
+/** @param {Parameter} row */
+function comment({ label, text }) {
+  return `  /** ${label}: ${text} */\n`;
 }

@@ -9,6 +9,9 @@ const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 /** Web URL of the GitHub repository in package.json. */
 const address = githubAddress(project.repository);
 
+/** With warnings on the console in development builds. */
+const ELEMENT = { development: './dist/element.development.js', default: './dist/element.js' };
+
 /** Omits the fields of the project's package.json that only development needs. */
 export const manifest = {
   name: project.name,
@@ -33,10 +36,12 @@ export const manifest = {
   ],
   exports: {
     '.': { types: './types/index.d.ts', default: './dist/index.js' },
-    './element': { types: './types/element/define.d.ts', default: './dist/element.js' },
-    './react': { types: './types/jsx/react.d.ts', default: './dist/element.js' },
-    './preact': { types: './types/jsx/preact.d.ts', default: './dist/element.js' },
-    './solid': { types: './types/jsx/solid.d.ts', default: './dist/element.js' },
+    './element': { types: './types/element/define.d.ts', ...ELEMENT },
+    './react': { types: './types/jsx/react.d.ts', ...ELEMENT },
+    './preact': { types: './types/jsx/preact.d.ts', ...ELEMENT },
+    './solid': { types: './types/jsx/solid.d.ts', ...ELEMENT },
+    './svelte': { types: './types/jsx/svelte.d.ts', ...ELEMENT },
+    './vue': { types: './types/jsx/vue.d.ts', ...ELEMENT },
     './puff': { types: './types/puff.d.ts', default: './dist/puff.js' },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
@@ -45,14 +50,22 @@ export const manifest = {
     './physics.wasm': { types: './types/asset.d.ts', default: './dist/wasm/physics/bindings_bg.wasm' },
     './worker.js': { types: './types/asset.d.ts', default: './dist/worker.js' },
     './custom-elements.json': './custom-elements.json',
+    './html-custom-data.json': './html-custom-data.json',
+    './web-types.json': './web-types.json',
     './package.json': './package.json',
   },
   unpkg: './dist/cartoon-smoke.min.js',
   jsdelivr: './dist/cartoon-smoke.min.js',
   customElements: './custom-elements.json',
+  'web-types': './web-types.json',
   bin: { 'cartoon-smoke': 'film/command.js' },
-  files: ['dist', 'film', 'types', 'custom-elements.json'],
-  sideEffects: ['./dist/element.js', './dist/cartoon-smoke.min.js', './dist/puff.min.js'],
+  files: ['dist', 'film', 'types', 'custom-elements.json', 'html-custom-data.json', 'web-types.json'],
+  sideEffects: [
+    './dist/element.js',
+    './dist/element.development.js',
+    './dist/cartoon-smoke.min.js',
+    './dist/puff.min.js',
+  ],
   peerDependencies: { three: project.dependencies.three },
 };
 

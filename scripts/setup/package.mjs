@@ -44,7 +44,7 @@ export async function bring(say) {
     { bundleAll, bundleCommand, bundleFilmPage },
     { writeLicenses },
     { writeTypes },
-    { customElements },
+    { customElements, htmlCustomData, webTypes },
     { manifest },
   ] = await Promise.all([
     import('../package/bundle.mjs'),
@@ -63,7 +63,14 @@ export async function bring(say) {
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);
   writeFileSync(inRoot(`${FOLDER}/package.json`), `${JSON.stringify(manifest, null, 2)}\n`);
-  writeFileSync(inRoot(`${FOLDER}/custom-elements.json`), JSON.stringify(customElements()));
+  const elements = customElements();
+  for (const [file, content] of Object.entries({
+    'custom-elements.json': elements,
+    'html-custom-data.json': htmlCustomData(elements),
+    'web-types.json': webTypes(elements, manifest.version),
+  })) {
+    writeFileSync(inRoot(`${FOLDER}/${file}`), JSON.stringify(content));
+  }
   copyFileSync(inRoot('LICENSE'), inRoot(`${FOLDER}/LICENSE`));
   copyFileSync(inRoot('scripts/package/README.md'), inRoot(`${FOLDER}/README.md`));
   say('packing');

@@ -8,6 +8,8 @@ import { Editor } from './editor/editor.ts';
 import { enterScene } from './editor/entering.ts';
 import { toggleFullScreen } from './playback/fullScreen.ts';
 import { GestureEnd } from './input/gestureEnd.ts';
+import { Flag } from './ui/flag.ts';
+import { showHint } from './ui/hint.ts';
 import { listenToKeys } from './input/keyboard.ts';
 import { showSlowProgress } from './ui/progress.ts';
 import { goToMoment, momentOf } from './share/moment.ts';
@@ -53,41 +55,53 @@ export async function addControls(controlled: Controlled): Promise<void> {
   describeScene(stage, canvas);
   await nextTask();
   const { hasStatistics } = environment;
-  const page = await buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics });
-  connectInput(stage, canvas, editor, page, scrubber);
+  const noShortcuts = new Flag('noShortcuts');
+  const page = await buildPage(container, { editor, stage, canvas, notices, scrubber, hasStatistics, noShortcuts });
+  connectInput(stage, canvas, editor, page, scrubber, () => !noShortcuts.value);
+  showHint(stage, canvas, notices);
   notifyOfSlowMachine(stage, notices);
 }
 
-function connectInput(stage: Stage, canvas: HTMLCanvasElement, editor: Editor, page: Page, scrubber: Scrubber): void {
+function connectInput(
+  stage: Stage,
+  canvas: HTMLCanvasElement,
+  editor: Editor,
+  page: Page,
+  scrubber: Scrubber,
+  hasShortcuts: () => boolean,
+): void {
   const ball = new BallKeys(stage);
   const orbitEnd = new GestureEnd(() => editor.settle());
   new Pointers(stage, canvas, orbitEnd, () => page.dragsBlow);
-  listenToKeys({
-    ...page,
-    togglePlaying: () => togglePlaying(stage),
-    step: () => takeStep(stage),
-    stepBack: () => void scrubber.stepBack(),
-    shift: (seconds) => void scrubber.shift(seconds),
-    stopSeeking: () => scrubber.stop(),
-    fullScreen: () => void toggleFullScreen(),
-    restart: () => stage.restart(),
-    undo: () => editor.undo(),
-    redo: () => editor.redo(),
-    zoom: (factor) => {
-      stage.camera.zoom(factor);
-      orbitEnd.postpone();
+  listenToKeys(
+    {
+      ...page,
+      togglePlaying: () => togglePlaying(stage),
+      step: () => takeStep(stage),
+      stepBack: () => void scrubber.stepBack(),
+      shift: (seconds) => void scrubber.shift(seconds),
+      stopSeeking: () => scrubber.stop(),
+      fullScreen: () => void toggleFullScreen(),
+      restart: () => stage.restart(),
+      undo: () => editor.undo(),
+      redo: () => editor.redo(),
+      zoom: (factor) => {
+        stage.camera.zoom(factor);
+        orbitEnd.postpone();
+      },
+      push: (right, up, near) => ball.push(right, up, near),
+      orbit: (right, up) => {
+        stage.camera.orbit(right * ORBIT_PER_KEY, up * ORBIT_PER_KEY);
+        orbitEnd.postpone();
+      },
+      resetView: () => {
+        orbitEnd.now();
+        stage.camera.reset();
+        orbitEnd.now();
+      },
     },
-    push: (right, up, near) => ball.push(right, up, near),
-    orbit: (right, up) => {
-      stage.camera.orbit(right * ORBIT_PER_KEY, up * ORBIT_PER_KEY);
-      orbitEnd.postpone();
-    },
-    resetView: () => {
-      orbitEnd.now();
-      stage.camera.reset();
-      orbitEnd.now();
-    },
-  });
+    hasShortcuts,
+  );
 }
 
 /** Updates the canvas's accessible name with the current scene. */

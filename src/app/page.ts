@@ -8,6 +8,7 @@ import { acceptDrops, SmokeFiles } from './share/files.ts';
 import { DropThings } from './input/dropThings.ts';
 import type { Editor } from './editor/editor.ts';
 import { Gizmos } from './gizmos/gizmos.ts';
+import type { Flag } from './ui/flag.ts';
 import { Help } from './ui/help.ts';
 import { icon } from './ui/icons.ts';
 import type { Notices } from './ui/notices.ts';
@@ -16,6 +17,7 @@ import { OwnShape } from './gallery/ownShape.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
 import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
+import { surprise } from './gallery/surprise.ts';
 import { ShareSheet } from './share/shareSheet.ts';
 import { createStatistics } from './panel/statistics.ts';
 import { strings } from './strings.ts';
@@ -29,6 +31,7 @@ export interface Page {
   nextView(): void;
   search(): void;
   toggleGallery(): void;
+  surprise(): void;
   toggleGizmos(): void;
   toggleStatistics(): void;
   drop(): void;
@@ -47,12 +50,14 @@ export interface PageParts {
   readonly scrubber: Scrubber;
   /** Whether statistics are shown initially. */
   readonly hasStatistics: boolean;
+  /** Whether shortcuts of a single character are turned off. */
+  readonly noShortcuts: Flag;
 }
 
 /** Adds the controls over the canvas, in several short tasks. @param container parent of the controls */
 export async function buildPage(container: HTMLElement, parts: PageParts): Promise<Page> {
   const { editor, stage, notices, scrubber } = parts;
-  const help = new Help(stage);
+  const help = new Help(stage, parts.noShortcuts);
   const captureButton = new CaptureButton(stage, container, notices);
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
@@ -93,6 +98,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
       panel.querySelector<HTMLElement>('.search-field')!.focus();
     },
     toggleGallery: () => dock.toggleGallery(),
+    surprise: () => surprise(editor),
     toggleGizmos: () => {
       const isShown = gizmos.toggle();
       gizmoToggle.setAttribute('aria-pressed', String(isShown));

@@ -46,6 +46,9 @@ export const strings = {
   scenes,
   picture: (picture: string, thing?: string) =>
     thing ? `${picture} Drag ${thing}, or move it with the arrow keys.` : picture,
+  hint: (held?: { readonly thing: string; readonly does: string }) =>
+    `${held ? `Drag ${held.thing} to ${held.does}. Drag elsewhere` : 'Drag'} to turn the view. The help (?) lists everything else.`,
+  surprise: { card: 'Surprise', name: 'Surprise me', scene: 'Random' },
   drop: 'Drop a ball or a crate',
   blow: 'Blow into the smoke by dragging',
   panel: {
@@ -268,6 +271,7 @@ export const strings = {
       ['Right button or two fingers', 'pan the view'],
     ],
     keyboard: 'Keyboard',
+    shortcuts: 'Shortcuts of a single character',
     keys: [
       ['Space', 'play or pause'],
       ['B', 'blow at the pointer, or in the middle'],
@@ -281,6 +285,7 @@ export const strings = {
       ['P', 'show or hide the parameters'],
       ['/', 'find a parameter'],
       ['G', 'show or hide the presets'],
+      ['X', 'surprise me: a random scene in a random style'],
       ['H', 'show or hide the handles for light, wind, emitters and vortices'],
       ['Arrows on a handle', 'move it, with Shift in larger steps'],
       ['F', 'enter or leave full screen'],

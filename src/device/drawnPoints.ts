@@ -1,6 +1,7 @@
 import { BufferGeometry, Object3D, Scene, type IUniform, type RawShaderMaterial, type WebGLRenderer } from 'three';
 import { pictureMaterial } from './fullScreen.ts';
 import { PassCamera } from './passCamera.ts';
+import type { Shaders } from './programsAhead.ts';
 
 /** What three.js draws as points. Its class for them would bring another material into the package. */
 class PointsWithoutAttributes extends Object3D {
@@ -21,8 +22,13 @@ export class DrawnPoints {
   private readonly scene = new Scene();
   private readonly camera = new PassCamera();
 
-  constructor(vertexShader: string, fragmentShader: string, uniforms: Record<string, IUniform>) {
-    this.points = new PointsWithoutAttributes(pictureMaterial({ vertexShader, fragmentShader, uniforms }));
+  constructor(
+    vertexShader: string,
+    fragmentShader: string,
+    uniforms: Record<string, IUniform>,
+    defines: Shaders['defines'] = {},
+  ) {
+    this.points = new PointsWithoutAttributes(pictureMaterial({ vertexShader, fragmentShader, uniforms, defines }));
     this.scene.add(this.points);
   }
 

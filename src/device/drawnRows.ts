@@ -35,7 +35,7 @@ export function rowUniforms(): RowUniforms {
 
 /** Vertices of a row, and three of them for each of its triangles. Vertices n and n + 4 are at the same corner. */
 export interface RowLayout {
-  vertices: 4 | 8;
+  vertices: number;
   index: readonly number[];
 }
 

@@ -93,7 +93,11 @@ export class BodiesPass {
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
-  /** @param drawing index of the drawing, for the boil of lines; equal indices give equal lines */
+  /** Index of the drawing, for the boil of lines; equal indices give equal lines. */
+  get drawing(): number {
+    return this.uniforms.drawing.value;
+  }
+
   setDrawing(drawing: number): void {
     this.uniforms.drawing.value = drawing;
   }

@@ -14,6 +14,11 @@ import type { Targets } from './targets.ts';
 /** The colours to resolve, and their size in pixels. */
 export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
 
+/** Draws ink over the bound target of tones. */
+export interface ToneOverlay {
+  compose(renderer: WebGLRenderer): void;
+}
+
 /** Draws the tones of all pixels into a target. */
 export type ChooseTones = (output: WebGLRenderTarget) => void;
 
@@ -24,6 +29,8 @@ export type ChooseTones = (output: WebGLRenderTarget) => void;
  */
 export class ResolvePass {
   smoothEdges = true;
+  /** Ink that is drawn over the chosen tones, before edges are smoothed. */
+  overlay: ToneOverlay | undefined;
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
@@ -67,7 +74,7 @@ export class ResolvePass {
   ): void {
     this.uniforms.unlit.value = unlit;
     this.uniforms.lit.value = lit;
-    this.uniforms.isLast.value = !this.smoothEdges && !choose;
+    this.uniforms.isLast.value = !this.smoothEdges && !choose && !this.overlay;
     if (this.uniforms.isLast.value) {
       renderer.setRenderTarget(output);
       this.tones.draw(renderer);
@@ -80,6 +87,7 @@ export class ResolvePass {
       renderer.setRenderTarget(this.chosen);
       this.tones.draw(renderer);
     }
+    this.overlay?.compose(renderer);
     if (!this.smoothEdges) {
       renderer.setRenderTarget(output);
       this.copy.draw(renderer);

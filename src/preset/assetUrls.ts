@@ -43,6 +43,14 @@ export function assetUrl(name: keyof AssetUrls): string | undefined {
   return urls.get(name);
 }
 
+/**
+ * Corrects the URL of a file of the package on Vite's development server. Up to version 7, it moves the modules of packages to
+ * another folder, but not the files beside them.
+ */
+export function servedUrl(url: string): string {
+  return url.replace(/\/\.vite\/deps\/(?=wasm\/|worker\.js)/, '/cartoon-smoke/dist/');
+}
+
 /** All URLs that the page has set. */
 export function assetUrls(): AssetUrls {
   return Object.fromEntries(urls);

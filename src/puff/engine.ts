@@ -12,7 +12,7 @@ import type { Effect, PuffOptions } from './options.ts';
 import { Overlay, OwnCanvas, type Sheet } from './overlay.ts';
 import { Placement } from './placement.ts';
 import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
-import type { Source } from './target.ts';
+import { sourceOf, type Source } from './target.ts';
 
 /** Shortest and longest interval in which the engine reads the simulated time, milliseconds. */
 const LOOK_MS = 80;
@@ -21,6 +21,8 @@ const MAX_LOOK_MS = 400;
 const LEAD = 0.05;
 /** The canvas goes this long after the last particle, milliseconds. The page's worker goes 5 s later. */
 const IDLE_MS = 5_000;
+/** Simulated seconds after which the smoke of `warmUp` is large enough to run all shaders. */
+const WARM_UP = 0.2;
 /** Simulated seconds after which the simulation starts again. Emitters cannot start after 3600 s. */
 const LATEST = 3000;
 
@@ -121,6 +123,27 @@ export class Engine {
     clearTimeout(this.idle);
   }
 
+  /** Draws some smoke on the hidden canvas, so that the first call does not wait for shaders. */
+  async warmUp(): Promise<void> {
+    if (this.playing || this.isStarting) return;
+    this.isStarting = true;
+    const { style } = this.sheet.canvas;
+    const before: [string, string] = [style.getPropertyValue('visibility'), style.getPropertyPriority('visibility')];
+    style.setProperty('visibility', 'hidden', 'important');
+    try {
+      await this.drawOnce({
+        effect: 'poof',
+        source: sourceOf(),
+        signal: AbortSignal.abort(),
+        onBegin: () => undefined,
+      });
+    } finally {
+      style.setProperty('visibility', ...before);
+      this.isStarting = false;
+    }
+    if (this.waiting.length > 0) await this.startAll();
+  }
+
   /** Resolves when the last particle of the call is gone, or after `clear`. */
   async play(call: PuffCall): Promise<void> {
     clearTimeout(this.idle);
@@ -161,6 +184,16 @@ export class Engine {
   private takeAll(): Waiting[] {
     for (const { stopFollowing } of this.running) stopFollowing();
     return [...this.waiting.splice(0), ...this.starting.splice(0), ...this.running.splice(0)];
+  }
+
+  private async drawOnce(call: PuffCall): Promise<void> {
+    const each = { call, look: undefined, color: undefined, resolve: () => undefined, reject: () => undefined };
+    const changes: Changes = {};
+    this.place(true, [each], changes);
+    this.emit(each, 0, 0, changes);
+    await this.stage.set({ ...changes, ...this.emitters.values() });
+    await this.stage.seek(WARM_UP);
+    await this.stage.restart();
   }
 
   private async lookFor(preset: string): Promise<Values> {

@@ -19,7 +19,7 @@ export interface Puff {
   /** The names of the effects. */
   readonly effects: readonly Effect[];
   /**
-   * Loads everything, so that later calls start at once, and keeps it.
+   * Loads everything and compiles the shaders, so that later calls start at once, and keeps it.
    * @throws as a call does
    */
   preload(): Promise<void>;
@@ -85,7 +85,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     effects: EFFECTS,
     async preload() {
       isKept = true;
-      await open();
+      await (await open()).warmUp();
     },
     clear: () => end((engine) => engine.clear()),
     create: (own: HTMLCanvasElement) => makePuff(own),

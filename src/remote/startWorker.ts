@@ -1,4 +1,4 @@
-import { assetUrl } from '../preset/assetUrls.ts';
+import { assetUrl, servedUrl } from '../preset/assetUrls.ts';
 
 /** The policy name that the page's `trusted-types` directive must allow. */
 const POLICY = 'cartoon-smoke';
@@ -26,10 +26,13 @@ function start(): Worker {
 export function startWorker(): Worker {
   const own = assetUrl('worker');
   if (own) return startFrom(own);
+  const address = addressOf(start);
+  const served = servedUrl(address);
+  if (served !== address) return startFrom(served);
   try {
     return start();
   } catch {
-    return startFrom(addressOf(start));
+    return startFrom(address);
   }
 }
 

@@ -1,5 +1,5 @@
 /** Fetches and instantiates the simulator's WASM module, once per variant, and creates simulators from it. */
-import { assetUrl } from '../preset/assetUrls.ts';
+import { assetUrl, servedUrl } from '../preset/assetUrls.ts';
 import { LoadError, UnsupportedError } from '../preset/errors.ts';
 import { inTime, whenLate } from '../preset/timeout.ts';
 import type { TakeInfo } from './input.ts';
@@ -160,9 +160,10 @@ async function compile(
 function wasmAddress(physics: boolean): URL {
   const own = assetUrl(physics ? 'physics' : 'core');
   if (own) return new URL(own);
-  return physics
+  const { href } = physics
     ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
     : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
+  return new URL(servedUrl(href));
 }
 
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {

@@ -75,10 +75,36 @@ export class Simulator {
     return this.#attempt(() => this.#handle.addSurface(...mesh));
   }
 
+  /**
+   * Sets an emitter of the pool, outside the parameter table, or adds births to the next step of any emitter. It is saved,
+   * but not recorded in takes.
+   *
+   * @param index 0 to 7 in the table, 8 to 391 in the pool
+   * @param numbers Parameters of `emitters.#` in the order of the table, three for a vector, 30 in all. `share` is its rate
+   * in particles/s. Without numbers and a count the place is freed.
+   * @param count Births in the next step. With numbers they replace those that wait.
+   */
+  setEmitter(index: number, numbers: Float64Array, count = 0): void {
+    this.#requireRunning();
+    let rejection: unknown;
+    // No closure: bursts come often and leave no garbage.
+    try {
+      rejection = this.#handle.setEmitter(index, numbers, count);
+    } catch (error) {
+      throw this.#explain(error);
+    }
+    if (rejection) throw this.#explain(rejection);
+  }
+
   /** Adds a rigid body and returns its index. Requires the variant with physics. */
   addRigid(description: RigidDescription): number {
     const rigid = this.#rigids.rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
+  }
+
+  /** Removes a rigid that no joint holds. The next rigid that is added takes the lowest free index. */
+  removeRigid(index: number): void {
+    this.#attempt(() => this.#handle.removeRigid(index));
   }
 
   /** Adds a joint between two rigids and returns its index. */
@@ -369,12 +395,16 @@ export class Simulator {
   }
 
   #attempt<Result>(action: () => Result): Result {
-    if (this.#stopped !== undefined) throw new SimulatorError(`${this.#stopped} Create a new one.`);
+    this.#requireRunning();
     try {
       return action();
     } catch (error) {
       throw this.#explain(error);
     }
+  }
+
+  #requireRunning(): void {
+    if (this.#stopped !== undefined) throw new SimulatorError(`${this.#stopped} Create a new one.`);
   }
 
   #explain(error: unknown): Error {

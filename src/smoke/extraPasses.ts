@@ -4,6 +4,7 @@ import type { Shaders } from '../device/programsAhead.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
@@ -20,6 +21,7 @@ const imports = {
   countedVolumes: () => import('../passes/countedVolumes.ts'),
   tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
   simplify: () => import('../passes/simplify/simplify.ts'),
+  strokes: () => import('../passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
 };
 
@@ -36,6 +38,9 @@ export interface PictureKind {
   readonly volumes: Volumes;
   /** Distance over which light is smoothed, CSS pixels. */
   readonly simplify: number;
+  readonly outlines: boolean;
+  /** Number of strokes inside the silhouette, 0..1. */
+  readonly strokes: number;
   /** Whether puffs have bites. */
   readonly isEroded: boolean;
   readonly view?: DebugView;
@@ -48,16 +53,19 @@ export function isSimplified({ renderer, simplify }: Pick<PictureKind, 'renderer
   return renderer === 'nailboards' && simplify > 0;
 }
 
-/** The modules that a picture needs, with their names in error messages. */
-function needsOf({
+/** Whether a style has strokes. They are lines, on lobes only. */
+export function hasStrokes({
   renderer,
   form,
-  volumes,
-  simplify,
-  isEroded,
-  view,
-  isTiled,
-}: PictureKind): Partial<Record<Name, string>> {
+  outlines,
+  strokes,
+}: Pick<PictureKind, 'renderer' | 'form' | 'outlines' | 'strokes'>): boolean {
+  return renderer === 'nailboards' && form === 'lobes' && outlines && strokes > 0;
+}
+
+/** The modules that a picture needs, with their names in error messages. */
+function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
+  const { renderer, form, volumes, isEroded, view, isTiled } = kind;
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -66,7 +74,8 @@ function needsOf({
     }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
-    ...(isSimplified({ renderer, simplify }) && { simplify: 'Simplified light' }),
+    ...(isSimplified(kind) && { simplify: 'Simplified light' }),
+    ...(hasStrokes(kind) && { strokes: 'Strokes' }),
     ...(isEroded && { bites: 'Bites' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
@@ -115,6 +124,7 @@ export class ExtraPasses implements FrameExtras {
   private madeVolumes: CountedVolumesPass | undefined;
   private madeTiles: TiledVolumesPass | undefined;
   private madeSimplify: SimplifyPass | undefined;
+  private madeStrokes: StrokesPass | undefined;
   private requested: Promise<void> | undefined;
   private madeViews: DebugViews | undefined;
 
@@ -147,6 +157,12 @@ export class ExtraPasses implements FrameExtras {
     return this.madeSimplify;
   }
 
+  get strokes(): StrokesPass | undefined {
+    const { eye, puffs } = this.sources;
+    if (here.strokes) this.madeStrokes ??= new here.strokes.StrokesPass(eye, puffs);
+    return this.madeStrokes;
+  }
+
   get debugViews(): DebugViews | undefined {
     if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
@@ -160,6 +176,7 @@ export class ExtraPasses implements FrameExtras {
   /** Releases render targets until the next frame. */
   rest(): void {
     this.madeSimplify?.rest();
+    this.madeStrokes?.rest();
   }
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */
@@ -168,6 +185,7 @@ export class ExtraPasses implements FrameExtras {
     this.madeVolumes?.dispose();
     this.madeTiles?.dispose();
     this.madeSimplify?.dispose();
+    this.madeStrokes?.dispose();
     this.madeViews?.dispose();
   }
 }

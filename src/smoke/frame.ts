@@ -1,11 +1,13 @@
 import { Vector3, type WebGLRenderTarget } from 'three';
+import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
+import type { PuffRows } from '../rows/puffRows.ts';
 import type { Rows } from '../sim/rows.ts';
 import { countVolumes, MAX_COUNT } from './countVolumes.ts';
-import { isSimplified } from './extraPasses.ts';
+import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
-import { THROWS_SHADOW } from './style.ts';
+import { THROWS_SHADOW, type Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
@@ -19,6 +21,7 @@ export const DRAWINGS_PER_SECOND = 12;
  *     backdrop, surfaces, creases    unlit, lit, depth
  *     surfaceDepth                   a copy of the depth
  *     body                           unlit, lit, depth
+ *     strokes                        opacity of ink, for resolve
  *     meshVolumes, volumes           stencil
  *     mask                           alpha of lit
  *     resolve                        the picture
@@ -49,6 +52,7 @@ const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters 
   if (simplify) targets.beginShading(renderer);
   passes.body.draw(renderer, bodies.geometry, surfaceDepth);
   const shading = simplify && targets.endShading(renderer);
+  drawStrokes(passes, style, bodies, surfaceDepth);
   if (casters) {
     const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
     countVolumes(passes, style, casters.geometry, limit);
@@ -57,6 +61,13 @@ const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters 
   const choose = shading && ((tones: WebGLRenderTarget) => simplify.draw(renderer, targets, shading, tones));
   passes.resolve.draw(renderer, targets, output, choose);
 };
+
+/** Draws the strokes of the drawn bodies, if the style has any. */
+export function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
+  if (!hasStrokes(style)) return;
+  const { renderer, targets, body, extras } = passes;
+  extras.strokes!.draw(renderer, targets, bodies.geometry, body.drawing, surfaceDepth);
+}
 
 /**
  * The first half of a frame, without draw calls: arrange(eye) and arrange(light) -> row textures.

@@ -20,7 +20,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { codeOf, ExtraPasses, hasExtras, isSimplified } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -44,6 +44,7 @@ const PLAIN_PICTURE = {
   form: 'lobes',
   volumes: 'receiver',
   simplify: 0,
+  strokes: 0,
   isEroded: false,
 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
@@ -172,7 +173,7 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { eye, body, volumes, mask, extras } = this.passes;
+    const { eye, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
@@ -180,6 +181,9 @@ export class SmokeRenderer {
     this.puffs.change(style.isDeformed ? style.stretch : undefined, style.isEroded ? codeOf('bites').BITES : undefined);
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    const strokes = hasStrokes(style) ? extras.strokes : undefined;
+    strokes?.follow(style.strokes, pixelRatio);
+    resolve.overlay = strokes;
     volumes.follow(style.form, litThresholdOf(style));
     extras.countedVolumes?.follow(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);

@@ -11,6 +11,7 @@ import type { MaskPass } from '../passes/mask.ts';
 import type { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
 import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
@@ -74,6 +75,8 @@ export interface FrameExtras {
   readonly debugViews: DrawsInstead | undefined;
   /** Smooths the light; `style.simplify` decides. */
   readonly simplify: SimplifyPass | undefined;
+  /** Draws lines inside the silhouette; `style.strokes` decides. */
+  readonly strokes: StrokesPass | undefined;
   /** Draws volumes close to the camera in tiles. */
   readonly tiledVolumes: TiledVolumesPass | undefined;
   /** The shaders of a puff form; undefined for lobes. */

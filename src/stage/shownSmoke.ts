@@ -52,8 +52,7 @@ export class ShownSmoke {
 
   /** The settings that decide which modules the picture needs. */
   get kind(): PictureKind {
-    const { renderer, form, volumes, simplify, isEroded } = this.style;
-    return { renderer, form, volumes, simplify, isEroded };
+    return this.style;
   }
 
   /** Applies new values. */

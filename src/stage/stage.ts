@@ -1,7 +1,6 @@
 import { MathUtils } from 'three';
 import { missingContext, type DeviceCanvas } from '../device/device.ts';
 import type { Fault } from '../device/faults.ts';
-import type { PuffForm } from '../device/puffTextures.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -11,7 +10,7 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { compileAhead } from '../smoke/prepare.ts';
 import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import { hasBites, type Renderer, type Volumes } from '../smoke/style.ts';
+import { styleOf } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
@@ -500,14 +499,7 @@ export class Stage {
 }
 
 function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return {
-    renderer: values['style.renderer'] as Renderer,
-    form: values['puff.form'] as PuffForm,
-    volumes: values['style.volumes'] as Volumes,
-    simplify: values['style.simplify'] as number,
-    isEroded: hasBites(values),
-    view,
-  };
+  return { ...styleOf(values), view };
 }
 
 /**

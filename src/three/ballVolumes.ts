@@ -21,14 +21,14 @@ const BALL: readonly PuffShape[] = [{ name: 'ball', lobes: [{ center: [0, 0, 0],
 const LIT_THRESHOLD = 0;
 
 /** Proxy balls of an object. */
-interface BallsOf {
+export interface BallsOf {
   readonly object: Object3D;
   readonly balls: readonly BallAt[];
 }
 
 /** Shadow volumes of balls. They use the particles' shader: each ball is a puff with one lobe. */
 export class BallVolumes {
-  private readonly groups: BallsOf[] = [];
+  private readonly groups = new Set<BallsOf>();
   private count = 0;
   private readonly puffs: PuffTextures;
   private readonly rows = new PuffRows(MAX_BALLS, ONE_QUAD);
@@ -46,16 +46,22 @@ export class BallVolumes {
   }
 
   /** @throws ParameterError when the total exceeds the maximum */
-  add(balls: readonly BallAt[], object: Object3D): void {
+  add(balls: readonly BallAt[], object: Object3D): BallsOf {
     const count = this.count + balls.length;
     if (count > MAX_BALLS) throw new ParameterError('cast.proxies', count, `at most ${MAX_BALLS} balls in all`);
     this.count = count;
-    this.groups.push({ object, balls });
+    const group = { object, balls };
+    this.groups.add(group);
+    return group;
+  }
+
+  remove(group: BallsOf): void {
+    if (this.groups.delete(group)) this.count -= group.balls.length;
   }
 
   /** @param scene the rendered scene; objects that are hidden or outside it cast no shadow */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
-    const balls = this.groups.flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
+    const balls = [...this.groups].flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
     if (balls.length === 0) return;
     this.rows.fill(this.rowsOf(balls));
     this.volumes.draw(renderer, this.rows.geometry);

@@ -1,18 +1,9 @@
-import {
-  Box3,
-  Group,
-  Vector2,
-  Vector4,
-  type Camera,
-  type Object3D,
-  type Scene,
-  type WebGLRenderer,
-  Vector3,
-} from 'three';
+import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
-import { SimulatorError, UnsupportedError } from '../preset/errors.ts';
+import { SimulatorError, SmokeError, UnsupportedError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
@@ -22,14 +13,18 @@ import { completionOf, type Completion } from '../smoke/completion.ts';
 import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import type { Style } from '../smoke/style.ts';
-import { Colliders, type CollideOptions } from './colliders.ts';
+import { Attachment } from './attachment.ts';
+import { Caster } from './caster.ts';
+import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
+import type { BurstOptions, EmitterOptions } from './emitterOptions.ts';
+import { EmitterPool, PooledEmitter, TableEmitter, type EmitterHandle } from './emitters.ts';
+import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost, markWith } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
   hostStyle,
   requireChangeable,
-  requireEmitter,
   startValues,
   type CartoonSmokeEvents,
   type CartoonSmokeOptions,
@@ -37,7 +32,10 @@ import {
   type CastOptions,
 } from './options.ts';
 import { receiversIn } from './casters.ts';
+import { Overrides } from './overrides.ts';
+import { PushedObject } from './pushed.ts';
 import { requirementError, requireRenderer } from './requirements.ts';
+import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
@@ -51,13 +49,13 @@ const FIRST = -1e9;
  * ```ts
  * const smoke = await CartoonSmoke.create({ renderer, keyLight, values: { 'style.smokeColor': '#ffffff' } });
  * scene.add(smoke);
+ * const exhaust = smoke.emitFrom(car, { rate: 40, inherit: 0.3 });
  * smoke.collide(robot);
  * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
  * ```
  *
- * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports a resource
- * that could not be fetched and that smoke does without; such errors are not thrown from the render loop.
- * See {@link CartoonSmokeEvents}.
+ * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports what fails in
+ * the render loop, which never throws. See {@link CartoonSmokeEvents}.
  */
 export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly device: Device;
@@ -65,8 +63,13 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly onRelight: (isInShadow: boolean) => void;
   private readonly simulator: Simulator;
   private readonly passes: HostPasses;
-  private readonly colliders: Colliders;
-  private readonly nozzles: Nozzle[] = [];
+  private readonly handles: Handles;
+  private readonly riders: Riders;
+  private readonly emitters: EmitterPool;
+  private readonly overrides: Overrides;
+  private readonly attached = new Set<string>();
+  /** Messages of the errors that were reported, each of which is reported once. */
+  private readonly reported = new Set<string>();
   private readonly hasPhysics: boolean;
   private readonly clock = new Clock();
   private readonly receivers = new Box3();
@@ -79,7 +82,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private now = 0;
   private isDrawing = false;
   private isDisposed = false;
-  private error: Error | undefined;
+  private error: unknown;
   private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
 
   /**
@@ -120,7 +123,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.simulator = simulator;
     this.values = values;
     this.style = hostStyle(values);
-    this.colliders = new Colliders(simulator);
+    this.riders = new Riders(simulator);
+    this.emitters = new EmitterPool(simulator, this.riders);
+    this.overrides = new Overrides(simulator, (key) => this.numberOf(key));
+    this.handles = new Handles(this.owner());
     this.passes = new HostPasses(device, values['simulation.maxParticles'] as number);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
@@ -135,12 +141,17 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.add(unlitMesh);
   }
 
-  /** Makes smoke collide with an object and follow its movement. See {@link CollideOptions}. */
-  collide(object: Object3D, options: CollideOptions = {}): void {
+  /**
+   * Makes smoke collide with an object and follow its movement. See {@link CollideOptions}.
+   * @throws ParameterError for an invalid option, or when the object contains no mesh
+   */
+  collide(object: Object3D, options: CollideOptions = {}): SmokeHandle {
     this.requireAlive();
     if (!this.hasPhysics)
       throw new UnsupportedError('collide() does not work with physics: false. Remove that option.');
-    this.colliders.add(object, options);
+    requireCollideOptions(options);
+    const Kind = options.feelsSmoke ? PushedObject : Collider;
+    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
   }
 
   /**
@@ -149,36 +160,69 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * outside the scene casts no shadow.
    * @throws ParameterError when the object contains no mesh, or an open mesh without proxies
    */
-  cast(object: Object3D, { proxies }: CastOptions = {}): void {
+  cast(object: Object3D, options: CastOptions = {}): SmokeHandle {
     this.requireAlive();
-    this.passes.casters.add(object, proxies);
+    return this.handles.add(new Caster(this.passes.casters, object, options));
   }
 
   /**
-   * Attaches an emitter to an object: puffs spawn at its origin and leave along its y axis.
-   * @param emitter index from 0 to 7, as in `emitters.0.speed`
-   * @throws ParameterError for any other index
+   * Emits puffs from an object: they spawn at its origin and leave along its y axis. At most 128 objects at a time.
+   * @param emitter options of an emitter of its own, or the index of an emitter of the parameter table from 0 to 7, as
+   * in `emitters.0.speed`. An emitter of the table is silent while its handles are paused and after they are removed
+   * @throws ParameterError for any other index, an unknown option or an invalid value
    */
-  emitFrom(object: Object3D, emitter = 0): void {
+  emitFrom(object: Object3D, emitter: EmitterOptions | number = 0): EmitterHandle {
     this.requireAlive();
-    requireEmitter(emitter);
-    this.nozzles.push(new Nozzle(object, emitter));
+    if (typeof emitter === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, emitter));
+    const { simulator, overrides } = this;
+    const context = { simulator, overrides, set: (values: Values) => this.set(values) };
+    return this.handles.add(new TableEmitter(context, object, emitter));
   }
 
   /**
-   * Advances the simulation. Call it once before each render.
+   * Emits puffs at once in the next step. While smoke is full they wait. At most 256 bursts wait; the next one replaces
+   * the oldest.
+   * @throws ParameterError for an unknown option or an invalid value
+   */
+  burst(options: BurstOptions): void {
+    this.requireAlive();
+    this.emitters.burst(options);
+  }
+
+  /**
+   * Lets a force or an emitter of the parameter table ride on an object. Its position and its directions are those in the
+   * space of the object, without its scale. While its handle is paused it has no effect; `remove` leaves it where its
+   * values are.
+   * @param item such as `vortices.0`
+   * @throws ParameterError for any other name, or when it rides on an object already
+   */
+  override attach(item: string, object: Object3D): SmokeHandle;
+  /** Adds a child that keeps its world transform, as any Object3D does. */
+  override attach(object: Object3D): this;
+  override attach(item: string | Object3D, object?: Object3D): SmokeHandle | this {
+    if (typeof item === 'object' && object === undefined) return super.attach(item);
+    this.requireAlive();
+    const { riders, overrides, attached } = this;
+    return this.handles.add(new Attachment({ riders, overrides, attached }, item as string, object!));
+  }
+
+  /**
+   * Advances the simulation. Call it once before each render. It never throws: the event `error` reports what fails.
    * @param seconds since the last call. The first call advances nothing; later calls advance at most 1/12 s. Frames
    * between two steps are interpolated
-   * @throws ParameterError when `seconds` is not finite. UnsupportedError when smoke could not be drawn into a view
-   * since the last call
    */
   update(seconds: number): void {
-    this.requireAlive();
-    requireFinite({ seconds });
-    this.throwError();
-    this.now += 1000 * seconds;
-    this.advance(this.clock.tick(this.now));
-    this.showPuffs(this.puffs.workFor(BAKING_MS));
+    try {
+      this.requireAlive();
+      requireFinite({ seconds });
+      this.reportDrawing();
+      this.now += 1000 * seconds;
+      this.advance(this.clock.tick(this.now));
+      this.handles.show(this.clock.blend);
+      this.showPuffs(this.puffs.workFor(BAKING_MS));
+    } catch (error) {
+      this.reportOnce(error);
+    }
   }
 
   /**
@@ -189,9 +233,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   step(count = 1): void {
     this.requireAlive();
     requireWhole('count', count);
-    this.throwError();
+    this.reportDrawing();
     this.clock.settle();
     this.advance(count);
+    this.handles.show(this.clock.blend);
     this.showPuffs(this.puffs.finish());
   }
 
@@ -205,7 +250,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.requireAlive();
     requireChangeable(values);
     const { form } = this.style;
-    this.simulator.set(simulatorValues(values));
+    this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
@@ -237,6 +282,18 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     return this.simulator.hash();
   }
 
+  /** @throws UnsupportedError always: a copy needs a simulator of its own, which takes time to create */
+  override clone(): this {
+    throw new UnsupportedError('Smoke cannot be cloned, since its simulator is created asynchronously: call create().');
+  }
+
+  /** @throws UnsupportedError always: JSON cannot hold the state of the simulator */
+  override toJSON(): never {
+    throw new UnsupportedError(
+      'Smoke cannot be written as JSON: remove it from the scene before toJSON(), and keep its values by get().',
+    );
+  }
+
   /**
    * Removes this object from its scene and frees its resources. The renderer and the scene stay usable. Further calls
    * have no effect.
@@ -256,8 +313,24 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     if (puffs) this.passes.smoke.setPuffs(puffs);
   }
 
+  private owner(): HandleOwner {
+    const isAlive = () => !this.isDisposed;
+    return {
+      object: this,
+      report: (error) => this.report(error),
+      get isAlive() {
+        return isAlive();
+      },
+    };
+  }
+
+  /** The simulator's number for a key of the table, without overrides. */
+  private numberOf(key: string): number {
+    return simulatorValues({ [key]: this.values[key] ?? findParameter(key)!.default })[key];
+  }
+
   /**
-   * Draws everything except the marker mesh. Returns false where smoke cannot be drawn; the next `update` throws the
+   * Draws everything except the marker mesh. Returns false where smoke cannot be drawn; the next `update` reports the
    * reason.
    */
   private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
@@ -275,6 +348,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       receiversIn(scene, this.receivers);
       this.drawn = drawIntoHost(this.passes, view, { ...input, receivers: this.receivers });
       return true;
+    } catch (failure) {
+      this.error = failure;
+      return false;
     } finally {
       this.isDrawing = false;
     }
@@ -301,47 +377,35 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   private advance(steps: number): void {
     if (steps === 0) return;
-    this.colliders.look();
-    for (let taken = 1; taken <= steps; ++taken) {
-      this.colliders.move(taken / steps);
-      for (const nozzle of this.nozzles) this.simulator.set(nozzle.values());
+    this.handles.look();
+    for (let taken = 0; taken < steps; ++taken) {
+      const [from, to] = [taken / steps, (taken + 1) / steps];
+      this.handles.move(from, to);
+      this.riders.place(from, to);
       this.simulator.step();
     }
   }
 
-  private throwError(): void {
+  /** Reports why smoke could not be drawn since the last call. */
+  private reportDrawing(): void {
     const { error } = this;
     this.error = undefined;
-    if (error) throw error;
+    if (error) this.reportOnce(error);
+  }
+
+  private reportOnce(error: unknown): void {
+    const message = String(error);
+    if (this.reported.has(message)) return;
+    this.reported.add(message);
+    this.report(error);
+  }
+
+  private report(error: unknown): void {
+    const known = error instanceof SmokeError ? error : new SimulatorError(String(error), { cause: error });
+    this.dispatchEvent({ type: 'error', error: known });
   }
 
   private requireAlive(): void {
     if (this.isDisposed) throw new SimulatorError('This smoke was disposed; create a new one.');
   }
-}
-
-/** Binds an emitter to the transform of an object. */
-class Nozzle {
-  private readonly object: Object3D;
-  private readonly key: string;
-  private readonly position = new Vector3();
-  private readonly direction = new Vector3();
-
-  constructor(object: Object3D, emitter: number) {
-    this.object = object;
-    this.key = `emitters.${emitter}`;
-  }
-
-  /** The emitter's parameters for the current transform of the object. */
-  values(): Record<string, number> {
-    const { object, key, position, direction } = this;
-    object.updateWorldMatrix(true, false);
-    position.setFromMatrixPosition(object.matrixWorld);
-    direction.set(0, 1, 0).transformDirection(object.matrixWorld);
-    return { ...vectorValues(`${key}.position`, position), ...vectorValues(`${key}.direction`, direction) };
-  }
-}
-
-function vectorValues(key: string, { x, y, z }: Vector3): Record<string, number> {
-  return { [`${key}.x`]: x, [`${key}.y`]: y, [`${key}.z`]: z };
 }

@@ -14,20 +14,23 @@ import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
-import { BallVolumes } from './ballVolumes.ts';
+import { BallVolumes, type BallsOf } from './ballVolumes.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
-import { poseOf, scaleOf, trianglesOf, type Pose } from './shapes.ts';
+import { poseOf, requireGeometry, scaleOf, trianglesOf, type Pose } from './shapes.ts';
 import { isShown } from './shown.ts';
 import { isBlended, materialsOf } from './materials.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 
 /** A closed rigid mesh and its shadow volume. */
-interface MeshCaster {
+export interface MeshCaster {
   mesh: Mesh;
   transforms: SurfaceTransforms;
   volume: MeshVolumesPass;
 }
+
+/** A mesh or the balls that {@link HostCasters} draws. */
+export type HostCaster = MeshCaster | BallsOf;
 
 /**
  * Shadow casters of the host's scene besides smoke. Closed rigid meshes use their silhouettes; skinned, instanced and
@@ -35,7 +38,7 @@ interface MeshCaster {
  */
 export class HostCasters {
   private readonly eye: FrameView;
-  private readonly meshes: MeshCaster[] = [];
+  private readonly meshes = new Set<MeshCaster>();
   private readonly balls: BallVolumes;
 
   constructor(device: Device, eye: FrameView) {
@@ -43,15 +46,34 @@ export class HostCasters {
     this.balls = new BallVolumes(device, eye);
   }
 
-  /** @throws ParameterError without a mesh, for an open mesh without proxies, or for too many balls */
-  add(object: Object3D, proxies: readonly ProxyBall[] | undefined): void {
+  /**
+   * Adds every mesh of an object, or its proxies.
+   * @returns the casters, for {@link remove}
+   * @throws ParameterError without a mesh, for an open mesh without proxies, or for too many balls
+   */
+  add(object: Object3D, proxies: readonly ProxyBall[] | undefined): HostCaster[] {
     object.updateWorldMatrix(true, true);
-    if (proxies) return this.balls.add(proxies.map(follow), object);
+    if (proxies) return [this.balls.add(proxies.map(follow), object)];
     const meshes: Mesh[] = [];
     object.traverse((part) => ('isMesh' in part ? meshes.push(part as Mesh) : undefined));
     if (meshes.length === 0)
       throw new ParameterError('cast', object.name || object.type, 'an object that contains a mesh');
-    for (const mesh of meshes) this.addMesh(mesh);
+    const added: HostCaster[] = [];
+    try {
+      for (const mesh of meshes) added.push(this.addMesh(mesh));
+    } catch (error) {
+      this.remove(added);
+      throw error;
+    }
+    return added;
+  }
+
+  /** Removes casters and frees their GPU resources. */
+  remove(casters: readonly HostCaster[]): void {
+    for (const caster of casters) {
+      if ('balls' in caster) this.balls.remove(caster);
+      else if (this.meshes.delete(caster)) for (const part of [caster.transforms, caster.volume]) part.dispose();
+    }
   }
 
   /**
@@ -79,14 +101,17 @@ export class HostCasters {
     this.balls.dispose();
   }
 
-  private addMesh(mesh: Mesh): void {
+  private addMesh(mesh: Mesh): HostCaster {
+    requireGeometry('cast', mesh);
     const balls = ballsOf(mesh);
     if (balls.length > 0) return this.balls.add(balls, mesh);
     const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld));
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
       const transforms = new SurfaceTransforms(1);
-      this.meshes.push({ mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms) });
+      const caster = { mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms) };
+      this.meshes.add(caster);
+      return caster;
     } catch (error) {
       if (error instanceof RangeError) throw openMesh(mesh);
       throw error;
@@ -113,7 +138,10 @@ export function receiversIn(scene: Object3D, into: Box3): Box3 {
   scene.traverseVisible((object) => {
     if (!('isMesh' in object)) return;
     const mesh = object as Mesh;
-    if (materialsOf(mesh).some((material) => !isBlended(material))) into.union(boxOf(mesh, scratch));
+    if (!materialsOf(mesh).some((material) => !isBlended(material))) return;
+    const { min, max } = boxOf(mesh, scratch);
+    // An object with a broken transform is not drawn, and must not break the shadows of all others.
+    if (min.distanceToSquared(max) < Infinity) into.union(scratch);
   });
   return into;
 }

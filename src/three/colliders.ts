@@ -1,15 +1,27 @@
-import { Matrix4, Quaternion, Vector3, type InstancedMesh, type Mesh, type Object3D } from 'three';
+import { Matrix4, Quaternion, Vector3, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import { boneBalls, follow, type BallAt, type ProxyBall } from './proxies.ts';
-import { poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';
+import { Handle } from './handle.ts';
+import { boneBalls, follow, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
+import { requireKnown } from './requirements.ts';
+import { worldPose } from './riders.ts';
+import { poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Options for collisions with an object. */
 export interface CollideOptions extends RigidSurface {
   /** Balls that replace the object's meshes. */
   proxies?: readonly ProxyBall[];
+  /**
+   * Whether smoke pushes the object, which then also falls and collides with the other colliders: the simulator moves it.
+   * True is as strong as air; a number from 0 to 10 is a factor. Default false: the object moves as the host moves it.
+   */
+  feelsSmoke?: boolean | number;
+  /** Density of an object that feels smoke, 0.01 to 100,000 kg/m3. Default 3, as a paper lantern. */
+  density?: number;
 }
+
+const OPTIONS = ['restitution', 'friction', 'action', 'tint', 'boundaryLayer', 'proxies', 'feelsSmoke', 'density'];
 
 /** A rigid of the simulator that follows an object of the host's scene. */
 interface Follower {
@@ -19,67 +31,76 @@ interface Follower {
   now: Pose;
 }
 
-/** Colliders of the host's scene: kinematic rigids that follow its objects. Their scale is read once. */
-export class Colliders {
+/**
+ * A collider of the host's scene: kinematic rigids that follow the meshes of an object. Their shapes and scales are read
+ * when it starts.
+ */
+export class Collider extends Handle {
   private readonly simulator: Simulator;
-  private readonly followers: Follower[] = [];
-  private readonly between = newPose();
+  private readonly options: CollideOptions;
+  private followers: Follower[] = [];
 
-  constructor(simulator: Simulator) {
+  constructor(simulator: Simulator, object: Object3D, options: CollideOptions) {
+    super('collide', object);
     this.simulator = simulator;
+    this.options = { ...options };
   }
 
-  /**
-   * Adds every mesh of an object: by its shape, by the shape of each instance, or by balls on the bones of its
-   * skeleton.
-   * @throws ParameterError when the object contains no mesh, or a shape that the simulator rejects
-   */
-  add(object: Object3D, { proxies, ...surface }: CollideOptions): void {
-    object.updateWorldMatrix(true, true);
-    const before = this.followers.length;
-    if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
-    else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
-    if (this.followers.length === before)
-      throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
-  }
-
-  /** Reads the current poses. The next steps interpolate towards them. */
-  look(): void {
-    for (const follower of this.followers) {
-      [follower.before, follower.now] = [follower.now, follower.before];
-      follower.locate(follower.now);
-    }
-  }
-
-  /**
-   * Moves the rigids for the next step.
-   * @param share fraction of the way between the poses of the last two `look` calls
-   */
-  move(share: number): void {
-    const { between } = this;
+  /** Moves the rigids for the next step. */
+  override move(_from: number, to: number): void {
     for (const { rigid, before, now } of this.followers) {
       if (before.position.equals(now.position) && before.rotation.equals(now.rotation)) continue;
-      between.position.lerpVectors(before.position, now.position, share);
-      between.rotation.slerpQuaternions(before.rotation, now.rotation, share);
+      between.position.lerpVectors(before.position, now.position, to);
+      between.rotation.slerpQuaternions(before.rotation, now.rotation, to);
       this.simulator.moveRigid(rigid, between.position.toArray(), between.rotation.toArray());
     }
   }
 
-  private addMesh(mesh: Mesh, surface: CollideOptions): void {
-    if ('isSkinnedMesh' in mesh) {
-      for (const proxy of boneBalls(mesh as never)) this.addBall(follow(proxy), proxy.follows, surface);
-    } else if ('isInstancedMesh' in mesh) {
-      this.addInstances(mesh as InstancedMesh, surface);
-    } else {
-      const locate = (into: Pose) => {
-        mesh.updateWorldMatrix(true, false);
-        return poseOf(mesh.matrixWorld, into);
-      };
-      this.addRigid(shapeOf(mesh.geometry, scaleOf(mesh.matrixWorld)), locate, surface);
+  /**
+   * Adds every mesh of the object: by its shape, by the shape of each instance, or by balls on the bones of its
+   * skeleton.
+   * @throws ParameterError when the object contains no mesh, or a shape that the simulator rejects
+   */
+  protected start(): void {
+    const { object } = this;
+    const { proxies, feelsSmoke: _push, ...surface } = this.options;
+    object.updateWorldMatrix(true, true);
+    try {
+      if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
+      else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
+    } catch (error) {
+      this.stop();
+      throw errorOfOption(error);
+    }
+    if (this.followers.length === 0)
+      throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
+  }
+
+  protected override follow(): void {
+    for (const follower of this.followers) {
+      [follower.before, follower.now] = [follower.now, follower.before];
+      this.requireSound(follower.locate(follower.now));
     }
   }
 
-  private addInstances(mesh: InstancedMesh, surface: CollideOptions): void {
+  protected stop(): void {
+    for (const { rigid } of this.followers) this.simulator.removeRigid(rigid);
+    this.followers = [];
+  }
+
+  private addMesh(mesh: Mesh, surface: RigidSurface): void {
+    requireGeometry('collide', mesh);
+    if ('isSkinnedMesh' in mesh) {
+      for (const proxy of boneBalls(mesh as SkinnedMesh)) this.addBall(follow(proxy), proxy.follows, surface);
+    } else if ('isInstancedMesh' in mesh) {
+      this.addInstances(mesh as InstancedMesh, surface);
+    } else {
+      const shape = shapeOf(mesh.geometry, scaleOf(mesh.matrixWorld));
+      this.addRigid(shape, (into) => worldPose(mesh, into), surface);
+    }
+  }
+
+  private addInstances(mesh: InstancedMesh, surface: RigidSurface): void {
     const world = new Matrix4();
     const worldOf = (index: number) => {
       mesh.updateWorldMatrix(true, false);
@@ -92,7 +113,7 @@ export class Colliders {
     }
   }
 
-  private addBall(ballAt: BallAt, follows: Object3D, surface: CollideOptions): void {
+  private addBall(ballAt: BallAt, follows: Object3D, surface: RigidSurface): void {
     const locate = (into: Pose) => {
       follows.updateWorldMatrix(true, false);
       into.position.copy(ballAt().center);
@@ -101,8 +122,9 @@ export class Colliders {
     this.addRigid({ type: 'ball', radius: ballAt().radius }, locate, surface);
   }
 
-  private addRigid(shape: SingleShape, locate: Follower['locate'], surface: CollideOptions): void {
+  private addRigid(shape: SingleShape, locate: Follower['locate'], surface: RigidSurface): void {
     const now = locate(newPose());
+    this.requireSound(now);
     const position = now.position.toArray();
     const rotation = now.rotation.toArray();
     const rigid = this.simulator.addRigid({ kind: 'kinematic', shape, position, rotation, ...surface });
@@ -110,6 +132,24 @@ export class Colliders {
   }
 }
 
+const between = newPose();
+
 function newPose(): Pose {
   return { position: new Vector3(), rotation: new Quaternion() };
+}
+
+/** @throws ParameterError for an unknown option, a proxy without a radius or an invalid strength of the push */
+export function requireCollideOptions(options: CollideOptions): void {
+  requireKnown('collide', options, OPTIONS);
+  requireProxies('collide', options.proxies);
+  const { feelsSmoke = false } = options;
+  const isStrength = typeof feelsSmoke === 'number' && feelsSmoke >= 0 && feelsSmoke <= 10;
+  if (typeof feelsSmoke !== 'boolean' && !isStrength)
+    throw new ParameterError('collide.feelsSmoke', feelsSmoke, 'true, false or a number from 0 to 10');
+}
+
+/** The simulator's error with the name that the caller gave: options of `collide` are those of a rigid. */
+export function errorOfOption(error: unknown): unknown {
+  if (!(error instanceof ParameterError) || !error.key.startsWith('rigid.')) return error;
+  return new ParameterError(error.key.replace('rigid', 'collide'), error.value, error.accepted);
 }

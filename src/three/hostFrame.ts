@@ -1,5 +1,5 @@
 import { Vector2, type Camera, type Scene, type WebGLRenderer, NoBlending, type Mesh } from 'three';
-import { arrangeFrame, reportOf } from '../smoke/frame.ts';
+import { arrangeFrame, drawStrokes, reportOf } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import type { HostPasses } from './hostPasses.ts';
 import type { KeyLight } from './keyLight.ts';
@@ -43,6 +43,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     const hostDepth = depth.take(renderer, view.origin, size, style.outlines);
     targets.begin(renderer);
     body.draw(renderer, bodies.geometry, hostDepth);
+    drawStrokes(smoke.passes, style, bodies, hostDepth);
     pictures.take(renderer, targets, resolve, hasDeep);
 
     state.returnToTarget();

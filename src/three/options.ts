@@ -1,6 +1,5 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
-import { ParameterError, type LoadError } from '../preset/errors.ts';
-import { LIST_LIMIT } from '../preset/lists.ts';
+import { ParameterError, type SmokeError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { findPreset, presets } from '../preset/presets.ts';
 import { defaults, validate } from '../preset/values.ts';
@@ -27,10 +26,12 @@ export interface CartoonSmokeOptions {
 /** Events besides those of Object3D: `smoke.addEventListener('error', ({ error }) => {})`. */
 export interface CartoonSmokeEvents extends Object3DEventMap {
   /**
-   * A resource could not be fetched and smoke continues without it. Emitted once each time that values start to require
-   * it.
+   * Something failed that no caller can catch, and smoke continues without it. LoadError: a resource could not be
+   * fetched; emitted once each time that values start to require it. UnsupportedError: smoke cannot be drawn into a view;
+   * once for each reason. ParameterError: a handle pauses, because its object has a transform that is not finite; once
+   * until the object is sound again. SimulatorError: the simulator has stopped.
    */
-  error: { readonly error: LoadError };
+  error: { readonly error: SmokeError };
 }
 
 /** Options for casting shadows. */
@@ -75,12 +76,6 @@ export function requireChangeable(values: Values): void {
     if (key in values) throw new ParameterError(key, values[key], 'a value at creation only');
   }
   requireOpen(values);
-}
-
-/** @throws ParameterError when there is no emitter with this index */
-export function requireEmitter(emitter: number): void {
-  if (Number.isInteger(emitter) && emitter >= 0 && emitter < LIST_LIMIT) return;
-  throw new ParameterError('emitter', emitter, `a whole number from 0 to ${LIST_LIMIT - 1}`);
 }
 
 /** @throws ParameterError for a value that the host's scene determines */

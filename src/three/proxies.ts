@@ -38,6 +38,21 @@ export function capsule({ follows, from, to, radius }: ProxyCapsule): ProxyBall[
   }));
 }
 
+/** @throws ParameterError for a proxy that follows no object, or without a finite centre and radius */
+export function requireProxies(call: string, proxies: readonly ProxyBall[] | undefined): void {
+  if (proxies === undefined) return;
+  if (!Array.isArray(proxies)) throw new ParameterError(`${call}.proxies`, proxies, 'an array of proxy balls');
+  (proxies as readonly ProxyBall[]).forEach((proxy, index) => {
+    const key = `${call}.proxies.${index}`;
+    if (!proxy?.follows?.isObject3D)
+      throw new ParameterError(`${key}.follows`, proxy?.follows, 'an Object3D of three.js');
+    const { center, radius } = proxy;
+    if (!(radius > 0 && radius < Infinity)) throw new ParameterError(`${key}.radius`, radius, 'a length above 0');
+    if (center && !Number.isFinite(center.x + center.y + center.z))
+      throw new ParameterError(`${key}.center`, `${center.x}, ${center.y}, ${center.z}`, 'a finite vector');
+  });
+}
+
 /** A ball in world space. */
 export interface Ball {
   center: Vector3;

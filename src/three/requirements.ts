@@ -1,5 +1,5 @@
 import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer } from 'three';
-import { UnsupportedError } from '../preset/errors.ts';
+import { ParameterError, UnsupportedError } from '../preset/errors.ts';
 
 /**
  * Checks the renderer settings that are fixed at creation.
@@ -43,4 +43,17 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
 /** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */
 export function isLinearPicture(renderer: WebGLRenderer): boolean {
   return renderer.getRenderTarget() !== null || renderer.outputColorSpace === LinearSRGBColorSpace;
+}
+
+/** @throws ParameterError for the first key of `options` that is not among `known` */
+export function requireKnown(call: string, options: object, known: readonly string[]): void {
+  if (typeof options !== 'object' || options === null) throw new ParameterError(call, options, 'an object of options');
+  for (const key in options) {
+    if (!known.includes(key))
+      throw new ParameterError(
+        `${call}.${key}`,
+        (options as never)[key],
+        `no value: its options are ${known.join(', ')}`,
+      );
+  }
 }

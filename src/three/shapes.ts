@@ -1,4 +1,5 @@
-import { BoxGeometry, Quaternion, SphereGeometry, Vector3, type BufferGeometry, type Matrix4 } from 'three';
+import { BoxGeometry, Quaternion, SphereGeometry, Vector3, type BufferGeometry, type Matrix4, type Mesh } from 'three';
+import { ParameterError } from '../preset/errors.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SingleShape } from '../sim/rigid.ts';
 
@@ -21,6 +22,12 @@ export function scaleOf(world: Matrix4): Vector3 {
   const scale = new Vector3();
   world.decompose(new Vector3(), new Quaternion(), scale);
   return scale;
+}
+
+/** @throws ParameterError for a mesh without vertices */
+export function requireGeometry(call: string, { geometry, name, type }: Mesh): void {
+  if (((geometry as BufferGeometry | null)?.attributes.position?.count ?? 0) > 0) return;
+  throw new ParameterError(`${call}.geometry`, name || type, 'a mesh whose geometry has positions');
 }
 
 /** The collision shape of a geometry: exact for complete spheres and boxes, a triangle mesh for everything else. */

@@ -4,7 +4,7 @@
  */
 
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { film } from '../../scripts/film/film.mjs';
@@ -21,6 +21,8 @@ import { spread } from './support/spread.mjs';
 const FULL = ['--size', '1920x1080'];
 /** The scenes are in full smoke. */
 const LEAD = 48;
+/** From here on as many puffs die as are born, so that all frames cost about the same. */
+const STEADY = 240;
 
 /** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
 export async function run({ quick, say }) {
@@ -95,8 +97,8 @@ async function shardFigures(rounds, frames, say) {
   const ratios = [];
   for (let round = 0; round < rounds; ++round) {
     say(`two shards, round ${round + 1} of ${rounds}`);
-    const alone = await pinned(['1/1'], 2 * frames);
-    ratios.push(alone / (await pinned(['1/2', '2/2'], 2 * frames)));
+    const alone = await pinned(['1/1'], 4 * frames);
+    ratios.push(alone / (await pinned(['1/2', '2/2'], 4 * frames)));
   }
   return [
     { name: 'film.twoShards', unit: 'x', ...spread(ratios), note: 'a core each, compared with one run; goal 1.8' },
@@ -111,14 +113,49 @@ async function shardFigures(rounds, frames, say) {
  */
 async function pinned(shards, count) {
   return inFolder(async (folder) => {
-    const shot = ['#v=1&preset=lamp', '--frames', `0-${count - 1}`, '--out', folder, ...FULL];
+    const shot = ['#v=1&preset=lamp', '--frames', `${STEADY}-${STEADY + count - 1}`, '--out', folder, ...FULL];
     const began = Date.now();
     const runs = shards.map((shard, core) =>
       start('taskset', ['-c', String(core), process.execPath, inRoot('scripts/film.mjs'), ...shot, '--shard', shard]),
     );
-    for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
+    const timer = setInterval(pinThreads, 1000);
+    try {
+      for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
+    } finally {
+      clearInterval(timer);
+    }
     return Date.now() - began;
   });
+}
+
+/**
+ * Pins all threads of this process's descendants to the core of their first thread. SwiftShader pins its threads itself:
+ * of two browsers under `taskset -c 0` and `taskset -c 1`, both would draw on core 0.
+ */
+function pinThreads() {
+  const { stdout } = spawnSync('ps', ['-eo', 'pid=,ppid='], { encoding: 'utf8' });
+  const parents = new Map(
+    stdout
+      .split('\n')
+      .map((line) => line.trim().split(/\s+/, 2))
+      .map(([pid, parent]) => [pid, parent]),
+  );
+  const isOwn = (/** @type {string | undefined} */ pid) =>
+    pid !== undefined && (parents.get(pid) === String(process.pid) || isOwn(parents.get(pid)));
+  for (const pid of [...parents.keys()].filter(isOwn)) {
+    try {
+      const core = coresOf(`/proc/${pid}`);
+      const strays = readdirSync(`/proc/${pid}/task`).filter((task) => coresOf(`/proc/${pid}/task/${task}`) !== core);
+      for (const task of strays) spawnSync('taskset', ['-c', '-p', core, task]);
+    } catch {
+      // The process has ended.
+    }
+  }
+}
+
+/** The cores that a process or thread may run on, such as `0-1`. */
+function coresOf(/** @type {string} */ folder) {
+  return /Cpus_allowed_list:\s*(\S+)/.exec(readFileSync(`${folder}/status`, 'utf8'))?.[1] ?? '';
 }
 
 /**

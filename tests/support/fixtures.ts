@@ -14,6 +14,8 @@ interface TestFixtures {
   allowed: RegExp;
   /** Whether `blank` is a separate page: for tests of resources that a page keeps, such as contexts and memory. */
   ownPage: boolean;
+  /** Whether the demo page explains itself, as at the first visit. Its hint would cover what other tests press. */
+  isFirstVisit: boolean;
   /** A page without product code, for tests of single modules; shared by all tests of a file. */
   blank: Page;
   /** Imports a source module in the blank page, such as '/src/puffs/billboards/mesh.ts', and returns its handle. */
@@ -41,6 +43,7 @@ interface WorkerFixtures extends WorkerOptions {
 export const test = base.extend<TestFixtures, WorkerFixtures>({
   allowed: [/^none$/, { option: true }],
   ownPage: [false, { option: true }],
+  isFirstVisit: [false, { option: true }],
   renderer: [
     async ({ browser }, use) => {
       const page = await browser.newPage();
@@ -80,7 +83,8 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
     },
     { scope: 'worker' },
   ],
-  page: async ({ page, allowed }, use) => {
+  page: async ({ page, allowed, isFirstVisit }, use) => {
+    if (!isFirstVisit) await page.addInitScript(knowGestures);
     const consoleErrors = watchConsoleErrors(page);
     await use(page);
     expectNone(consoleErrors, allowed);
@@ -101,6 +105,15 @@ export { expect };
 function expectNone(consoleErrors: string[], allowed: RegExp): void {
   const unexpected = consoleErrors.filter((text) => !allowed.test(text));
   expect(unexpected, 'errors on the console of the page').toEqual([]);
+}
+
+/** Runs in a page: it is no first visit. */
+export function knowGestures(): void {
+  try {
+    localStorage.setItem('cartoon-smoke.knowsGestures', '1');
+  } catch {
+    // Denied, as in sandboxed frames.
+  }
 }
 
 function rendererString(): string {

@@ -34,11 +34,21 @@ await fetchExtras({
   form: 'billboards',
   volumes: 'counted',
   simplify: 0,
+  outlines: true,
+  strokes: 0,
   isEroded: true,
   view: 'normals',
   isTiled: true,
 });
-await fetchExtras({ renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 1, isEroded: false });
+await fetchExtras({
+  renderer: 'nailboards',
+  form: 'lobes',
+  volumes: 'receiver',
+  simplify: 1,
+  outlines: true,
+  strokes: 1,
+  isEroded: false,
+});
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
 export interface LabPuff {

@@ -13,6 +13,7 @@ import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
+import type { SmokePasses } from '../../src/smoke/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { readStencil, rowsOf, type LabPicture } from './lab.ts';
@@ -87,6 +88,10 @@ export class SceneLab {
 
   get simulator(): Simulator {
     return this.simulation.simulator;
+  }
+
+  get passes(): SmokePasses {
+    return this.smoke.passes;
   }
 
   /** The colour of lines in pictures. */

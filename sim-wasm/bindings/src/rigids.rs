@@ -47,6 +47,10 @@ mod with_rapier {
         rigids.add_joint(&joint).map_err(parameter_error)
     }
 
+    pub fn remove(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
+        rigids.remove(index).map_err(parameter_error)
+    }
+
     pub fn release(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
         rigids.release(index).map_err(parameter_error)
     }
@@ -79,6 +83,16 @@ impl Simulator {
                 path,
             },
         );
+        #[cfg(not(feature = "rigids"))]
+        Err(without_rapier())
+    }
+
+    /// Removes a rigid. A later one reuses its index.
+    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[wasm_bindgen(js_name = removeRigid)]
+    pub fn remove_rigid(&mut self, index: u32) -> Result<(), JsValue> {
+        #[cfg(feature = "rigids")]
+        return with_rapier::remove(self.simulator.rigids_mut(), index);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }

@@ -32,6 +32,14 @@ impl Simulator {
         self.simulator.add_surface(vertices, indices).map_err(parameter_error)
     }
 
+    /// Sets, frees or bursts an emitter. See `sim::emission::Births::put`. Returns the error, since a `Result` would be an
+    /// array for each call.
+    #[wasm_bindgen(js_name = setEmitter)]
+    pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> JsValue {
+        let result = self.simulator.set_emitter(index, numbers, count);
+        result.map_or_else(parameter_error, |()| JsValue::UNDEFINED)
+    }
+
     /// Sets the poses of the scene's parts for the coming step. See `sim::layout::scope::parts::Parts::place`.
     #[wasm_bindgen(js_name = placeParts)]
     pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), JsValue> {

@@ -2,6 +2,8 @@ import { findParameter, presets, presetValues, type Preset, type State } from '.
 import { create } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { strings } from '../strings.ts';
+import { icon } from '../ui/icons.ts';
+import { surprise } from './surprise.ts';
 
 /** Size of a thumbnail in pixels; `npm run thumbnails` creates them. */
 const SIZE = { width: 192, height: 128 };
@@ -19,7 +21,7 @@ export function createGallery(editor: Editor): HTMLElement {
     ),
   );
   const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
-  const element = create('div', label, ...scenes);
+  const element = create('div', label, createSurprise(editor), ...scenes);
   followChoices(element, editor);
   let shown: string | undefined;
   const show = ({ preset }: State) => {
@@ -71,6 +73,20 @@ function createScene(scene: string, cards: readonly HTMLElement[]): HTMLElement 
   const heading = create('span', { class: 'gallery-scene', 'aria-hidden': 'true' }, label);
   const list = create('div', { class: 'gallery-list' }, ...cards);
   return create('div', { role: 'group', 'aria-label': label }, heading, list);
+}
+
+/** A card that shows a random look. */
+function createSurprise(editor: Editor): HTMLElement {
+  const { card, name, scene } = strings.surprise;
+  const button = create(
+    'button',
+    { type: 'button', class: 'gallery-card is-surprise', 'aria-label': name, title: name },
+    icon('dice'),
+  );
+  button.append(create('span', {}, card));
+  button.addEventListener('click', () => surprise(editor));
+  const heading = create('span', { class: 'gallery-scene', 'aria-hidden': 'true' }, scene);
+  return create('div', {}, heading, create('div', { class: 'gallery-list' }, button));
 }
 
 function createInput({ name }: Preset): HTMLInputElement {

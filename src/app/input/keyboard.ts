@@ -16,6 +16,7 @@ export interface KeyActions {
   togglePanel(): void;
   search(): void;
   toggleGallery(): void;
+  surprise(): void;
   toggleGizmos(): void;
   toggleStatistics(): void;
   /** Drops an object into the smoke. */
@@ -39,8 +40,11 @@ const ZOOM_STEP = 1.15;
 /** Keys whose action repeats while they are down. */
 const REPEATING = new Set([',', '.', '[', ']', '+', '=', '-']);
 
-/** Listens to keys on the whole page, except those that a focused input needs. */
-export function listenToKeys(actions: KeyActions): void {
+/**
+ * Listens to keys on the whole page, except those that a focused input needs.
+ * @param hasShortcuts whether characters act. Speech input and screen readers send them by accident (WCAG 2.1.4)
+ */
+export function listenToKeys(actions: KeyActions, hasShortcuts: () => boolean): void {
   const simple = simpleKeys(actions);
   const held = new Set<string>();
   const push = () => {
@@ -56,6 +60,7 @@ export function listenToKeys(actions: KeyActions): void {
     const direction = DIRECTIONS[event.key];
     const action = simple[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!direction && !action) return;
+    if (/^\S$/u.test(event.key) && !hasShortcuts()) return;
     event.preventDefault();
     if (action) return event.repeat && !REPEATING.has(event.key) ? undefined : action();
     if (event.shiftKey) return actions.orbit(direction[0], direction[1]);
@@ -82,6 +87,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     v: () => actions.nextView(),
     '/': () => actions.search(),
     g: () => actions.toggleGallery(),
+    x: () => actions.surprise(),
     h: () => actions.toggleGizmos(),
     i: () => actions.toggleStatistics(),
     d: () => actions.drop(),

@@ -1,5 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { create, iconButton, textButton } from './dom.ts';
+import type { Flag } from './flag.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
@@ -10,8 +11,9 @@ export class Help {
   private readonly byHand = create('dl', {});
   private readonly byKeys = create('dl', {});
 
-  constructor(stage: Stage) {
-    const { title, keyboard, paper, puff, licenses, close } = strings.help;
+  /** @param noShortcuts whether shortcuts of a single character are turned off */
+  constructor(stage: Stage, noShortcuts: Flag) {
+    const { title, keyboard, shortcuts, paper, puff, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
     // On a phone the other close button is far below.
@@ -27,7 +29,21 @@ export class Help {
     const heading = create('h2', { id: 'help-title', tabindex: -1, autofocus: true }, title);
     const attributes = { class: 'sheet card help', 'aria-labelledby': 'help-title' };
     const middle = create('h3', {}, keyboard);
-    this.element = create('dialog', attributes, heading, cross, this.byHand, middle, this.byKeys, links, button);
+    const box = create('input', { type: 'checkbox', checked: !noShortcuts.value });
+    box.addEventListener('change', () => (noShortcuts.value = !box.checked));
+    const choice = create('label', { class: 'help-shortcuts' }, box, shortcuts);
+    this.element = create(
+      'dialog',
+      attributes,
+      heading,
+      cross,
+      this.byHand,
+      middle,
+      choice,
+      this.byKeys,
+      links,
+      button,
+    );
   }
 
   /** Opens or closes the dialog. */

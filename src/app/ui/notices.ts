@@ -49,9 +49,21 @@ export class Notices {
     notice.lastElementChild!.before(button);
   }
 
-  private add(message: string, className: string): HTMLElement {
+  /**
+   * A notice that stays until it is dismissed or removed.
+   * @returns a function that removes it
+   */
+  explain(message: string, onDismiss: () => void): () => void {
+    const notice = this.add(message, 'notice', onDismiss);
+    return () => notice.remove();
+  }
+
+  private add(message: string, className: string, onDismiss?: () => void): HTMLElement {
     const text = create('p', {}, message);
-    const dismiss = iconButton('icon-button', strings.notices.dismiss, icon('close'), () => notice.remove());
+    const dismiss = iconButton('icon-button', strings.notices.dismiss, icon('close'), () => {
+      notice.remove();
+      onDismiss?.();
+    });
     const notice = create('div', { class: className }, text, dismiss);
     this.element.append(notice);
     return notice;

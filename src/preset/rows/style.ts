@@ -81,6 +81,14 @@ export const styleRows = [
     label: 'Simplify',
     text: 'Merges small patches of light and shade into large shapes; 0 keeps them all.',
   }),
+  quantity('style.strokes', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Strokes',
+    text: 'Tapered lines inside the smoke where a lobe stands before another, most of them on the shaded side.',
+  }),
   quantity('style.rim', 'style', 'style', {
     min: 0,
     max: 1,

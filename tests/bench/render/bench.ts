@@ -62,7 +62,7 @@ export class RenderBench {
 
   /** A picture with the suite's aspect ratio, smaller where only its rows matter. */
   static async create(scale = 1, particles = PARTICLES, smoke = seededPlume): Promise<RenderBench> {
-    await fetchExtras({ ...PLAIN_STYLE, isTiled: true });
+    await fetchExtras({ ...PLAIN_STYLE, strokes: 1, isTiled: true });
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's equations, with which particles spawn at full size.

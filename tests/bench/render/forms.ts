@@ -1,6 +1,6 @@
 /**
- * render.lobes, render.stretching, render.eroding: cost of bodies as lobes, as baked billboards, as stretched lobes and as
- * lobes with bites, of the same particles, in turns.
+ * render.lobes, render.stretching, render.eroding, render.strokes: cost of bodies as lobes, as baked billboards, as stretched
+ * lobes and as lobes with bites, and of strokes, of the same particles, in turns.
  */
 import { MAX_STRETCH } from '../../../src/constants.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
@@ -19,7 +19,9 @@ interface Side {
   name: string;
   style: Style;
   arranger: Arranger;
+  /** Milliseconds of the bodies and of the whole frame. */
   times: number[];
+  frames: number[];
   bodiesDrawn: number;
   fragments: Fragments;
 }
@@ -32,8 +34,9 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   const deformed = { isDeformed: true, stretch: RATIO };
   const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
+  const drawn = look(bench, 'strokes', arranger.plain, { strokes: 1 });
   const bitten = look(bench, 'eroded', arranger.eroded, { isEroded: true });
-  const sides = [lobes, billboards, rotated, longer, bitten];
+  const sides = [lobes, billboards, rotated, longer, drawn, bitten];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -43,19 +46,23 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
     for (const side of round % 2 === 0 ? sides : sides.toReversed()) {
       bench.style = side.style;
       bench.arranger = side.arranger;
-      side.times.push(bench.timeFrame(false).bodies);
+      const times = bench.timeFrame(false);
+      side.times.push(times.bodies);
+      side.frames.push(times.frame);
     }
   }
   bench.dispose();
   return [
-    ...sides.map(({ name, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
-      figure(
-        `render.bodies.${name}`,
-        'ms',
-        times,
-        `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
+    ...sides
+      .slice(0, 4)
+      .map(({ name, times, bodiesDrawn, fragments: { kept, rasterised } }) =>
+        figure(
+          `render.bodies.${name}`,
+          'ms',
+          times,
+          `${bodiesDrawn} bodies, ${kept} fragments covered, the shader runs for ${rasterised}; SwiftShader, information`,
+        ),
       ),
-    ),
     figure(
       'render.lobes',
       'x',
@@ -80,6 +87,12 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       bitten.times.map((time, round) => time / lobes.times[round]),
       'bodies eroded by 0 to 1, evenly spread / whole, the same particles',
     ),
+    figure(
+      'render.strokes',
+      'x',
+      drawn.frames.map((time, round) => time / lobes.frames[round]),
+      'frames with style.strokes=1 / with 0, the same particles',
+    ),
   ];
 }
 
@@ -89,7 +102,7 @@ function look(bench: RenderBench, name: string, arranger: Arranger, changed: Par
   bench.style = style;
   bench.arranger = arranger;
   const { bodiesDrawn } = bench.draw(false);
-  return { name, style, arranger, times: [], bodiesDrawn, fragments: bench.countFragments().bodies };
+  return { name, style, arranger, times: [], frames: [], bodiesDrawn, fragments: bench.countFragments().bodies };
 }
 
 /** The same rows, stretched upwards. */

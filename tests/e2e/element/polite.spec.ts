@@ -1,6 +1,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
-import { expect, frames, scrollPage, stands, test, WISP } from '../../support/embed.ts';
+import { watchConsole } from '../../support/consoleErrors.ts';
+import { expect, frames, MODULES, scrollPage, stands, test, WISP } from '../../support/embed.ts';
 import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 
 const BOX = 'style="width: 200px; height: 150px"';
@@ -229,4 +230,42 @@ test('keeps its box and its button on a page that unsets, rotates and blurs ever
   expect(box.ratio).toBeCloseTo(16 / 9, 1);
   await page.getByRole('button', { name: 'Play smoke' }).click();
   await expect(page.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
+});
+
+const MISTAKES = `<cartoon-smoke ${WISP} ${BOX} class="a" data-a="b" emision-rate="3" emission-lifetime="9999"></cartoon-smoke>`;
+
+for (const [build, warnings] of [
+  ['element', []],
+  [
+    'element.development',
+    [/no attribute .emision-rate.. Did you mean .emission-rate.\?$/, /emission-lifetime|emission\.lifetime|Lifetime/],
+  ],
+] as const) {
+  test(`${build}.js writes ${warnings.length} warnings on two elements with the same mistakes`, async ({
+    page,
+    openPage,
+  }) => {
+    const lines = watchConsole(page);
+    await openPage(MISTAKES + MISTAKES, { script: MODULES.replace('element.js', `${build}.js`) });
+    await stands(page);
+    await stands(page, 'cartoon-smoke:last-of-type');
+    await frames(page, 2);
+    expect(lines).toHaveLength(warnings.length);
+    warnings.forEach((warning, index) => expect(lines.toSorted()[index]).toMatch(warning));
+  });
+}
+
+test.describe('with a failed download', () => {
+  test.use({ allowed: /ERR_FAILED/ });
+
+  test('the development build writes the error once', async ({ page, openPage }) => {
+    const lines = watchConsole(page);
+    await page.route('**/bindings_bg.wasm', (route) => route.abort());
+    const script = MODULES.replace('element.js', 'element.development.js');
+    await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`.repeat(2), { script });
+    const failures = () => lines.filter((line) => line.startsWith('<cartoon-smoke>: LoadError: '));
+    await expect.poll(failures).toHaveLength(1);
+    await frames(page, 10);
+    expect(failures()).toHaveLength(1);
+  });
 });

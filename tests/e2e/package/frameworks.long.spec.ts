@@ -2,7 +2,7 @@
  * The element in frameworks, in new projects: server-side rendering, properties and events in the browser, type-checked
  * markup.
  */
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../../support/freshProject.ts';
@@ -89,6 +89,143 @@ createRoot(document.getElementById('root')!).render(<Smoke />);
   await expectTitle(page, join(place, 'dist'), READY);
 });
 
+/** What Vite's plugin for Vue and the type checker of templates need. */
+const VUE = {
+  'vite.config.js': `import vue from '@vitejs/plugin-vue';
+
+export default { plugins: [vue({ template: { compilerOptions: { isCustomElement: (tag) => tag === 'cartoon-smoke' } } })] };
+`,
+  'main.ts': `import { createApp } from 'vue';
+import Smoke from './Smoke.vue';
+
+createApp(Smoke).mount('#root');
+`,
+  'Smoke.vue': `<script setup lang="ts">
+import 'cartoon-smoke/vue';
+import type { CartoonSmokeElement } from 'cartoon-smoke';
+import { nextTick, ref } from 'vue';
+
+const smoke = ref<CartoonSmokeElement>();
+const thread = ref<string>();
+async function show(started: string) {
+  thread.value = started;
+  await nextTick();
+  const { paused, emissionRate, simulationMaxParticles } = smoke.value!;
+  document.title = [thread.value, paused, emissionRate, simulationMaxParticles].join();
+}
+</script>
+
+<template>
+  <cartoon-smoke
+    ref="smoke"
+    preset="wisp"
+    :simulation-max-particles="300"
+    emitters-0-speed="0.5"
+    :paused="thread !== undefined"
+    :emission-rate="thread && 12"
+    style="height: 200px"
+    @ready="({ detail }) => show(detail.thread)"
+  />
+</template>
+`,
+};
+
+test('Vue 3: attributes, properties, events and types', async ({ page, project }) => {
+  const place = project(
+    ['vue@3', 'vite@8', '@vitejs/plugin-vue@6', 'vue-tsc@3', 'typescript@5', '@types/three@0.187'],
+    {
+      'index.html': `${PAGE}<div id="root"></div><script type="module" src="/main.ts"></script>`,
+      'tsconfig.json': JSON.stringify({
+        compilerOptions: {
+          strict: true,
+          target: 'es2023',
+          module: 'esnext',
+          moduleResolution: 'bundler',
+          skipLibCheck: true,
+          noEmit: true,
+        },
+        vueCompilerOptions: { strictTemplates: true },
+        include: ['*.ts', '*.vue'],
+      }),
+      ...VUE,
+    },
+  );
+  const check = () => bin(place, 'vue-tsc/bin/vue-tsc.js', '-p', '.');
+  check();
+  bin(place, 'vite/bin/vite.js', 'build');
+  await expectTitle(page, join(place, 'dist'), READY);
+  for (const wrong of [':emission-rate="{}"', ':emitters-3-speed="{}"', 'no-such-attribute="1"']) {
+    writeFileSync(join(place, 'Smoke.vue'), VUE['Smoke.vue'].replace('preset="wisp"', wrong));
+    expect(check, wrong).toThrow('Smoke.vue');
+  }
+});
+
+const SVELTE = `<script lang="ts">
+  import 'cartoon-smoke/svelte';
+  import type { CartoonSmokeElement } from 'cartoon-smoke';
+  import { tick } from 'svelte';
+
+  let smoke: CartoonSmokeElement;
+  let thread = $state<string>();
+  async function show(started: string) {
+    thread = started;
+    await tick();
+    const { paused, emissionRate, simulationMaxParticles } = smoke;
+    document.title = [thread, paused, emissionRate, simulationMaxParticles].join();
+  }
+</script>
+
+<cartoon-smoke
+  bind:this={smoke}
+  preset="wisp"
+  simulation-max-particles={300}
+  emitters-0-speed="0.5"
+  paused={thread !== undefined}
+  emission-rate={thread && 12}
+  style="height: 200px"
+  onready={({ detail }) => show(detail.thread)}
+></cartoon-smoke>
+`;
+
+test('Svelte 5: attributes, properties, events and types', async ({ page, project }) => {
+  const place = project(
+    ['svelte@5', 'vite@8', '@sveltejs/vite-plugin-svelte@7', 'svelte-check@4', 'typescript@5', '@types/three@0.187'],
+    {
+      'index.html': `${PAGE}<div id="root"></div><script type="module" src="/main.ts"></script>`,
+      'vite.config.js': `import { svelte, vitePreprocess } from '@sveltejs/vite-plugin-svelte';
+
+export default { plugins: [svelte({ preprocess: vitePreprocess() })] };
+`,
+      'main.ts': `import { mount } from 'svelte';
+import Smoke from './Smoke.svelte';
+
+mount(Smoke, { target: document.getElementById('root')! });
+`,
+      'tsconfig.json': JSON.stringify({
+        compilerOptions: {
+          strict: true,
+          module: 'esnext',
+          moduleResolution: 'bundler',
+          skipLibCheck: true,
+          verbatimModuleSyntax: true,
+        },
+      }),
+      'Smoke.svelte': SVELTE,
+    },
+  );
+  const check = () => bin(place, 'svelte-check/bin/svelte-check', '--tsconfig', './tsconfig.json');
+  check();
+  bin(place, 'vite/bin/vite.js', 'build');
+  await expectTitle(page, join(place, 'dist'), READY);
+  for (const wrong of ['emission-rate={{}}', 'emitters-3-speed={{}}']) {
+    writeFileSync(
+      join(place, 'Smoke.svelte'),
+      SVELTE.replace('preset="wisp"', wrong).replace('emission-rate={thread && 12}', ''),
+    );
+    expect(check, wrong).toThrow('Smoke.svelte');
+  }
+});
+
 test('Next.js: imported on the server, in the server-rendered page, and smoke in the browser', async ({
   page,
   project,
@@ -134,8 +271,12 @@ export const smoke = <cartoon-smoke preset="wisp" emission-rate={12} paused onre
       'wrong.tsx': `import 'cartoon-smoke/${entry}';
 export const smoke = <cartoon-smoke emission-rate={{}} />;
 `,
+      'wrongItem.tsx': `import 'cartoon-smoke/${entry}';
+export const smoke = <cartoon-smoke emitters-3-speed={{}} />;
+`,
     });
     expectTypes(place, options, ['right.tsx']);
     expect(() => expectTypes(place, options, ['wrong.tsx'])).toThrow('emission-rate');
+    expect(() => expectTypes(place, options, ['wrongItem.tsx'])).toThrow('emitters-3-speed');
   });
 }

@@ -2,7 +2,7 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type * as Vite from 'vite';
-import { bin, expect, expectTitle, expectTypes, PAGE_WITH_ELEMENT, test } from '../../support/freshProject.ts';
+import { bin, expect, expectTitle, expectTypes, PAGE, PAGE_WITH_ELEMENT, test } from '../../support/freshProject.ts';
 
 const MAIN = `import 'cartoon-smoke/element';
 import { CartoonSmokeElement, ParameterError } from 'cartoon-smoke';
@@ -30,27 +30,37 @@ test('a page without a bundler', async ({ page, project }) => {
 
 for (const version of ['7', '8']) {
   test(`Vite ${version} without configuration, built and on its development server`, async ({ page, project }) => {
-    const main = `${PAGE_WITH_ELEMENT}<script type="module" src="/main.ts"></script>`;
+    const body = PAGE_WITH_ELEMENT.replace('preset=', 'emision-rate="1" preset=');
+    const main = `${body}<script type="module" src="/main.ts"></script>`;
     const place = project([`vite@${version}`], { 'index.html': main, 'main.ts': MAIN });
+    const warnings: string[] = [];
+    page.on('console', (message) => message.text().includes('emision-rate') && warnings.push(message.text()));
     bin(place, 'vite/bin/vite.js', 'build');
     await expectTitle(page, join(place, 'dist'), READY);
+    expect(warnings).toEqual([]);
     const { createServer } = (await import(join(place, 'node_modules/vite/dist/node/index.js'))) as typeof Vite;
     const server = await createServer({ root: place, logLevel: 'error', server: { port: 0 } });
     await server.listen();
     await page.goto(server.resolvedUrls!.local[0]);
     await expect(page).toHaveTitle(READY);
+    // The server may reload the page when it has bundled the dependencies.
+    expect(new Set(warnings).size).toBe(1);
     await server.close();
   });
 }
 
 test('webpack without configuration', async ({ page, project }) => {
-  const main = MAIN.replace(/!;|: boolean|: unknown/g, (type) => (type === '!;' ? ';' : ''));
-  const place = project(['webpack', 'webpack-cli'], { 'main.js': main });
+  const place = project(['webpack', 'webpack-cli'], { 'main.js': withoutTypes(MAIN) });
   bin(place, 'webpack/bin/webpack.js', './main.js', '--mode', 'production');
   writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script src="main.js"></script>`);
   await expectTitle(page, join(place, 'dist'), READY);
 });
 
+const URLS = `import core from 'cartoon-smoke/core.wasm';
+import physics from 'cartoon-smoke/physics.wasm';
+import { setAssetUrls } from 'cartoon-smoke';
+setAssetUrls({ core, physics, worker: 'worker.js' });
+`;
 const ESBUILD = `import { build } from 'esbuild';
 const entryPoints = [{ in: 'main.ts', out: 'main' }, { in: 'cartoon-smoke/worker.js', out: 'worker' }];
 const loader = { '.wasm': 'file' };
@@ -58,16 +68,116 @@ await build({ entryPoints, bundle: true, format: 'esm', outdir: 'dist', publicPa
 `;
 
 test('esbuild, which copies no files by itself', async ({ page, project }) => {
-  const urls = `import core from 'cartoon-smoke/core.wasm';
-import physics from 'cartoon-smoke/physics.wasm';
-import { setAssetUrls } from 'cartoon-smoke';
-setAssetUrls({ core, physics, worker: 'worker.js' });
-`;
-  const place = project(['esbuild'], { 'main.ts': urls + MAIN, 'build.mjs': ESBUILD });
+  const place = project(['esbuild'], { 'main.ts': URLS + MAIN, 'build.mjs': ESBUILD });
   bin(place, '../build.mjs');
   writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script type="module" src="main.js"></script>`);
   await expectTitle(page, join(place, 'dist'), READY);
 });
+
+const ROLLUP = `import resolve from '@rollup/plugin-node-resolve';
+import url from '@rollup/plugin-url';
+
+export default {
+  input: { main: 'main.js', worker: 'cartoon-smoke/worker.js' },
+  output: { dir: 'dist', format: 'es' },
+  plugins: [resolve(), url({ include: '**/*.wasm', limit: 0, publicPath: '/' })],
+};
+`;
+
+test('Rollup, with the plugins that find packages and copy files', async ({ page, project }) => {
+  const place = project(['rollup@4', '@rollup/plugin-node-resolve@16', '@rollup/plugin-url@8'], {
+    'main.js': URLS + withoutTypes(MAIN),
+    'rollup.config.js': ROLLUP,
+  });
+  bin(place, 'rollup/dist/bin/rollup', '--config');
+  writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script type="module" src="main.js"></script>`);
+  await expectTitle(page, join(place, 'dist'), READY);
+});
+
+const ANGULAR = {
+  'angular.json': JSON.stringify({
+    version: 1,
+    projects: {
+      app: {
+        root: '',
+        projectType: 'application',
+        architect: {
+          build: {
+            builder: '@angular/build:application',
+            options: {
+              browser: 'main.ts',
+              index: 'index.html',
+              tsConfig: 'tsconfig.json',
+              outputPath: 'dist',
+              assets: [
+                { glob: '{worker.js,wasm/**}', input: 'node_modules/cartoon-smoke/dist', output: 'cartoon-smoke' },
+              ],
+              progress: false,
+            },
+          },
+        },
+      },
+    },
+    cli: { analytics: false },
+  }),
+  'tsconfig.json': JSON.stringify({
+    compilerOptions: {
+      strict: true,
+      target: 'es2022',
+      module: 'es2022',
+      moduleResolution: 'bundler',
+      skipLibCheck: true,
+      experimentalDecorators: true,
+    },
+    angularCompilerOptions: { strictTemplates: true },
+    files: ['main.ts'],
+  }),
+  'index.html': `${PAGE}<smoke-page></smoke-page>`,
+  'main.ts': `import 'cartoon-smoke/element';
+import { setAssetUrls, type CartoonSmokeElement, type SmokeEvents } from 'cartoon-smoke';
+import { Component, CUSTOM_ELEMENTS_SCHEMA, ElementRef, provideZonelessChangeDetection, viewChild } from '@angular/core';
+import { bootstrapApplication } from '@angular/platform-browser';
+
+setAssetUrls({
+  core: 'cartoon-smoke/wasm/core/bindings_bg.wasm',
+  physics: 'cartoon-smoke/wasm/physics/bindings_bg.wasm',
+  worker: 'cartoon-smoke/worker.js',
+});
+
+@Component({
+  selector: 'smoke-page',
+  schemas: [CUSTOM_ELEMENTS_SCHEMA],
+  template: '<cartoon-smoke #smoke preset="wisp" [emissionRate]="12" style="display: block; height: 200px" (ready)="show($event)"></cartoon-smoke>',
+})
+class SmokePage {
+  readonly smoke = viewChild.required<ElementRef<CartoonSmokeElement>>('smoke');
+
+  show({ detail }: CustomEvent<SmokeEvents['ready']>): void {
+    document.title = [detail.thread, this.smoke().nativeElement.emissionRate].join();
+  }
+}
+
+bootstrapApplication(SmokePage, { providers: [provideZonelessChangeDetection()] });
+`,
+};
+
+test('Angular, whose builder copies no WASM', async ({ page, project }) => {
+  const packages = ['build', 'cli', 'common', 'compiler', 'compiler-cli', 'core', 'platform-browser'];
+  const all = [
+    ...packages.map((name) => `@angular/${name}@20`),
+    'rxjs@7',
+    'tslib@2',
+    'typescript@5.9',
+    '@types/three@0.187',
+  ];
+  const place = project(all, ANGULAR);
+  bin(place, '@angular/cli/bin/ng.js', 'build');
+  await expectTitle(page, join(place, 'dist/browser'), 'worker,12');
+});
+
+function withoutTypes(program: string): string {
+  return program.replace(/!;|: boolean|: unknown/g, (type) => (type === '!;' ? ';' : ''));
+}
 
 test('TypeScript in its strictest mode, including the declarations of the package', ({ project }) => {
   const place = project(['typescript@7', '@types/three@0.187'], { 'main.ts': MAIN });

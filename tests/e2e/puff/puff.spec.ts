@@ -192,15 +192,50 @@ test('elements without a box get no smoke, and nothing is fetched', async ({ pag
   expect(server.sent.length).toBe(sent);
 });
 
+test('preload draws hidden smoke, because drivers compile shaders at their first use', async ({ page, host }) => {
+  // On the page's own thread, whose WebGL calls can be counted.
+  await page.addInitScript(() => {
+    Reflect.deleteProperty(HTMLCanvasElement.prototype, 'transferControlToOffscreen');
+    const { prototype } = WebGL2RenderingContext;
+    Object.assign(window, { hidden: 0, visible: 0 });
+    const native = prototype.drawElements;
+    prototype.drawElements = function (...given) {
+      const { visibility } = getComputedStyle(document.querySelector('canvas')!);
+      Reflect.set(window, visibility, Math.max(given[1], Reflect.get(window, visibility)));
+      native.apply(this, given);
+    };
+  });
+  await host();
+  await page.evaluate(() => puff.preload());
+  const [hidden, visible] = await page.evaluate(() => ['hidden', 'visible'].map((each) => Reflect.get(window, each)));
+  const corners = 6;
+  expect(hidden).toBeGreaterThan(5 * corners);
+  // The empty scene has obstacles.
+  expect(visible).toBeLessThan(5 * corners);
+  expect((await smoke(page)).amount).toBe(0);
+  await expect(canvases(page)).toHaveCSS('visibility', 'visible');
+  const over = page.evaluate(() => puff(document.querySelector('button')));
+  await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
+  await over;
+});
+
 test('an element that goes away in mid-puff does not stop it', async ({ page, host }) => {
   await host();
-  await page.evaluate(async () => {
-    const button = document.querySelector('button')!;
-    const calls = [puff(button), puff(button, { effect: 'trail', duration: 0.5 }), puff(button, { effect: 'vanish' })];
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    button.remove();
-    await Promise.all(calls);
+  const box = (await page.locator('#button').boundingBox())!;
+  const over = page.evaluate(async () => {
+    const [button, text] = ['#button', '#below'].map((each) => document.querySelector(each)!);
+    const calls = [puff(text), puff(button), puff(button, { effect: 'trail' }), puff(button, { effect: 'vanish' })];
+    // Before the code has arrived.
+    text.remove();
+    return (await Promise.allSettled(calls)).map(({ status }) => status);
   });
+  await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
+  await page.evaluate(() => document.querySelector('button')!.remove());
+  await frames(page, 10);
+  const { amount, y } = await smoke(page);
+  expect(amount).toBeGreaterThan(1000);
+  expect(Math.abs(y - box.y - box.height / 2)).toBeLessThan(80);
+  expect(await over).toEqual(Array(4).fill('fulfilled'));
 });
 
 test('invalid arguments reject with a ParameterError that lists what is accepted', async ({ page, host }) => {

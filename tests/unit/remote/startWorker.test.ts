@@ -22,3 +22,19 @@ it('starts the script of the library', async () => {
 it('starts the script that the page has set', async () => {
   expect(await startedFrom('https://page.example/files/worker.js')).toBe('https://page.example/files/worker.js');
 });
+
+it.each([
+  [
+    'http://localhost:5173/node_modules/.vite/deps/worker.js',
+    'http://localhost:5173/node_modules/cartoon-smoke/dist/worker.js',
+  ],
+  [
+    'http://localhost/app/node_modules/.vite/deps/wasm/core/a.wasm',
+    'http://localhost/app/node_modules/cartoon-smoke/dist/wasm/core/a.wasm',
+  ],
+  ['http://localhost/node_modules/cartoon-smoke/dist/worker.js', undefined],
+  ['https://page.example/assets/wasm/core/a.wasm', undefined],
+])('finds %s on the development server of Vite', async (url, served = url) => {
+  const { servedUrl } = await import('../../../src/preset/assetUrls.ts');
+  expect(servedUrl(url)).toBe(served);
+});

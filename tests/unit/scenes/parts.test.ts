@@ -176,9 +176,9 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
     const link = await encode(state);
     expect(link).toContain('vortices.0.rigid=4096');
     expect(await decode(link)).toEqual({ state, notices: [] });
-    const beyond = await decode('#v=1&preset=airplane&vortices.0.rigid=4160');
-    expect(beyond.state.values['vortices.0.rigid']).toBe(4159);
+    const beyond = await decode('#v=1&preset=airplane&vortices.0.rigid=4352');
+    expect(beyond.state.values['vortices.0.rigid']).toBe(4351);
     expect(beyond.notices.map(({ code }) => code)).toEqual(['outOfRange']);
-    expect(findParameter('vortices.0.rigid')).toMatchObject({ max: FIRST_PART + 63 });
+    expect(findParameter('vortices.0.rigid')).toMatchObject({ max: FIRST_PART + 255 });
   });
 });

@@ -125,6 +125,42 @@ it('has an element with the version of the package', () => {
   expect(CartoonSmokeElement.version).toBe(ofPackage);
 });
 
+interface Described {
+  name: string;
+  attributes: { name: string; description: string; values?: { name: string }[]; value?: { type: string } }[];
+}
+
+it('describes the same attributes to all editors', () => {
+  const read = (file: string): unknown => JSON.parse(readFileSync(join(FOLDER, file), 'utf8'));
+  const { modules } = read('custom-elements.json') as { modules: { declarations: Described[] }[] };
+  const [manifest] = modules[0].declarations;
+  const [code] = (read('html-custom-data.json') as { tags: Described[] }).tags;
+  const types = read('web-types.json') as { contributions: { html: { elements: Described[] } }; version: string };
+  const [web] = types.contributions.html.elements;
+  expect(types.version).toBe(CartoonSmokeElement.version);
+  const texts = (element: Described) => element.attributes.map(({ name, description }) => [name, description]);
+  for (const editor of [code, web]) {
+    expect(editor.name).toBe('cartoon-smoke');
+    expect(texts(editor)).toEqual(texts(manifest));
+  }
+  const of = (element: Described, wanted: string) => element.attributes.find(({ name }) => name === wanted)!;
+  expect(of(code, 'loading').values).toEqual([{ name: 'lazy' }, { name: 'eager' }]);
+  expect(of(web, 'loading').value!.type).toBe("'lazy' | 'eager'");
+  expect(of(web, 'emission-rate').value!.type).toBe('number');
+});
+
+it('types the attributes of list items as patterns', () => {
+  const declared = readFileSync(join(FOLDER, 'types/element/attributes.d.ts'), 'utf8');
+  const written = names.filter(({ attribute }) => declared.includes(`'${attribute}'?`));
+  expect(written.filter(({ key }) => /^\w+\.\d\./.test(key))).toEqual([]);
+  const patterns = [...declared.matchAll(/\[attribute: `(.+)`\]/g)].map(([, pattern]) =>
+    pattern.replace('${number}', '5'),
+  );
+  const listed = names.filter(({ key }) => /^\w+\.5\./.test(key)).map(({ attribute }) => attribute);
+  expect(patterns.sort()).toEqual(listed.sort());
+  expect(written.length + 8 * patterns.length).toBe(names.length);
+});
+
 it('has a manifest of the element with all parameters', () => {
   const manifest = JSON.parse(readFileSync(join(FOLDER, 'custom-elements.json'), 'utf8'));
   const attributes = new Set(manifest.modules[0].declarations[0].attributes.map(({ name }: { name: string }) => name));

@@ -15,11 +15,11 @@ import {
   Vector3,
 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { Colliders } from '../../../src/three/colliders.ts';
 import { ballsOf } from '../../../src/three/proxies.ts';
 import { shapeOf } from '../../../src/three/shapes.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
 import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import { HandledSmoke } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 let factory: SimulatorFactory;
@@ -49,35 +49,31 @@ test.each([
 });
 
 test('rigids follow the objects, by a fraction of the way in each step', () => {
-  const simulator = factory.create({ capacity: 1, seed: 1 });
-  const colliders = new Colliders(simulator);
+  const smoke = new HandledSmoke(factory);
+  const { simulator } = smoke;
   const carrier = new Group();
   const mesh = new Mesh(new TorusGeometry(0.5, 0.2));
   carrier.add(mesh);
   carrier.position.x = 1;
-  colliders.add(carrier, {});
+  smoke.collide(carrier);
   carrier.position.x = 1.2;
-  colliders.look();
-  const seen = [1, 2].map((step) => {
-    colliders.move(step / 2);
-    simulator.step();
-    return simulator.rigidPoses(1)[0];
-  });
-  expect(seen[0]).toBeCloseTo(1.1, 5);
-  expect(seen[1]).toBeCloseTo(1.2, 5);
+  smoke.frame(2);
+  const [before, after] = [0, 1].map((blend) => simulator.rigidPoses(blend)[0]);
+  expect(before).toBeCloseTo(1.1, 5);
+  expect(after).toBeCloseTo(1.2, 5);
   simulator.dispose();
 });
 
 test('an instanced mesh has a rigid per instance, a plane is a thin sheet, and objects without a mesh are rejected', () => {
-  const simulator = factory.create({ capacity: 1, seed: 1 });
-  const colliders = new Colliders(simulator);
+  const smoke = new HandledSmoke(factory);
+  const { simulator } = smoke;
   const stones = new InstancedMesh(new BoxGeometry(), undefined, 3);
   for (let index = 0; index < 3; ++index) stones.setMatrixAt(index, new Matrix4().makeTranslation(2 * index, 0, 0));
-  colliders.add(stones, {});
-  colliders.add(new Mesh(new PlaneGeometry(4, 4)), {});
+  smoke.collide(stones);
+  smoke.collide(new Mesh(new PlaneGeometry(4, 4)));
   expect(simulator.rigidCount).toBe(4);
   expect(simulator.rigidPoses(1)[2 * POSE_FLOATS]).toBe(4);
-  expect(() => colliders.add(new Group(), {})).toThrow(/collide cannot be “Group”/);
+  expect(() => smoke.collide(new Group())).toThrow(/collide cannot be “Group”/);
   simulator.dispose();
 });
 

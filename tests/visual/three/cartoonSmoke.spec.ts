@@ -170,6 +170,8 @@ test.describe('errors', () => {
     expect(said.open).toMatch(/^ParameterError: cast cannot be “Mesh”: .*closed mesh.*proxies/);
     expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*contains a mesh/);
     expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
+    expect(said.clone).toMatch(/^UnsupportedError: .*cloned.*create/);
+    expect(said.json).toMatch(/^UnsupportedError: .*JSON: remove it/);
     expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
     expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);
     expect(said.fraction).toMatch(/^ParameterError: count cannot be 1.5: it takes a whole number from 0/);
@@ -177,7 +179,9 @@ test.describe('errors', () => {
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
+    expect(said.repeated).toBe('nothing');
     expect(said.again).toBe('nothing');
+    expect(said.call).toMatch(/^SimulatorError: .*disposed/);
     expect(said.disposed).toMatch(/^SimulatorError: .*disposed/);
   });
 });

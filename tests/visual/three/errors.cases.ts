@@ -37,12 +37,22 @@ export async function errors(): Promise<Record<string, string>> {
   await attempt('preset', () => create(host.renderer, { preset: 'lampp' }));
   await attempt('value', () => create(host.renderer, { values: { 'emission.rate': -1 } }));
   const smoke = await smokeIn(host);
+  // `update` never throws: it dispatches an event.
+  let reported = 'nothing';
+  smoke.addEventListener('error', ({ error }) => (reported = `${error.name}: ${error.message}`));
+  const update = (name: string, seconds: number) => {
+    reported = 'nothing';
+    smoke.update(seconds);
+    said[name] = reported;
+  };
   await attempt('fixed', () => smoke.set({ seed: 2 }));
   await attempt('given', () => smoke.set({ 'light.azimuth': 20 }));
   await attempt('open', () => smoke.cast(new Mesh(new PlaneGeometry())));
   await attempt('empty', () => smoke.cast(new Group()));
   await attempt('emitter', () => smoke.emitFrom(new Group(), 8));
-  await attempt('seconds', () => smoke.update(NaN));
+  await attempt('clone', () => host.scene.clone());
+  await attempt('json', () => host.scene.toJSON());
+  update('seconds', NaN);
   await attempt('count', () => smoke.step(NaN));
   await attempt('fraction', () => smoke.step(1.5));
   await attempt('afterwards', () => {
@@ -53,16 +63,19 @@ export async function errors(): Promise<Record<string, string>> {
   const target = new WebGLRenderTarget(32, 32);
   host.renderer.setRenderTarget(target);
   host.renderer.render(host.scene, host.camera);
-  await attempt('target', () => smoke.update(0));
+  update('target', 0);
+  host.renderer.render(host.scene, host.camera);
+  update('repeated', 0);
   host.renderer.setRenderTarget(null);
   const array = new ArrayCamera([Object.assign(host.camera.clone(), { viewport: new Vector4(0, 0, 50, 50) })]);
   array.projectionMatrix.copy(host.camera.projectionMatrix);
   host.renderer.render(host.scene, array);
-  await attempt('array', () => smoke.update(0));
-  await attempt('again', () => smoke.update(0));
+  update('array', 0);
+  update('again', 0);
   smoke.dispose();
   smoke.dispose();
-  await attempt('disposed', () => smoke.update(0));
+  update('disposed', 0);
+  await attempt('call', () => smoke.emitFrom(new Group()));
   target.dispose();
   dispose(host.renderer);
   return said;

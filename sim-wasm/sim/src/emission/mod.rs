@@ -5,14 +5,17 @@
 //! its own time within the step. The emitter stands at its pose of that time, and the particle moves from then on (see
 //! `ParticleMotion::launch`), so fast jets, wind and fast emitters leave no gaps.
 //!
-//! A burst is owed when the envelope starts and is spread evenly over that step. Births wait while the simulator is
-//! full and are made up when there is capacity, of which each emitter gets at least about its share.
+//! A burst is owed when the envelope starts, or when the caller asks for it, and is spread evenly over that step. Births
+//! wait while the simulator is full and are made up when there is capacity, of which each emitter gets at least about
+//! its share. Emitters of the pool follow those of the table and have rates of their own, see `pool`.
 
 pub(crate) mod birth;
+pub mod pool;
 pub(crate) mod shapes;
 pub mod surface;
 
 use crate::emission::birth::{EmissionContext, EmitterSource};
+use crate::layout::limits::POOL_LIMIT;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::scope::envelope;
@@ -20,79 +23,116 @@ use crate::math::random::Random;
 use crate::math::scalar::clamped;
 use crate::particles::Particles;
 
-/// State of the emitters between steps.
+/// What an emitter owes between steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Debt {
+    /// The fraction of a particle that it owes, 0..1.
+    pub owed: f64,
+    /// The number of births that wait for capacity.
+    pub waiting: u64,
+}
+
+/// State of the emitters between steps.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Births {
-    /// Per emitter: the fraction of a particle that it owes, 0..1.
-    pub owed: [f64; LIST_LIMIT],
-    /// Per emitter: the number of births that wait for capacity.
-    pub waiting: [u64; LIST_LIMIT],
+    /// What each emitter owes: first those of the table, then those of the pool.
+    debts: [Debt; LIST_LIMIT + POOL_LIMIT],
+    /// Emitters outside of the table by slot; empty until the first is set.
+    pool: Vec<Emitter>,
+}
+
+impl Default for Births {
+    fn default() -> Self {
+        Self {
+            debts: [Debt::default(); LIST_LIMIT + POOL_LIMIT],
+            pool: Vec::new(),
+        }
+    }
 }
 
 impl Births {
+    /// What each emitter of the table owes, then what those of the pool owe.
+    pub fn debts(&self) -> &[Debt] {
+        &self.debts[..LIST_LIMIT + self.pool.len()]
+    }
+
     /// Number of births that wait for capacity.
     pub fn waiting(&self) -> u64 {
-        self.waiting.iter().fold(0, |sum, count| sum.saturating_add(*count))
+        self.debts.iter().fold(0, |sum, debt| sum.saturating_add(debt.waiting))
     }
 
     /// Makes the births of one step.
     pub fn step(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
-        for (emitter, waiting) in emitters.iter().zip(&mut self.waiting) {
-            *waiting = waiting.saturating_add(burst(emitter, around));
+        for (emitter, debt) in emitters.iter().zip(&mut self.debts) {
+            debt.waiting = debt.waiting.saturating_add(burst(emitter, around));
         }
         self.make_up(around, random, particles);
         let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
-        for index in rotated_order(emitters.len(), around.step) {
-            let emitter = &emitters[index];
-            let share = emitter.share / shares.max(f64::MIN_POSITIVE);
-            let rate = around.parameters.emission.rate * share * envelope::level(&emitter.scope, around.time);
+        for number in rotated_order(emitters.len() + self.pool.len(), around.step) {
+            let (emitter, debt) = self.emitter(emitters, number);
+            let rate = if number < emitters.len() {
+                around.parameters.emission.rate * (emitter.share / shares.max(f64::MIN_POSITIVE))
+            } else {
+                emitter.share
+            };
+            let rate = rate * envelope::level(&emitter.scope, around.time);
             if rate > 0.0 {
-                self.emit(index, rate, &mut EmitterSource::new(emitter, around, random, particles));
+                emit(debt, rate, &mut EmitterSource::new(emitter, around, random, particles));
             }
+        }
+    }
+
+    /// Emitter `number` of the table, followed by the pool, and what it owes.
+    #[inline(never)]
+    fn emitter<'e>(&'e mut self, table: &'e [Emitter], number: usize) -> (&'e Emitter, &'e mut Debt) {
+        match number.checked_sub(table.len()) {
+            None => (&table[number], &mut self.debts[number]),
+            Some(slot) => (&self.pool[slot], &mut self.debts[LIST_LIMIT + slot]),
         }
     }
 
     /// Makes waiting births, spread evenly over the step. If capacity is short, each emitter gets its share.
     fn make_up(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
-        let mut left: f64 = self.waiting[..emitters.len()].iter().map(|count| *count as f64).sum();
+        let mut left: f64 = self.debts.iter().map(|debt| debt.waiting as f64).sum();
         if left == 0.0 {
             return;
         }
-        for index in rotated_order(emitters.len(), around.step) {
-            let waiting = self.waiting[index];
+        for number in rotated_order(emitters.len() + self.pool.len(), around.step) {
+            let (emitter, debt) = self.emitter(emitters, number);
+            let waiting = debt.waiting;
             if waiting == 0 {
                 continue;
             }
-            let mut source = EmitterSource::new(&emitters[index], around, random, particles);
+            let mut source = EmitterSource::new(emitter, around, random, particles);
             // Rounded up: the first emitter gets at least one, and every emitter is first in some steps.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
                 source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
             }
-            self.waiting[index] -= count;
+            debt.waiting -= count;
             left -= waiting as f64;
         }
     }
+}
 
-    /// Makes the births due in this step, each at its time.
-    fn emit(&mut self, index: usize, rate: f64, source: &mut EmitterSource) {
-        // Sums of decimal fractions miss whole numbers by a few units in the last place.
-        const SLACK: f64 = 1e-9;
-        let before = self.owed[index];
-        let owed = before + rate * source.dt();
-        let due = libm::floor(owed + SLACK);
-        for number in 1..=due as u64 {
-            if source.room() == 0 {
-                self.waiting[index] = self.waiting[index].saturating_add(due as u64 + 1 - number);
-                break;
-            }
-            source.spawn(clamped((number as f64 - before) / rate, 0.0, source.dt()));
+/// Makes the births due in this step, each at its time.
+fn emit(debt: &mut Debt, rate: f64, source: &mut EmitterSource) {
+    // Sums of decimal fractions miss whole numbers by a few units in the last place.
+    const SLACK: f64 = 1e-9;
+    let before = debt.owed;
+    let owed = before + rate * source.dt();
+    let due = libm::floor(owed + SLACK);
+    for number in 1..=due as u64 {
+        if source.room() == 0 {
+            debt.waiting = debt.waiting.saturating_add(due as u64 + 1 - number);
+            break;
         }
-        self.owed[index] = owed - due;
+        source.spawn(clamped((number as f64 - before) / rate, 0.0, source.dt()));
     }
+    debt.owed = owed - due;
 }
 
 /// The numbers below `count`, rotated by a different amount in each step. The amounts have no period that deaths could

@@ -43,10 +43,12 @@ impl Writer {
         self.0.extend_from_slice(&short.to_le_bytes());
     }
 
+    #[inline(never)]
     pub fn word(&mut self, word: u32) {
         self.0.extend_from_slice(&word.to_le_bytes());
     }
 
+    #[inline(never)]
     pub fn long(&mut self, long: u64) {
         self.0.extend_from_slice(&long.to_le_bytes());
     }

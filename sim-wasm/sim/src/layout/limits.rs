@@ -1,4 +1,4 @@
-//! Step length and capacity limit.
+//! Step length, capacity limit and the size of the pool of emitters.
 
 use crate::layout::error::ParameterError;
 
@@ -7,6 +7,9 @@ pub const STEP: f64 = 1.0 / 60.0;
 
 /// Maximum capacity of a simulator.
 pub const CAPACITY_LIMIT: u32 = 1_000_000;
+
+/// Number of emitters outside of the table.
+pub const POOL_LIMIT: usize = 384;
 
 pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
     if (1..=CAPACITY_LIMIT).contains(&capacity) {

@@ -80,6 +80,7 @@ impl Rigids {
         let count = self.count();
         self.members
             .get_mut(index as usize)
+            .filter(|member| !member.is_removed)
             .ok_or_else(|| no_such_rigid(index, count))
     }
 
@@ -95,13 +96,14 @@ impl Rigids {
     fn kind(&self, index: u32) -> Result<RigidKind, ParameterError> {
         let member = self.members.get(index as usize);
         member
+            .filter(|member| !member.is_removed)
             .map(|member| member.description.kind)
             .ok_or_else(|| no_such_rigid(index, self.count()))
     }
 
     /// Checks that a rigid exists.
-    pub(crate) fn check_exists(&mut self, index: u32) -> Result<(), ParameterError> {
-        self.member(index).map(|_| ())
+    pub(crate) fn check_exists(&self, index: u32) -> Result<(), ParameterError> {
+        self.kind(index).map(|_| ())
     }
 
     /// Checks that a rigid exists and is not fixed.

@@ -13,7 +13,7 @@ use rapier3d::glamx::{Pose3, Quat, Vec3};
 use crate::layout::error::ParameterError;
 use crate::math::pose::Pose;
 use crate::math::vector::Vector;
-use crate::rigids::checks::{AXES, PLACES, count_error, no_such_rigid, ranged, shape_error};
+use crate::rigids::checks::{AXES, PLACES, count_error, ranged, shape_error};
 use crate::rigids::description::RigidKind;
 use crate::rigids::meshes::parrys;
 use crate::rigids::set::Rigids;
@@ -104,9 +104,8 @@ impl Rigids {
             return Err(ParameterError::out_of_range("joint.count", most + 1.0, 0.0, most));
         }
         let [a, b] = description.rigids;
-        if let Some(missing) = [a, b].into_iter().find(|rigid| *rigid as usize >= self.count()) {
-            return Err(no_such_rigid(missing, self.count()));
-        }
+        self.check_exists(a)?;
+        self.check_exists(b)?;
         if a == b {
             return error("joint.rigids are the same; join two different rigids");
         }

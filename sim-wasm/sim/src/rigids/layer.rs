@@ -29,7 +29,7 @@ impl Rigids {
         let thickness = |rigid: usize| members[rigid].description.boundary_layer;
         let bounds = |rigid: usize| {
             let Obstacle { motion, bounds, .. } = &obstacles[rigid];
-            motion.is_moving().then(|| bounds.wider(thickness(rigid)))
+            (motion.is_moving() && thickness(rigid) > 0.0).then(|| bounds.wider(thickness(rigid)))
         };
         layered.for_each_near(particles, radii, bounds, |particles, i, rigid| {
             let born = (particles.age[i] / dt).min(0.0) + 1.0;

@@ -38,7 +38,7 @@ impl Rigids {
         let bounds = |rigid: usize| {
             let member: &Member = &members[rigid];
             let own = Frame::new(&member.pose).bounds_of(&obstacles[rigid].shape.bounds());
-            Some(own.wider(member.reach))
+            member.feels_smoke().then(|| own.wider(member.reach))
         };
         feeling.for_each_near(particles, radii, bounds, |particles, i, rigid| {
             let reach = members[rigid].reach;

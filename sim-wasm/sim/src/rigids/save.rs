@@ -12,7 +12,7 @@ use crate::rigids::numbers::{FlatRigid, RigidNumbers};
 use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
 use crate::rigids::world::World;
 
-/// Flat numbers of a description: numbers, vertices, indices, path.
+/// Flat numbers of a description: numbers, vertices, indices, path. All are empty for a removed rigid.
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
 /// Guidance of a rigid: base, velocity, angle, target, grab.
 type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
@@ -63,10 +63,17 @@ impl Rigids {
         }
         let mut restored = Self::new();
         restored.world = world;
-        for (rigid, guide) in rigids.iter().zip(guides) {
+        for (index, (rigid, guide)) in rigids.iter().zip(guides).enumerate() {
+            if rigid.0.is_empty() {
+                restored.place_removed(
+                    index,
+                    pose_of(&guide.0).map_err(|error| RestoreError::new(error.message))?,
+                );
+                continue;
+            }
             let description = described(rigid)?;
             let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;
-            restored.place(description, forms.ours);
+            restored.place(index, restored.world.pose(index), description, forms.ours);
             let member = restored.members.last_mut().expect("one was just placed");
             restore_guide(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
         }
@@ -98,6 +105,9 @@ fn restore_guide(guide: &mut Guide, (base, velocity, angle, target, grab): Saved
 }
 
 fn saved(member: &Member) -> SavedRigid {
+    if member.is_removed {
+        return SavedRigid::default();
+    }
     let FlatRigid {
         numbers,
         vertices,

@@ -15,7 +15,7 @@ use crate::math::pose_motion::PoseMotion;
 use crate::math::vector::Vector;
 use crate::rigids::checks::pose_numbers;
 use crate::rigids::checks::shape_error;
-use crate::rigids::description::{RigidDescription, RigidKind};
+use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
 use crate::rigids::forms;
 use crate::rigids::grid::RigidGrid;
 use crate::rigids::guide::Guide;
@@ -61,6 +61,8 @@ pub(super) struct Member {
     pub(super) guide: Guide,
     /// Upper bound of the distance of the shape from its origin (m).
     pub(super) reach: f32,
+    /// The next rigid may reuse its index.
+    pub(super) is_removed: bool,
 }
 
 impl Default for Rigids {
@@ -100,17 +102,18 @@ impl Rigids {
         self.steps = steps;
     }
 
-    /// Number of rigids.
+    /// Number of indices in use, those of removed rigids included.
     pub fn count(&self) -> usize {
         self.members.len()
     }
 
-    /// Adds a rigid and returns its index.
+    /// Adds a rigid and returns its index, the lowest of a removed rigid if there is one.
     ///
     /// # Errors
     /// The shape has no volume, or there are 4096 rigids already; nothing is added.
     pub fn add(&mut self, description: RigidDescription) -> Result<u32, ParameterError> {
-        let index = self.count();
+        let free = self.members.iter().position(|member| member.is_removed);
+        let index = free.unwrap_or(self.count());
         if index == MAX_RIGIDS {
             return Err(ParameterError::out_of_range(
                 "rigid.count",
@@ -121,14 +124,17 @@ impl Rigids {
         }
         let forms = forms::forms_of(&description)?;
         check_motion(&description, reach_of(&forms.ours.bounds()))?;
-        self.world.add(&description, &forms.rapiers);
-        self.place(description, forms.ours);
+        match free {
+            Some(_) => self.world.replace(index, &description, &forms.rapiers),
+            None => self.world.add(&description, &forms.rapiers),
+        }
+        let pose = self.world.pose(index);
+        self.place(index, pose, description, forms.ours);
         Ok(index as u32)
     }
 
-    /// Registers a rigid that the world already contains.
-    pub(super) fn place(&mut self, description: RigidDescription, shape: Box<dyn Collider>) {
-        let pose = self.world.pose(self.count());
+    /// Registers a rigid that the world already contains, under a new index or that of a removed rigid.
+    pub(super) fn place(&mut self, index: usize, pose: Pose, description: RigidDescription, shape: Box<dyn Collider>) {
         let own = shape.bounds();
         let material = Material {
             restitution: description.restitution,
@@ -138,38 +144,66 @@ impl Rigids {
         };
         let motion = PoseMotion::resting(pose);
         let bounds = motion.bounds_of(&own);
-        self.grid.add(bounds);
+        if index == self.count() {
+            self.grid.add(bounds);
+            self.poses.extend_from_slice(&[0.0; POSE_PAIR_FLOATS]);
+            self.sums.push(SmokeSum::default());
+        }
+        self.grid.place(index, bounds);
         self.bounds = self.grid.bounds();
-        self.obstacles.push(Obstacle {
+        let obstacle = Obstacle {
             core: shape.core(),
             shape,
             motion,
             material,
             bounds,
-        });
+        };
+        put(&mut self.obstacles, index, obstacle);
         let mut guide = Guide::new(pose);
         guide.track = description.path.as_ref().map(Track::new);
-        self.members.push(Member {
+        let member = Member {
             description,
             pose,
             guide,
             reach: reach_of(&own),
-        });
-        self.poses.extend_from_slice(&pair(&pose, &pose));
-        self.register_air_effects();
-    }
-
-    /// Registers the last rigid for its boundary layer and for smoke.
-    fn register_air_effects(&mut self) {
-        let index = self.count() - 1;
-        let member = &self.members[index];
+            is_removed: false,
+        };
+        // An index is never unregistered: a rigid without these effects is skipped.
         if member.description.boundary_layer > 0.0 {
             self.layered.add(index);
         }
         if member.feels_smoke() {
             self.feeling.add(index);
         }
-        self.sums.push(SmokeSum::default());
+        put(&mut self.members, index, member);
+        self.poses[index * POSE_PAIR_FLOATS..][..POSE_PAIR_FLOATS].copy_from_slice(&pair(&pose, &pose));
+    }
+
+    /// Removes a rigid. A later rigid reuses its index. What is attached to the index stays at its last pose.
+    ///
+    /// # Errors
+    /// The rigid does not exist, or a joint holds it.
+    pub fn remove(&mut self, index: u32) -> Result<(), ParameterError> {
+        self.check_exists(index)?;
+        if self.world.is_joined(index as usize) {
+            let message = "rigid.index has joints, which hold it".to_owned();
+            return Err(shape_error("rigid.index", f64::from(index), message));
+        }
+        let index = index as usize;
+        self.world.remove(index);
+        self.place_removed(index, self.members[index].pose);
+        Ok(())
+    }
+
+    /// Registers an index without a rigid, which nothing collides with.
+    pub(super) fn place_removed(&mut self, index: usize, pose: Pose) {
+        let description = RigidDescription::new(RigidKind::Fixed, RigidShape::Ball { radius: 1.0 }, pose);
+        let forms = forms::forms_of(&description).expect("a ball has a volume");
+        self.place(index, pose, description, forms.ours);
+        self.members[index].is_removed = true;
+        self.obstacles[index].bounds = Bounds::NOTHING;
+        self.grid.place(index, Bounds::NOTHING);
+        self.bounds = self.grid.bounds();
     }
 
     /// Poses of each rigid before and after the last step: x, y, z (m) and the quaternion x, y, z, w, twice.
@@ -190,7 +224,12 @@ impl Rigids {
             return;
         }
         let time = self.steps as f64 * STEP;
-        for (index, member) in self.members.iter_mut().enumerate() {
+        for (index, member) in self
+            .members
+            .iter_mut()
+            .enumerate()
+            .filter(|(_, member)| !member.is_removed)
+        {
             member.put(index, &mut self.world);
             member.lead(index, &mut self.world, time, dt);
         }
@@ -205,6 +244,9 @@ impl Rigids {
     /// Second half of [`Rigids::advance`]: each rigid becomes a moving obstacle.
     pub(crate) fn follow_world(&mut self, dt: f32) {
         for index in 0..self.count() {
+            if self.members[index].is_removed {
+                continue;
+            }
             let start = self.members[index].pose;
             let end = self.world.pose(index);
             self.members[index].pose = end;
@@ -270,7 +312,7 @@ impl Rigids {
     /// Adds the state of the rigids to `hash`; nothing without rigids.
     pub fn hash_into(&self, hash: &mut Hash) {
         hash.floats(&self.poses);
-        for (index, member) in self.members.iter().enumerate() {
+        for (index, member) in self.members.iter().enumerate().filter(|(_, member)| !member.is_removed) {
             self.world.hash_into(index, hash);
             member.guide.hash_into(hash);
         }
@@ -361,6 +403,15 @@ impl Collider for Box<dyn Collider> {
 
     fn is_round(&self) -> bool {
         self.as_ref().is_round()
+    }
+}
+
+/// Sets element `index`, which may be the next one.
+fn put<T>(all: &mut Vec<T>, index: usize, value: T) {
+    if index == all.len() {
+        all.push(value);
+    } else {
+        all[index] = value;
     }
 }
 

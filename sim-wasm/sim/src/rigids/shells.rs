@@ -17,11 +17,13 @@ pub struct Shells {
 }
 
 impl Shells {
-    /// Adds a rigid.
+    /// Adds a rigid, unless it was added before. Rigids are in order, so that restored ones act in the same order.
     pub fn add(&mut self, rigid: usize) {
-        self.rigids.push(rigid);
-        self.grid.add(Bounds::NOTHING);
-        self.near.reserve(self.rigids.len());
+        if let Err(at) = self.rigids.binary_search(&rigid) {
+            self.rigids.insert(at, rigid);
+            self.grid.add(Bounds::NOTHING);
+            self.near.reserve(self.rigids.len());
+        }
     }
 
     /// Calls `meet` for each particle near the box of a rigid, ordered by particle, then by rigid. `bounds` returns the

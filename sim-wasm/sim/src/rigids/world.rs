@@ -4,6 +4,7 @@ use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
 use rapier3d::prelude::{
     ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
+    RigidBodyType,
 };
 
 use crate::math::hash::Hash;
@@ -17,7 +18,9 @@ const GRAVITY: f32 = -9.81;
 /// Angular damping during a drag, as a share of the spring's stiffness.
 const SWING_DAMPING: f32 = 0.5;
 
-/// Rapier's world. Bodies have the indices of their rigids; none is ever removed.
+/// Rapier's world. Bodies have the indices of their rigids. None is ever removed: a removed rigid is a disabled body,
+/// which the next rigid of its index takes over with its colliders. Rapier's own removal would add 15 kB for soft bodies
+/// and multibodies.
 pub struct World {
     physics: PhysicsWorld,
 }
@@ -44,20 +47,61 @@ impl World {
 
     /// Adds a rigid with at least one shape, each at its pose in the rigid.
     pub fn add(&mut self, description: &RigidDescription, shapes: &[(Pose, SharedShape)]) {
-        let body = match description.kind {
-            RigidKind::Fixed => RigidBodyBuilder::fixed(),
-            RigidKind::Kinematic => RigidBodyBuilder::kinematic_position_based(),
-            RigidKind::Dynamic => RigidBodyBuilder::dynamic().ccd_enabled(true),
-        };
-        let body = self.physics.insert_body(body.pose(rapiers(&description.pose)));
+        let index = self.count();
+        let body =
+            RigidBodyBuilder::new(body_type(description.kind)).ccd_enabled(description.kind == RigidKind::Dynamic);
+        self.physics.insert_body(body.pose(rapiers(&description.pose)));
         for (pose, shape) in shapes {
-            let collider = ColliderBuilder::new(shape.clone())
-                .position(rapiers(pose))
-                .restitution(description.restitution)
-                .friction(description.friction)
-                .density(description.density);
-            self.physics.insert_collider(collider, Some(body));
+            self.insert_collider(index, description, pose, shape);
         }
+    }
+
+    fn insert_collider(&mut self, index: usize, description: &RigidDescription, pose: &Pose, shape: &SharedShape) {
+        let collider = ColliderBuilder::new(shape.clone())
+            .position(rapiers(pose))
+            .restitution(description.restitution)
+            .friction(description.friction)
+            .density(description.density);
+        self.physics.insert_collider(collider, Some(handle(index)));
+    }
+
+    /// Turns a rigid off.
+    pub fn remove(&mut self, index: usize) {
+        self.physics.bodies[handle(index)].set_enabled(false);
+    }
+
+    /// Replaces a rigid that was turned off.
+    pub fn replace(&mut self, index: usize, description: &RigidDescription, shapes: &[(Pose, SharedShape)]) {
+        let body = &mut self.physics.bodies[handle(index)];
+        body.set_enabled(true);
+        body.set_body_type(body_type(description.kind), true);
+        body.enable_ccd(description.kind == RigidKind::Dynamic);
+        let colliders = body.colliders().to_vec();
+        self.put(index, &description.pose);
+        self.clear_forces(index);
+        for (number, (pose, shape)) in shapes.iter().enumerate() {
+            let Some(known) = colliders.get(number) else {
+                self.insert_collider(index, description, pose, shape);
+                continue;
+            };
+            let collider = &mut self.physics.colliders[*known];
+            collider.set_enabled(true);
+            collider.set_shape(shape.clone());
+            collider.set_position_wrt_parent(rapiers(pose));
+            collider.set_restitution(description.restitution);
+            collider.set_friction(description.friction);
+            collider.set_density(description.density);
+        }
+        for unused in colliders.iter().skip(shapes.len()) {
+            self.physics.colliders[*unused].set_enabled(false);
+        }
+    }
+
+    /// Returns true if a joint holds a rigid.
+    pub fn is_joined(&self, index: usize) -> bool {
+        let body = handle(index);
+        let mut joints = self.physics.impulse_joints.iter();
+        joints.any(|(_, joint)| [joint.body1(), joint.body2()].contains(&body))
     }
 
     /// Joins two rigids.
@@ -75,7 +119,7 @@ impl World {
         self.physics.bodies[handle(index)].set_next_kinematic_position(rapiers(pose));
     }
 
-    /// Teleports a dynamic rigid, at rest and awake.
+    /// Teleports a rigid, at rest and awake.
     pub fn put(&mut self, index: usize, pose: &Pose) {
         let body = &mut self.physics.bodies[handle(index)];
         body.set_position(rapiers(pose), true);
@@ -192,6 +236,14 @@ fn mass_at(properties: &RigidBodyMassProps, point: Vec3) -> Mat3 {
         mobility.inverse()
     } else {
         Mat3::ZERO
+    }
+}
+
+fn body_type(kind: RigidKind) -> RigidBodyType {
+    match kind {
+        RigidKind::Fixed => RigidBodyType::Fixed,
+        RigidKind::Kinematic => RigidBodyType::KinematicPositionBased,
+        RigidKind::Dynamic => RigidBodyType::Dynamic,
     }
 }
 

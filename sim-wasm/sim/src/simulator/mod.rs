@@ -145,6 +145,15 @@ impl Simulator {
         self.surfaces.add(Surface::new(vertices, indices)?)
     }
 
+    /// Sets, frees or bursts an emitter. See [`Births::put`].
+    ///
+    /// # Errors
+    /// There is no such emitter, or a number is out of range; nothing changes.
+    pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> Result<(), ParameterError> {
+        let table = self.parameters.emitters.items().len();
+        self.births.put(index as usize, numbers, count, table)
+    }
+
     /// Sets the poses of the scene's parts for the coming step. See [`Parts::place`].
     ///
     /// # Errors
@@ -324,15 +333,15 @@ impl Simulator {
         self.particles.attributes[..self.particles.alive()]
             .iter()
             .for_each(|attributes| hash.word(*attributes));
-        let Births { owed, waiting } = self.births;
-        owed.iter().for_each(|number| hash.long(number.to_bits()));
+        let debts = self.births.debts();
+        debts.iter().for_each(|debt| hash.long(debt.owed.to_bits()));
         for TurbulenceState { drift, phase } in &self.turbulence {
             drift
                 .iter()
                 .chain([phase])
                 .for_each(|number| hash.long(number.to_bits()));
         }
-        waiting.iter().for_each(|count| hash.long(*count));
+        debts.iter().for_each(|debt| hash.long(debt.waiting));
         self.active_inputs.hash_into(&mut hash);
         if let Some(all) = &self.vortex_particles {
             all.hash_into(&mut hash);

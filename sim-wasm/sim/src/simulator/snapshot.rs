@@ -129,24 +129,6 @@ impl SnapshotSection for Random {
     }
 }
 
-impl SnapshotSection for Births {
-    fn write(&self, body: &mut Writer) {
-        self.owed.iter().for_each(|owed| body.number(*owed));
-        self.waiting.iter().for_each(|count| body.long(*count));
-    }
-
-    fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
-        let mut births = Self::default();
-        for index in 0..LIST_LIMIT {
-            births.owed[index] = reader.number()?.clamp(-1.0, 1.0);
-        }
-        for index in 0..LIST_LIMIT {
-            births.waiting[index] = reader.long()?;
-        }
-        Ok(births)
-    }
-}
-
 impl<const N: usize> SnapshotSection for [TurbulenceState; N] {
     fn write(&self, body: &mut Writer) {
         for TurbulenceState { drift, phase } in self {

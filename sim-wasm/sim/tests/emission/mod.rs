@@ -2,6 +2,7 @@
 
 mod births;
 mod moments;
+mod pool;
 #[cfg(feature = "rigids")]
 mod riding;
 mod shapes;

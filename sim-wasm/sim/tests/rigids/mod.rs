@@ -5,4 +5,5 @@ mod compound;
 mod drag;
 mod joints;
 mod paths;
+mod removal;
 mod sensors;

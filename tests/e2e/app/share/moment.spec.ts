@@ -1,6 +1,6 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../../../src/preset/packing.ts';
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, knowGestures, test } from '../../../support/fixtures.ts';
 import { HASH_2, TAKE_2 } from '../../../support/sim/takeVersion2.ts';
 import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, messagesOf, open } from '../page.ts';
 
@@ -45,6 +45,7 @@ test('a take reaches the same hash in another browser, also at an earlier moment
   await ask(page, (stage) => stage.seek(0.5));
   const [earlier, earlierLink] = [await shown(page), await momentLink(page)];
   const context = await browser.newContext({ viewport: { width: 240, height: 160 } });
+  await context.addInitScript(knowGestures);
   const other = await context.newPage();
   for (const [address, moment] of [
     [link, there],

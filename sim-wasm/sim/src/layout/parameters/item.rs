@@ -107,7 +107,8 @@ fn scope_fields<I: Item>() -> &'static [Field<Scope>] {
     if I::default().scope().is_some() { I::SCOPE } else { &[] }
 }
 
-pub(super) fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
+/// Description and key suffixes of parameter `field` of an item; none beyond the last.
+pub(crate) fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
     if let Some(own) = I::FIELDS.get(field) {
         return Some((&own.meta, own.parts()));
     }
@@ -115,7 +116,8 @@ pub(super) fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'
     Some((&shared.meta, shared.parts()))
 }
 
-pub(super) fn value<I: Item>(item: &mut I, slot: Slot) -> &mut f64 {
+/// Mutable access to a parameter of an item.
+pub(crate) fn value<I: Item>(item: &mut I, slot: Slot) -> &mut f64 {
     match I::FIELDS.get(slot.field) {
         Some(field) => field.value(item, slot.part),
         None => {

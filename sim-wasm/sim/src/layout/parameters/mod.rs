@@ -82,6 +82,17 @@ impl Parameters {
 fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
     let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
     let (meta, _) = section.meta(slot.field).expect("what was found exists");
+    Ok(Assignment {
+        section,
+        index,
+        slot,
+        value: accept(key, meta, value)?,
+    })
+}
+
+/// Checks a value of the parameter that `meta` describes.
+#[inline(never)]
+pub(crate) fn accept(key: &str, meta: &Meta, value: f64) -> Result<f64, ParameterError> {
     if !(meta.min..=meta.max).contains(&value) {
         return Err(ParameterError::out_of_range(key, value, meta.min, meta.max));
     }
@@ -89,13 +100,7 @@ fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
         return Err(ParameterError::not_whole(key, value, meta.min, meta.max));
     }
     // Minus zero equals zero and must act the same: adding zero normalises it.
-    let value = value + 0.0;
-    Ok(Assignment {
-        section,
-        index,
-        slot,
-        value,
-    })
+    Ok(value + 0.0)
 }
 
 fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {

@@ -12,7 +12,7 @@ use crate::math::pose::{POSE_FLOATS, Pose};
 /// Number of the first part where a rigid's number is expected. Rigids have smaller numbers.
 pub const FIRST_PART: usize = 4096;
 /// Maximum number of parts.
-pub const MAX_PARTS: usize = 64;
+pub const MAX_PARTS: usize = 256;
 /// Floats per part in [`Parts::place`].
 pub const PART_FLOATS: usize = 8;
 
@@ -36,7 +36,7 @@ impl Parts {
     /// carrier, or to the world without one. Within a step a part rotates by less than pi.
     ///
     /// # Errors
-    /// More than 64 parts, or an invalid pose; the previous poses stay.
+    /// More than [`MAX_PARTS`] parts, or an invalid pose; the previous poses stay.
     pub fn place(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         let (parts, rest) = numbers.as_chunks::<PART_FLOATS>();
         let are_pairs = parts.len() % 2 == 0 && rest.is_empty();

@@ -1,0 +1,67 @@
+import { Quaternion, Vector3, type Object3D } from 'three';
+import { ParameterError } from '../preset/errors.ts';
+import { findParameter } from '../preset/table.ts';
+import { Handle } from './handle.ts';
+import type { Overrides } from './overrides.ts';
+import { followObject, worldPose, type Rider, type Riders } from './riders.ts';
+import type { Pose } from './shapes.ts';
+
+/** What an attachment needs of its smoke. */
+export interface AttachmentContext {
+  readonly riders: Riders;
+  readonly overrides: Overrides;
+  /** Items of the table that ride on an object. */
+  readonly attached: Set<string>;
+}
+
+/** A force or an emitter of the parameter table that rides on an object. */
+export class Attachment extends Handle {
+  private readonly context: AttachmentContext;
+  private readonly item: string;
+  private rider: Rider | undefined;
+
+  /** @param item such as `vortices.0` */
+  constructor(context: AttachmentContext, item: string, object: Object3D) {
+    super('attach', object);
+    requireItem(item);
+    if (context.attached.has(item))
+      throw new ParameterError('attach', item, 'an item that is not attached yet; remove its handle first');
+    this.requireSound(worldPose(object, pose));
+    this.context = context;
+    this.item = item;
+    context.attached.add(item);
+  }
+
+  protected start(): void {
+    const { context, item, object } = this;
+    this.requireSound(worldPose(object, pose));
+    this.rider = context.riders.add(pose);
+    context.overrides.put(`${item}.rigid`, this.rider.number);
+    context.overrides.unmute(item);
+  }
+
+  protected override follow(): void {
+    this.requireSound(followObject(this.rider!, this.object));
+  }
+
+  protected stop(): void {
+    this.context.riders.remove(this.rider!);
+    this.rider = undefined;
+    this.context.overrides.mute(this.item);
+  }
+
+  protected override release(): void {
+    const { context, item } = this;
+    context.attached.delete(item);
+    context.overrides.drop(`${item}.rigid`);
+    context.overrides.restore(item);
+  }
+}
+
+const pose: Pose = { position: new Vector3(), rotation: new Quaternion() };
+
+function requireItem(item: string): void {
+  const isItem = ['rigid', 'envelope.duration'].every((key) => findParameter(`${item}.${key}`));
+  if (typeof item !== 'string' || !isItem)
+    throw new ParameterError('attach', item, 'an item of a list of forces or emitters, such as vortices.0');
+}

@@ -1,0 +1,202 @@
+import { Quaternion, Vector3, type Object3D } from 'three';
+import { ParameterError } from '../preset/errors.ts';
+import { LIST_LIMIT } from '../preset/lists.ts';
+import type { Values } from '../preset/parameter.ts';
+import type { Simulator } from '../sim/simulator.ts';
+import {
+  burstNumbers,
+  emitterNumbers,
+  requireCount,
+  RIGID,
+  tableValues,
+  type BurstOptions,
+  type EmitterOptions,
+} from './emitterOptions.ts';
+import { Handle, type SmokeHandle } from './handle.ts';
+import type { Overrides } from './overrides.ts';
+import { followObject, worldPose, type Rider, type Riders } from './riders.ts';
+import type { Pose } from './shapes.ts';
+
+/** What `emitFrom` returns. */
+export interface EmitterHandle extends SmokeHandle {
+  /**
+   * Changes options; the others stay. An emitter of the table takes no `rate`.
+   * @throws ParameterError for an unknown option or an invalid value; nothing changes then
+   */
+  set(values: EmitterOptions): void;
+  /**
+   * Emits puffs at once in the next step, besides its rate; nothing while it is paused.
+   * @param count whole number from 1 to 20,000
+   */
+  burst(count: number): void;
+}
+
+/** Emitters of the simulator's pool, which follow those of the table: those of objects come first, then bursts in turn. */
+const OBJECT_SLOTS = 128;
+const BURST_SLOTS = 256;
+/** Largest coordinate of an emitter of the table, in metres. */
+const MAX_PLACE = 1000;
+const NO_NUMBERS = new Float64Array();
+
+/** The emitters of one smoke outside the parameter table. */
+export class EmitterPool {
+  readonly simulator: Simulator;
+  readonly riders: Riders;
+  private readonly isTaken: boolean[] = Array.from({ length: OBJECT_SLOTS }, () => false);
+  private bursts = 0;
+
+  constructor(simulator: Simulator, riders: Riders) {
+    this.simulator = simulator;
+    this.riders = riders;
+  }
+
+  /** Index of a free emitter for the simulator. @throws ParameterError when all are taken */
+  take(): number {
+    const slot = this.isTaken.indexOf(false);
+    if (slot < 0) throw new ParameterError('emitFrom', OBJECT_SLOTS + 1, `at most ${OBJECT_SLOTS} objects at a time`);
+    this.isTaken[slot] = true;
+    return LIST_LIMIT + slot;
+  }
+
+  giveBack(index: number): void {
+    this.isTaken[index - LIST_LIMIT] = false;
+  }
+
+  /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
+  burst(options: BurstOptions): void {
+    const numbers = burstNumbers(options);
+    const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
+    this.simulator.setEmitter(index, numbers, options.count);
+  }
+}
+
+/** An emitter of the pool that follows an object. */
+export class PooledEmitter extends Handle implements EmitterHandle {
+  private readonly pool: EmitterPool;
+  private readonly index: number;
+  private numbers: Float64Array;
+  private rider: Rider | undefined;
+
+  constructor(pool: EmitterPool, object: Object3D, options: EmitterOptions) {
+    super('emitFrom', object);
+    this.numbers = emitterNumbers('emitFrom', options);
+    this.requireSound(worldPose(object, pose));
+    this.pool = pool;
+    this.index = pool.take();
+  }
+
+  set(values: EmitterOptions): void {
+    this.requireUsable('set');
+    this.numbers = emitterNumbers('emitFrom', values, this.numbers);
+    if (this.rider) this.write();
+  }
+
+  burst(count: number): void {
+    this.requireUsable('burst');
+    requireCount('emitFrom.burst', count);
+    if (this.isActive) this.pool.simulator.setEmitter(this.index, NO_NUMBERS, count);
+  }
+
+  protected start(): void {
+    this.requireSound(worldPose(this.object, pose));
+    this.rider = this.pool.riders.add(pose);
+    this.numbers[RIGID] = this.rider.number;
+    this.write();
+  }
+
+  protected override follow(): void {
+    this.requireSound(followObject(this.rider!, this.object));
+  }
+
+  protected stop(): void {
+    this.pool.riders.remove(this.rider!);
+    this.rider = undefined;
+    this.pool.simulator.setEmitter(this.index, NO_NUMBERS);
+  }
+
+  protected override release(): void {
+    this.pool.giveBack(this.index);
+  }
+
+  private write(): void {
+    this.pool.simulator.setEmitter(this.index, this.numbers);
+  }
+}
+
+/** What an emitter of the table needs of its smoke. */
+export interface TableContext {
+  readonly simulator: Simulator;
+  readonly overrides: Overrides;
+  /** Changes values of the parameter table. */
+  set(values: Values): void;
+}
+
+/** An emitter of the parameter table that follows an object. It is silent while none of its handles is active. */
+export class TableEmitter extends Handle implements EmitterHandle {
+  private readonly context: TableContext;
+  private readonly emitter: number;
+  private readonly position = new Vector3();
+  private readonly direction = new Vector3();
+
+  /** @param emitter index from 0 to 7 */
+  constructor(context: TableContext, object: Object3D, emitter: number) {
+    super('emitFrom', object);
+    requireEmitter(emitter);
+    this.context = context;
+    this.emitter = emitter;
+  }
+
+  set(values: EmitterOptions): void {
+    this.requireUsable('set');
+    this.context.set(tableValues('emitFrom', this.emitter, values));
+  }
+
+  burst(count: number): void {
+    this.requireUsable('burst');
+    requireCount('emitFrom.burst', count);
+    if (!this.isActive) return;
+    this.write();
+    this.context.simulator.setEmitter(this.emitter, NO_NUMBERS, count);
+  }
+
+  override move(): void {
+    if (this.isActive) this.write();
+  }
+
+  protected start(): void {
+    this.follow();
+    this.context.overrides.unmute(`emitters.${this.emitter}`);
+  }
+
+  protected override follow(): void {
+    this.requireSound(worldPose(this.object, pose), MAX_PLACE);
+  }
+
+  protected stop(): void {
+    this.context.overrides.mute(`emitters.${this.emitter}`);
+  }
+
+  private write(): void {
+    const { object, emitter, position, direction } = this;
+    object.updateWorldMatrix(true, false);
+    position.setFromMatrixPosition(object.matrixWorld);
+    direction.set(0, 1, 0).transformDirection(object.matrixWorld);
+    const key = `emitters.${emitter}`;
+    this.context.simulator.set({
+      ...vectorValues(`${key}.position`, position),
+      ...vectorValues(`${key}.direction`, direction),
+    });
+  }
+}
+
+const pose: Pose = { position: new Vector3(), rotation: new Quaternion() };
+
+/** @throws ParameterError when there is no emitter with this index */
+function requireEmitter(emitter: number): void {
+  if (Number.isInteger(emitter) && emitter >= 0 && emitter < LIST_LIMIT) return;
+  throw new ParameterError('emitter', emitter, `a whole number from 0 to ${LIST_LIMIT - 1}`);
+}
+
+function vectorValues(key: string, { x, y, z }: Vector3): Record<string, number> {
+  return { [`${key}.x`]: x, [`${key}.y`]: y, [`${key}.z`]: z };
+}

@@ -1,0 +1,113 @@
+/** The handles of a smoke of src/three without a renderer. */
+import { Group, Scene, type Object3D } from 'three';
+import type { Values } from '../../src/preset/parameter.ts';
+import { findParameter } from '../../src/preset/table.ts';
+import { ALL_THAT_LIVES } from '../../src/sim/view.ts';
+import type { SimulatorFactory } from '../../src/sim/load.ts';
+import { PLACE_FLOATS } from '../../src/sim/layout.ts';
+import { simulatorValues } from '../../src/sim/simulatorValues.ts';
+import { Attachment } from '../../src/three/attachment.ts';
+import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
+import type { EmitterOptions } from '../../src/three/emitterOptions.ts';
+import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
+import { Handles, type Handle } from '../../src/three/handle.ts';
+import { Overrides } from '../../src/three/overrides.ts';
+import { PushedObject } from '../../src/three/pushed.ts';
+import { Riders } from '../../src/three/riders.ts';
+
+/** Still air in which nothing dies, and no emitter of the table emits. */
+export const STILL: Values = {
+  'emission.rate': 0,
+  'emission.lifetime': 60,
+  'emission.growthTime': 0,
+  'buoyancy.acceleration': 0,
+  'turbulence.speed': 0,
+  'drag.rate': 0,
+};
+
+export class HandledSmoke {
+  readonly simulator;
+  readonly scene = new Scene();
+  readonly object = new Group();
+  readonly errors: unknown[] = [];
+  readonly pool;
+  isAlive = true;
+  private readonly handles;
+  private readonly riders;
+  private readonly overrides;
+  private readonly attached = new Set<string>();
+  private values: Values;
+
+  constructor(factory: SimulatorFactory, values: Values = STILL, capacity = 4000) {
+    this.values = values;
+    this.simulator = factory.create({ capacity, seed: 7 });
+    this.simulator.set(simulatorValues(values));
+    this.scene.add(this.object);
+    this.riders = new Riders(this.simulator);
+    this.pool = new EmitterPool(this.simulator, this.riders);
+    const numberOf = (key: string) => simulatorValues({ [key]: this.values[key] ?? findParameter(key)!.default })[key];
+    this.overrides = new Overrides(this.simulator, numberOf);
+    const isAlive = () => this.isAlive;
+    this.handles = new Handles({
+      object: this.object,
+      report: (error) => this.errors.push(error),
+      get isAlive() {
+        return isAlive();
+      },
+    });
+  }
+
+  set(values: Values): void {
+    this.simulator.set(this.overrides.over(simulatorValues(values)));
+    this.values = { ...this.values, ...values };
+  }
+
+  /** Adds an object to the scene. */
+  put<Kind extends Object3D>(object: Kind, x = 0): Kind {
+    object.position.x = x;
+    this.scene.add(object);
+    return object;
+  }
+
+  emitFrom(object: Object3D, options: EmitterOptions | number = {}) {
+    if (typeof options === 'object') return this.handles.add(new PooledEmitter(this.pool, object, options));
+    const { simulator, overrides } = this;
+    return this.handles.add(
+      new TableEmitter({ simulator, overrides, set: (values) => this.set(values) }, object, options),
+    );
+  }
+
+  collide(object: Object3D, options: CollideOptions = {}) {
+    requireCollideOptions(options);
+    const Kind = options.feelsSmoke ? PushedObject : Collider;
+    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
+  }
+
+  attach(item: string, object: Object3D) {
+    const { riders, overrides, attached } = this;
+    return this.handles.add(new Attachment({ riders, overrides, attached }, item, object));
+  }
+
+  /** One frame of `count` steps. */
+  frame(count = 1): void {
+    this.handles.look();
+    for (let step = 0; step < count; step++) {
+      this.handles.move(step / count, (step + 1) / count);
+      this.riders.place(step / count, (step + 1) / count);
+      this.simulator.step();
+    }
+    this.handles.show(1);
+  }
+
+  frames(count: number): void {
+    for (let frame = 0; frame < count; frame++) this.frame();
+  }
+
+  /** Centres of the living particles. */
+  places(): number[][] {
+    const { count, place } = this.simulator.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
+    return Array.from({ length: count }, (_, row) =>
+      Array.from(place.subarray(PLACE_FLOATS * row, PLACE_FLOATS * row + 3)),
+    );
+  }
+}
