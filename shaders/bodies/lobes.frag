@@ -6,6 +6,7 @@ precision highp int;
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
 // DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
+// Bites are inserted, see src/smoke/bites.ts.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
@@ -54,10 +55,13 @@ Projection projection;
 const float DEPTH_MARGIN = 4e-7;
 const float NOWHERE = -1e8;
 
+#pragma insert_2
+
 // Height of a lobe's front surface at a point of the image plane.
 float frontOf(vec4 lobe, vec2 point) {
   vec2 beside = point - lobe.xy;
   float squared = lobe.w * lobe.w - dot(beside, beside);
+  #pragma insert_3
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
 }
 
@@ -73,7 +77,9 @@ vec4 nearerRim(vec4 nearest, vec4 lobe, vec2 point, float surface) {
 vec3 shareOf(vec4 lobe, vec3 place) {
   vec3 outward = place - lobe.xyz;
   float inverse = inversesqrt(max(dot(outward, outward), 1e-12));
-  float nearness = max(0.0, 1.0 - abs(1.0 / inverse - lobe.w) / fillet);
+  float away = 1.0 / inverse - lobe.w;
+  #pragma insert_4
+  float nearness = max(0.0, 1.0 - abs(away) / fillet);
   return outward * (nearness * nearness * inverse);
 }
 
@@ -112,9 +118,6 @@ vec2 viewGradient(vec2 outward) {
 #endif
 }
 
-// ERODED: bites.glsl.
-#pragma insert_bites
-
 // The centre in view space. The whole puff is lit as at its centre, because the start cap of its shadow volume depends
 // on one direction.
 vec3 centreOf(vec2 point) {
@@ -132,14 +135,13 @@ void main() {
   float lineDrop = depthsAndRamp.z;
 #endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
+  #pragma insert_5
   float height = NOWHERE;
-#ifndef ERODED
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     height = max(height, frontOf(lobes[ i ], point));
   }
   #pragma unroll_loop_end
-#endif
 
   float radius = depthsAndRamp.y;
   float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
@@ -153,32 +155,18 @@ void main() {
 #else
   float surface = heightOf((surfaceZ(clipFromView) - depthsAndRamp.x) / radius, point);
 #endif
-  vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
-#ifdef ERODED
-  placeBites(biteAxisAndErosion.w, biteAxisAndErosion.xyz, biteSideways);
-  #pragma unroll_loop_start
-  for (int i = 0; i < LOBES; i++) {
-    line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
-  }
-  #pragma unroll_loop_end
-  bool isEdge;
-  Remains remains = bitten(point, reach, line, isEdge);
-  height = remains.height;
-#else
-  const bool isEdge = false;
-#endif
   bool isRing = height <= max(NOWHERE, surface);
 #ifdef FLAT
   if (isRing == gl_FrontFacing) discard;
 #endif
+  vec4 line = vec4(0.0, 0.0, 0.0, 1e9);
   if (isRing) {
-#ifndef ERODED
     #pragma unroll_loop_start
     for (int i = 0; i < LOBES; i++) {
       line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
     }
     #pragma unroll_loop_end
-#endif
+    #pragma insert_6
 #ifdef DEFORMED
     line.w /= length(viewGradient(normalize(point - line.xy)));
 #endif
@@ -193,29 +181,19 @@ void main() {
     normal += shareOf(lobes[ i ], place);
   }
   #pragma unroll_loop_end
-#ifdef ERODED
-  bool isWall = !isRing && remains.bite >= 0;
-  if (isWall) normal = biteCentre(remains.bite) - place;
-  // The line of a bite can be far from the surface of every lobe.
-  else if (normal == vec3(0.0)) normal = vec3(0.0, 0.0, 1.0);
-#endif
   normal = normalize(normal);
   vec3 viewNormal = normal;
-#ifdef DEFORMED
-  viewNormal = normalize(stretchedNormal(projection, normal));
-#endif
-
+  normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
   float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
-#ifdef FLAT
-  bool isInk = isRing || isEdge;
-#else
-  bool isInk = isRing || isEdge || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
+  bool isInk = isRing;
+  #pragma insert_7
+#ifdef DEFORMED
+  viewNormal = normalize(stretchedNormal(projection, viewNormal));
+#endif
+#ifndef FLAT
+  isInk = isInk || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
 #endif
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
-#ifdef ERODED
-  if (!isWall)
-#endif
-  normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
 #endif
@@ -238,7 +216,7 @@ void main() {
   vec2 inward = normalize(viewGradient(line.xy - point)) * (outside / pixel + 0.5);
   float depth = isRing
     ? ringDepth(clipFromView, viewZ, viewZ - lineDrop * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
-    : windowDepth(clipFromView, isEdge ? viewZ - lineDrop : viewZ);
+    : windowDepth(clipFromView, viewZ);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
 }

@@ -3,7 +3,6 @@ precision highp int;
 
 // The body of a lobe particle: transforms the lobes to view space, and places a nailboard parallel to the image plane
 // around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
-// ERODED: puffs have bites. PARTED: a program draws only the puffs that have bites, or only the others.
 // FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
 // puff through its centre, and after it the ink, which is deeper.
 uniform mat4 viewFromWorld;
@@ -26,11 +25,6 @@ flat out vec4 middleAndInkReach;
 // and the radius is the one across the stretch. Points and lobes are those of stretch.glsl.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
-#ifdef ERODED
-// See bites.glsl; in the space of the lobes.
-flat out vec4 biteAxisAndErosion;
-flat out vec3 biteSideways;
-#endif
 
 #include ../lib/rows.glsl
 #include ../lib/pixel.glsl
@@ -39,11 +33,7 @@ flat out vec3 biteSideways;
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
-#pragma insert_bites
-#ifdef ERODED
-// Farther away from the puff than any line is wide, in radii.
-const float GONE = 1e4;
-#endif
+#pragma insert_0
 
 void main() {
   readRow();
@@ -90,32 +80,7 @@ void main() {
 #else
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
-
-#ifdef ERODED
-  vec3 axis = viewFromPuff * biteAxis(variation);
-  vec3 sideways = viewFromPuff * biteSide(variation);
-#ifdef DEFORMED
-  axis = unstretched(projection, axis / across);
-  sideways = unstretched(projection, sideways / across);
-#endif
-  biteAxisAndErosion = vec4(axis, erosionOf(attributes));
-  biteSideways = sideways;
-  if (erosionOf(attributes) > EROSION_LEAD) {
-    placeBites(erosionOf(attributes), axis, sideways);
-    lowest = vec2(0.0);
-    highest = vec2(0.0);
-    #pragma unroll_loop_start
-    for (int i = 0; i < LOBES; i++) {
-      // Nothing must be drawn around a lobe of which nothing is left.
-      if (isEaten(lobes[ i ])) lobes[ i ] = vec4(GONE, GONE, 0.0, 0.0);
-      else {
-        lowest = min(lowest, lobes[ i ].xy - lobes[ i ].w);
-        highest = max(highest, lobes[ i ].xy + lobes[ i ].w);
-      }
-    }
-    #pragma unroll_loop_end
-  }
-#endif
+  #pragma insert_1
 
   vec2 margin = corner * inkReach;
 #ifdef DEFORMED
@@ -145,14 +110,5 @@ void main() {
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   clip.z = 0.0;
 #endif
-  bool isDrawn = radius > 0.0;
-#ifdef PARTED
-  bool hasBites = erosionOf(attributes) > EROSION_LEAD;
-#ifdef ERODED
-  isDrawn = isDrawn && hasBites;
-#else
-  isDrawn = isDrawn && !hasBites;
-#endif
-#endif
-  gl_Position = isDrawn ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

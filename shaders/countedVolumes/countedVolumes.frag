@@ -15,15 +15,9 @@ uniform vec2 viewportOrigin;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
-#ifdef ERODED
 flat in vec4 discs[LOBES];
-flat in vec4 biteSideAndSqueeze;
-#define squeeze biteSideAndSqueeze.w
-#else
-flat in vec3 discs[LOBES];
 #ifdef DEFORMED
 flat in float squeeze;
-#endif
 #endif
 
 #include ../lib/depth.glsl
@@ -33,7 +27,7 @@ const float FAR = 1e20;
 
 // Extends the interval (from, to) along a line by its intersection with a disc. The line has a unit direction and a
 // signed distance from the origin, positive to the left.
-void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
+void pass(inout vec2 stretch, vec4 disc, vec2 direction, float offset) {
   float beside = direction.x * disc.y - direction.y * disc.x - offset;
   float squared = disc.z - beside * beside;
   float middle = dot(disc.xy, direction);
@@ -71,7 +65,7 @@ void main() {
   vec2 stretch = vec2(FAR, -FAR);
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    pass(stretch, discs[ i ].xyz, direction, offset);
+    pass(stretch, discs[ i ], direction, offset);
   }
   #pragma unroll_loop_end
 

@@ -57,11 +57,6 @@ vec4 stretchOf(uint word) {
   return vec4(normalize(vec3(xy, z)), ratio);
 }
 
-// How far a puff is dissolved, 0 to 1.
-float erosionOf(uvec4 attributes) {
-  return float(attributes.w >> 24u) / 255.0;
-}
-
 // Ramp index of a tint: 0 without a tint, else one of the tint ramps in rotation.
 int toneOf(uvec4 attributes) {
   const int TINTS = 3;

@@ -25,27 +25,17 @@ uniform float reach;
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
-// Discs on the plane where the scale is 1: centre and squared radius.
-#ifdef ERODED
-// And the middle of the lobe along the light. The bites are in the frame of the discs, see bites.glsl. The w components are 255
-// times the erosion, plus half of the width across the stretch, and `squeeze`.
+// Discs on the plane where the scale is 1: centre and squared radius; and the middle of the lobe along the light.
 flat out vec4 discs[LOBES];
-flat out vec4 biteAxisAndErosion;
-flat out vec4 biteSideAndSqueeze;
-#define squeeze biteSideAndSqueeze.w
-#else
-flat out vec3 discs[LOBES];
 #ifdef DEFORMED
 // Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
 flat out float squeeze;
-#endif
 #endif
 
 #include attributes.glsl
 #include orientation.glsl
 #include box.glsl
 #include light.glsl
-#pragma insert_bites
 
 const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
@@ -91,14 +81,8 @@ float farthest;
 // frame, which makes the discs of lobes circles.
 vec3 widthTiltFactor;
 #endif
-#ifdef ERODED
-// Distance from the centre to the end of the puff, in radii along the light's travel.
-float behind;
-#ifdef DEFORMED
-// Half of the extent of a stretched ball along the light in its radii; factor on depths where balls are balls, and shear.
-vec3 supportDepthShear;
-#endif
-#endif
+
+#pragma insert_8
 
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
@@ -110,10 +94,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
 #endif
-#ifdef ERODED
-  // Bites open the puff to the light up to its end.
-  cap = mix(cap, max(cap, behind), min(erosionOf(attributes) / EROSION_LEAD, 1.0));
-#endif
+  #pragma insert_9
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
   return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
 }
@@ -135,38 +116,24 @@ vec4 lobeOf(int index, int variation) {
   return lobe;
 }
 
-#ifdef ERODED
-// A place in the frame of the discs, where balls are balls along the light, too.
-vec3 inDiscFrame(vec3 seen) {
-#ifdef DEFORMED
-  return vec3(seen.x, seen.y * widthTiltFactor.z, supportDepthShear.y * (seen.z + supportDepthShear.z * seen.y));
-#else
-  return seen;
-#endif
-}
-#endif
-
 // The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
-vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
+vec4 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
+  float middle = seen.z;
 #ifdef DEFORMED
   lobe.w *= widthTiltFactor.x;
   farthest = max(farthest, seen.z + lobe.w * widthTiltFactor.y);
-#ifdef ERODED
-  behind = max(behind, seen.z + lobe.w * supportDepthShear.x);
-#endif
   seen.y *= widthTiltFactor.z;
-#elif defined(ERODED)
-  behind = max(behind, seen.z + lobe.w);
 #endif
+  #pragma insert_10
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
   float slope = radius * growth;
-  return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
+  return vec4(seen.xy * nearness, radius * radius / (1.0 - slope * slope), middle);
 }
 
 // Distance from the centre to the far side of a disc.
-float farSide(vec3 disc) {
+float farSide(vec4 disc) {
 #ifdef DEFORMED
   return length(vec2(disc.x, disc.y / widthTiltFactor.z)) + sqrt(disc.z) / widthTiltFactor.z;
 #else
@@ -181,22 +148,13 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 #ifdef DEFORMED
   farthest = 0.0;
 #endif
-#ifdef ERODED
-  behind = 0.0;
-#endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    discs[ i ].xyz = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
-#ifdef ERODED
-    discs[ i ].w = inDiscFrame(frameFromPuff * lobeOf(UNROLLED_LOOP_INDEX, variation).xyz).z;
-#endif
-    widest = max(widest, farSide(discs[ i ].xyz));
+    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, farSide(discs[ i ]));
   }
   #pragma unroll_loop_end
-#ifdef ERODED
-  biteAxisAndErosion.xyz = inDiscFrame(frameFromPuff * biteAxis(variation));
-  biteSideAndSqueeze.xyz = inDiscFrame(frameFromPuff * biteSide(variation));
-#endif
+  #pragma insert_11
   return widest;
 }
 
@@ -223,9 +181,7 @@ bool writeVolume(out Ends ends) {
   float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
   float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
   widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
-#ifdef ERODED
-  supportDepthShear = vec3(sqrt(support), projection.depth, dot(projection.shear, along));
-#endif
+  #pragma insert_12
 #endif
 
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
@@ -236,15 +192,6 @@ bool writeVolume(out Ends ends) {
   if (extent <= 0.0) return false;
 #ifdef DEFORMED
   squeeze = widthTiltFactor.z;
-#endif
-#ifdef ERODED
-  float across = 1.0;
-#ifdef DEFORMED
-  across = widthTiltFactor.x;
-#else
-  squeeze = 1.0;
-#endif
-  biteAxisAndErosion.w = float(attributes.w >> 24u) + 0.5 * across;
 #endif
   vec3 start = centre + cap * place.w * axis;
   float scale = 1.0 + growth * cap;

@@ -13,29 +13,21 @@ uniform sampler2D receiverDepth;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
-#ifdef ERODED
 flat in vec4 discs[LOBES];
-flat in vec4 biteAxisAndErosion;
-flat in vec4 biteSideAndSqueeze;
-#define squeeze biteSideAndSqueeze.w
-#else
-flat in vec3 discs[LOBES];
 #ifdef DEFORMED
 flat in float squeeze;
-#endif
 #endif
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
 
 // Positive in a disc.
-float within(vec3 disc, vec2 point) {
+float within(vec4 disc, vec2 point) {
   vec2 offset = point - disc.xy;
   return disc.z - dot(offset, offset);
 }
 
-// ERODED: bites.glsl.
-#pragma insert_bites
+#pragma insert_13
 
 void main() {
   float z = viewZOf(clipFromView, texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r);
@@ -50,12 +42,9 @@ void main() {
   float inside = 0.0;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    inside = max(inside, within(discs[ i ].xyz, point));
+    inside = max(inside, within(discs[ i ], point));
   }
   #pragma unroll_loop_end
   if (!(place.z >= 0.0 && place.z <= rightAndLength.w && inside > 0.0)) discard;
-#ifdef ERODED
-  float erosion = floor(biteAxisAndErosion.w) / 255.0;
-  if (erosion > EROSION_LEAD && !isShaded(point, erosion, 2.0 * fract(biteAxisAndErosion.w))) discard;
-#endif
+  #pragma insert_14
 }

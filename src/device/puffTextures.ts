@@ -4,9 +4,9 @@ import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
 import { capRange, capTexture } from './capTexture.ts';
+import type { BiteDrawing } from './drawnRows.ts';
 import { Shared } from './shared.ts';
 import type { BillboardData, FormTextures } from './formTextures.ts';
-import type { BiteShaders, PuffChanges } from './unroll.ts';
 
 /** How a puff is drawn: as lobes that are intersected per pixel, or as the paper's billboards, baked from one side. */
 export type PuffForm = 'lobes' | 'billboards';
@@ -24,25 +24,19 @@ export interface BakedPuffs {
   readonly billboards: BillboardPuffs;
 }
 
-/** Varyings of puffs with bites besides those of the lobes. WebGL 2 guarantees 15. */
-const VARYINGS_BESIDE_LOBES = 5;
+/** How puffs with bites differ from whole ones: see src/smoke/bites.ts. */
+export interface Bites extends BiteDrawing {
+  formOf(whole: FormTextures): FormTextures;
+}
 
 /** The puff textures of a device. Smokes with the same puffs share them. */
 export class PuffLibrary {
   readonly lobes = new Shared((puffs: LobePuffs) => new LobeTextures(puffs));
   readonly billboards: Shared<BillboardPuffs, BillboardTextures>;
-  /** Vectors that the context can pass from a vertex shader to a fragment shader. */
-  private readonly varyings: number;
 
   /** @param context its extensions decide which texture filters are available */
   constructor(context: WebGL2RenderingContext) {
     this.billboards = new Shared((puffs) => puffs.texturesFor(context));
-    this.varyings = context.getParameter(context.MAX_VARYING_VECTORS) as number;
-  }
-
-  /** Whether puffs with a number of lobes can have bites on this device. */
-  canErode(lobes: number): boolean {
-    return lobes + VARYINGS_BESIDE_LOBES <= this.varyings;
   }
 
   /** Frees all GPU resources. They are uploaded again when they are next drawn. */
@@ -57,7 +51,8 @@ export class PuffTextures {
   private readonly library: PuffLibrary;
   private puffs: BakedPuffs;
   private deformedBy: number | undefined;
-  private bites: BiteShaders | undefined;
+  /** The bites of lobe puffs, if they may have bites. Passes have to call `of` again after a change. */
+  bites: Bites | undefined;
   private lobeTextures: LobeTextures | undefined;
   private billboardTextures: BillboardTextures | undefined;
 
@@ -76,26 +71,20 @@ export class PuffTextures {
     return this.billboardTextures;
   }
 
-  /** How lobe puffs differ from their baked shapes. */
-  get changes(): PuffChanges {
-    const fits = this.library.canErode(this.puffs.lobes.lobeCount);
-    return { isDeformed: this.deformedBy !== undefined, bites: fits ? this.bites : undefined };
+  /** Whether lobe puffs turn or stretch with the air, or unfold. */
+  get isDeformed(): boolean {
+    return this.deformedBy !== undefined;
   }
 
-  /**
-   * @param ratio greatest ratio of the axes of lobe puffs; undefined if they have their baked shapes
-   * @param bites code of their bites, if they have bites; puffs with more than ten lobes have none on some GPUs
-   */
-  change(ratio: number | undefined, bites: BiteShaders | undefined): void {
+  /** @param ratio greatest ratio of the axes of lobe puffs; undefined if they have their baked shapes */
+  deform(ratio: number | undefined): void {
     this.deformedBy = ratio;
-    this.bites = bites;
   }
 
   of(form: PuffForm): FormTextures {
     if (form === 'billboards') return this.billboards;
-    const { lobes, deformedBy } = this;
-    const whole = deformedBy === undefined ? lobes : deformed(lobes, deformedBy);
-    return this.changes.bites ? eroded(whole) : whole;
+    const whole = this.deformedBy === undefined ? this.lobes : deformed(this.lobes, this.deformedBy);
+    return this.bites?.formOf(whole) ?? whole;
   }
 
   /** Replaces the puffs. Passes have to call `of` again. */
@@ -137,13 +126,6 @@ function deformed(lobes: FormTextures, ratio: number): FormTextures {
     latestCap: 0,
     solids: { ...solids, tolerance: 2 * spread * solids.tolerance },
   };
-}
-
-/** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */
-function eroded(form: FormTextures): FormTextures {
-  const { startCaps, casterTable, casterLobes, capTable, solids, reach, spread, latestCap } = form;
-  const same = { startCaps, casterTable, casterLobes, capTable, solids, reach, spread, latestCap };
-  return { ...same, depth: reach, capRange: [form.capRange[0], reach] };
 }
 
 /** The lobes of all puffs as a texture, with a row for each variation. */

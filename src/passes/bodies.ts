@@ -15,20 +15,20 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { puffDefines, withLobes, type PuffChanges } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */
 export type Gradient = 'none' | 'puff' | 'height' | 'screen' | 'age';
 
 /** What changes the code of bodies. */
-export interface BodyKind extends PuffChanges {
+export interface BodyKind {
   /** Whether puffs have the depth of their quads, for GPUs that do not keep the depth that fragments write. */
   isFlat: boolean;
   /** Whether puffs also write the shading of `Targets`. */
   isShaded: boolean;
-  /** Whether a program draws only the puffs that have bites, or only the others. */
-  part?: 'bitten' | 'whole';
+  /** Whether lobe puffs turn or stretch with the air, or unfold. */
+  isDeformed: boolean;
 }
 
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
@@ -42,8 +42,6 @@ export class BodiesPass {
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
   private isShaded = false;
-  /** Materials of whole puffs and of those with bites, which take much longer to draw; undefined if none has bites. */
-  private parts: readonly RawShaderMaterial[] | undefined;
   private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     surfaceDepth: { value: null as Texture | null },
@@ -88,8 +86,7 @@ export class BodiesPass {
    */
   setForm(billboards?: Shaders, isShaded = false): void {
     this.isShaded = isShaded;
-    const drawsLobes = !billboards || this.isFlat;
-    this.parts = drawsLobes && this.puffs.changes.bites ? this.partMaterials() : undefined;
+    this.rows.bites = this.puffs.bites;
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 
@@ -121,11 +118,10 @@ export class BodiesPass {
    */
   draw(renderer: WebGLRenderer, rows: RowGeometry, surfaces?: SurfaceDepth): void {
     this.touch(surfaces);
-    if (!this.parts) return this.rows.draw(renderer, rows);
-    for (const part of this.parts) this.rows.drawAs(renderer, part, rows);
+    this.rows.draw(renderer, rows);
   }
 
-  /** A material that draws all rows in one draw call. */
+  /** The material of the draw call. */
   get material(): RawShaderMaterial {
     return this.rows.material;
   }
@@ -155,13 +151,6 @@ export class BodiesPass {
     return this.materialOf(lobeCount, lobeBodyShaders(lobeCount, this.kind));
   }
 
-  private partMaterials(): RawShaderMaterial[] {
-    const { lobeCount } = this.puffs.lobes.puffs;
-    return (['whole', 'bitten'] as const).map((part) =>
-      this.materialOf(lobeCount, lobeBodyShaders(lobeCount, { ...this.kind, part })),
-    );
-  }
-
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
     const { layers, normalDepth, colorCoverage } = this.puffs.billboards;
     this.puffUniforms.normalDepth.value = normalDepth;
@@ -172,7 +161,7 @@ export class BodiesPass {
   }
 
   private get kind(): BodyKind {
-    return { isFlat: this.isFlat, isShaded: this.isShaded, ...this.puffs.changes };
+    return { isFlat: this.isFlat, isShaded: this.isShaded, isDeformed: this.puffs.isDeformed };
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -194,13 +183,12 @@ export class BodiesPass {
 /** The shaders of puffs with a number of lobes, with their loops unrolled. */
 export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   return {
-    vertexShader: withLobes(lobesVertexShader, lobes, kind.bites?.placing),
-    fragmentShader: withLobes(lobesFragmentShader, lobes, kind.part === 'whole' ? '' : kind.bites?.ofBodies),
+    vertexShader: withLobes(lobesVertexShader, lobes),
+    fragmentShader: withLobes(lobesFragmentShader, lobes),
     defines: definesOf(kind),
   };
 }
 
-function definesOf({ isFlat, isShaded, part, isDeformed, bites }: BodyKind): Shaders['defines'] {
-  const own = { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }), ...(part && { PARTED: '' }) };
-  return { ...own, ...puffDefines({ isDeformed, bites: part === 'whole' ? undefined : bites }) };
+function definesOf({ isFlat, isShaded, isDeformed }: BodyKind): Shaders['defines'] {
+  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }), ...(isDeformed && DEFORMED) };
 }

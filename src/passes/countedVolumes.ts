@@ -6,7 +6,7 @@ import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
-import { puffDefines, withLobes, type PuffChanges } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import { ParticleVolumes } from './volumes.ts';
 
 /** The front of a quad, then its back. */
@@ -46,10 +46,10 @@ export class CountedVolumesPass extends ParticleVolumes {
     super.dispose();
   }
 
-  protected materialWith(lobes: number, changes: PuffChanges): RawShaderMaterial {
+  protected materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return countingMaterial({
-      defines: puffDefines(changes),
-      vertexShader: withLobes(vertexShader, lobes, changes.bites?.placing),
+      defines: isDeformed ? DEFORMED : {},
+      vertexShader: withLobes(vertexShader, lobes),
       fragmentShader: withLobes(fragmentShader, lobes),
       uniforms: this.uniforms,
     });

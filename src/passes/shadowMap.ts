@@ -24,7 +24,7 @@ import { pictureTarget } from '../device/pictureTarget.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { Shaders } from '../device/programsAhead.ts';
-import { puffDefines, puffKey, withLobes, type PuffChanges } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 import { BodiesPass } from './bodies.ts';
 import { SurfaceTransforms } from './surfaceTransforms.ts';
 import type { SurfaceDescription } from './surface.ts';
@@ -195,8 +195,8 @@ class LobeDepths {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   private readonly rows: DrawnRows;
-  /** Materials by lobe count and by what changes their code, because the shaders unroll the loop over the lobes. */
-  private readonly materials = new Map<string, RawShaderMaterial>();
+  /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
+  private readonly materials = new Map<number, RawShaderMaterial>();
 
   constructor(lightEye: FrameView, puffs: PuffTextures) {
     this.puffs = puffs;
@@ -220,18 +220,18 @@ class LobeDepths {
   /** Binds the current puff textures and returns the material for their lobe count. */
   private material(): RawShaderMaterial {
     const { casterTable, casterLobes, reach } = this.puffs.of('lobes');
-    const changes = { isDeformed: this.puffs.changes.isDeformed };
+    const { isDeformed } = this.puffs;
     this.uniforms.lobeTable.value = casterTable;
     this.uniforms.reach.value = reach;
-    const key = puffKey(casterLobes, changes);
-    const material = this.materials.get(key) ?? this.makeMaterial(casterLobes, changes);
+    const key = isDeformed ? -casterLobes : casterLobes;
+    const material = this.materials.get(key) ?? this.makeMaterial(casterLobes, isDeformed);
     this.materials.set(key, material);
     return material;
   }
 
-  private makeMaterial(lobes: number, changes: PuffChanges): RawShaderMaterial {
+  private makeMaterial(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return new RawShaderMaterial({
-      defines: puffDefines(changes),
+      defines: isDeformed ? DEFORMED : {},
       glslVersion: GLSL3,
       vertexShader: withLobes(lobesVertexShader, lobes),
       fragmentShader: withLobes(lobesFragmentShader, lobes),

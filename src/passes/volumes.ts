@@ -16,7 +16,7 @@ import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { puffDefines, puffKey, withLobes, type PuffChanges } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/unroll.ts';
 
 /** Distance behind a puff's centre, in radii, beyond which the puff has no points, relief included. */
 const BEHIND_THE_PUFF = 1.2;
@@ -27,8 +27,8 @@ const DISC_REACH = 1.15;
 export abstract class ParticleVolumes {
   protected readonly uniforms: Record<string, IUniform>;
   private readonly puffs: PuffTextures;
-  /** Materials by lobe count and by what changes their code, because the shaders unroll the loop over the lobes. */
-  private readonly materials = new Map<string, RawShaderMaterial>();
+  /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
+  private readonly materials = new Map<number, RawShaderMaterial>();
   protected readonly form = {
     minCap: { value: 0 },
     facesEye: { value: false },
@@ -50,6 +50,7 @@ export abstract class ParticleVolumes {
    */
   follow(form: PuffForm, litThreshold: number): void {
     this.quads.material = this.materialFor(form, litThreshold);
+    this.quads.bites = this.puffs.bites;
   }
 
   /** Least distance behind a puff's centre at which volumes start, in radii. */
@@ -73,12 +74,12 @@ export abstract class ParticleVolumes {
 
   protected abstract readonly quads: DrawnRows;
 
-  protected abstract materialWith(lobes: number, changes: PuffChanges): RawShaderMaterial;
+  protected abstract materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial;
 
   /** Binds the textures of a puff form and returns the material for its lobe count. */
   protected materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
     const { startCaps, latestCap, casterTable, casterLobes, reach, depth, spread } = this.puffs.of(form);
-    const { changes } = this.puffs;
+    const { isDeformed } = this.puffs;
     const uniforms = this.form;
     uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);
     uniforms.facesEye.value = form === 'billboards';
@@ -86,8 +87,8 @@ export abstract class ParticleVolumes {
     uniforms.casterTable.value = casterTable;
     uniforms.reach.value = reach;
     uniforms.depth.value = depth;
-    const key = puffKey(casterLobes, changes);
-    const material = this.materials.get(key) ?? this.materialWith(casterLobes, changes);
+    const key = isDeformed ? -casterLobes : casterLobes;
+    const material = this.materials.get(key) ?? this.materialWith(casterLobes, isDeformed);
     this.materials.set(key, material);
     return material;
   }
@@ -119,13 +120,13 @@ export class VolumesPass extends ParticleVolumes {
     this.quads.draw(renderer, rows);
   }
 
-  protected shadersWith(lobes: number, changes: PuffChanges): Shaders {
-    return volumeShaders(lobes, changes);
+  protected shadersWith(lobes: number, isDeformed: boolean): Shaders {
+    return volumeShaders(lobes, isDeformed);
   }
 
-  protected materialWith(lobes: number, changes: PuffChanges): RawShaderMaterial {
+  protected materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial {
     return new RawShaderMaterial({
-      ...this.shadersWith(lobes, changes),
+      ...this.shadersWith(lobes, isDeformed),
       uniforms: this.uniforms,
       glslVersion: GLSL3,
       side: DoubleSide,
@@ -139,11 +140,11 @@ export class VolumesPass extends ParticleVolumes {
 }
 
 /** The shaders of volumes of puffs with a number of lobes, with their loops unrolled. */
-export function volumeShaders(lobes: number, changes: PuffChanges): Shaders {
+export function volumeShaders(lobes: number, isDeformed: boolean): Shaders {
   return {
-    vertexShader: withLobes(vertexShader, lobes, changes.bites?.placing),
-    fragmentShader: withLobes(fragmentShader, lobes, changes.bites?.ofVolumes),
-    defines: puffDefines(changes),
+    vertexShader: withLobes(vertexShader, lobes),
+    fragmentShader: withLobes(fragmentShader, lobes),
+    defines: isDeformed ? DEFORMED : {},
   };
 }
 

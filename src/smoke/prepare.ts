@@ -38,16 +38,16 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 
 /**
  * Compiles the two slowest programs, the bodies and the volumes of lobe puffs, while other resources load, and resolves
- * when they are ready. Other programs are small or rarely used, such as those of puffs with bites.
+ * when they are ready. Other programs are small or rarely used.
  */
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
   const { isDeformed } = style;
-  const kind = { isDeformed, isFlat: !device.writesDepth, isShaded: isSimplified(style) };
+  const kind = { isFlat: !device.writesDepth, isShaded: isSimplified(style), isDeformed };
   device.programs.compile(device.renderer, lobeBodyShaders(lobes, kind));
-  device.programs.compile(device.renderer, volumeShaders(lobes, { isDeformed }));
+  device.programs.compile(device.renderer, volumeShaders(lobes, isDeformed));
   await device.programs.finished(device.renderer);
 }
 

@@ -178,7 +178,8 @@ export class SmokeRenderer {
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
-    this.puffs.change(style.isDeformed ? style.stretch : undefined, style.isEroded ? codeOf('bites').BITES : undefined);
+    this.puffs.deform(style.isDeformed ? style.stretch : undefined);
+    this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     const strokes = hasStrokes(style) ? extras.strokes : undefined;

@@ -70,7 +70,7 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   billow: number;
   /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
   isDeformed: boolean;
-  /** Whether puffs have bites as they dissolve. Billboards do not. */
+  /** Whether puffs have bites as they dissolve. */
   isEroded: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
@@ -104,7 +104,10 @@ export function styleOf(values: Values): Style {
     ...same,
     form: values['puff.form'] as PuffForm,
     ...deformationOf(values),
-    isEroded: hasBites(values),
+    isEroded:
+      values['puff.form'] === 'lobes' &&
+      values['style.renderer'] === 'nailboards' &&
+      values['emission.dissolve'] === 'erode',
     gradientHeights: [gradientBottom, gradientTop],
     stops: ramp,
     isBlended: rampBlend,
@@ -114,11 +117,6 @@ export function styleOf(values: Values): Style {
     backdropColors: backdrop,
     wash: { share: wash, color: washColor },
   };
-}
-
-/** Whether puffs have bites as they dissolve. */
-export function hasBites(values: Values): boolean {
-  return values['puff.form'] === 'lobes' && values['emission.dissolve'] === 'erode';
 }
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */

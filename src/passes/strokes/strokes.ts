@@ -22,7 +22,7 @@ import type { FrameView, ViewUniforms } from '../../device/frameView.ts';
 import { FullScreen, pictureMaterial } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
 import type { PuffTextures } from '../../device/puffTextures.ts';
-import { puffDefines } from '../../device/unroll.ts';
+import { DEFORMED } from '../../device/unroll.ts';
 import type { SurfaceDepth } from '../surfaceDepth.ts';
 import type { Targets } from '../targets.ts';
 import { SEGMENTS, StrokeRows } from './strokeRows.ts';
@@ -53,7 +53,7 @@ export class StrokesPass {
     this.uniforms = { ...eye.uniforms, ...strokeUniforms(this.standings.texture) };
     this.kinds = {
       plain: new StrokeShaders(this.uniforms, {}),
-      deformed: new StrokeShaders(this.uniforms, puffDefines({ isDeformed: true })),
+      deformed: new StrokeShaders(this.uniforms, DEFORMED),
     };
     this.strips = new DrawnRows(this.kinds.plain.strips);
     this.ink = new FullScreen(
@@ -117,7 +117,7 @@ export class StrokesPass {
   }
 
   private get kind(): StrokeShaders {
-    return this.puffs.changes.isDeformed ? this.kinds.deformed : this.kinds.plain;
+    return this.puffs.isDeformed ? this.kinds.deformed : this.kinds.plain;
   }
 
   /** Compares the depth at all samples. */
@@ -139,7 +139,7 @@ class StrokeShaders {
   readonly strips: RawShaderMaterial;
   readonly samples: DrawnPoints;
 
-  constructor(uniforms: ViewUniforms, kind: Readonly<Record<string, string>>) {
+  constructor(uniforms: ViewUniforms, kind: Record<string, string>) {
     const defines = { SEGMENTS: String(SEGMENTS), ...kind };
     this.samples = new DrawnPoints(standingVertexShader, standingFragmentShader, uniforms, defines);
     this.strips = pictureMaterial({

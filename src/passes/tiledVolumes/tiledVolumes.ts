@@ -4,7 +4,7 @@ import type { RowGeometry } from '../../device/drawnRows.ts';
 import type { FrameView } from '../../device/frameView.ts';
 import type { Shaders } from '../../device/programsAhead.ts';
 import type { PuffTextures } from '../../device/puffTextures.ts';
-import { withLobes, type PuffChanges } from '../../device/unroll.ts';
+import { withLobes } from '../../device/unroll.ts';
 import type { Targets } from '../targets.ts';
 import { VolumesPass } from '../volumes.ts';
 import { DepthRanges } from './depthRanges.ts';
@@ -47,11 +47,8 @@ export class TiledVolumesPass extends VolumesPass {
     this.tiled?.dispose();
   }
 
-  protected override shadersWith(lobes: number, changes: PuffChanges): Shaders {
-    return {
-      ...super.shadersWith(lobes, changes),
-      vertexShader: withLobes(vertexShader, lobes, changes.bites?.placing),
-    };
+  protected override shadersWith(lobes: number, isDeformed: boolean): Shaders {
+    return { ...super.shadersWith(lobes, isDeformed), vertexShader: withLobes(vertexShader, lobes) };
   }
 
   private find(renderer: WebGLRenderer, { rows }: RowGeometry, targets: Targets): VolumeQuads {
