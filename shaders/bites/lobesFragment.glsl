@@ -6,7 +6,7 @@ flat in vec4 sideBiteAndPair;
 #include cut.glsl
 
 // Lines are as if no surface was steeper than this against the eye: the least cosine.
-const float STEEPEST_LINED = 0.5;
+const float STEEPEST_LINED = 0.3;
 
 // Radii of the far and of the side bite.
 vec2 otherRadii;
@@ -38,11 +38,6 @@ void meetBites(vec2 point) {
   bitesStart = vec3(first.y, second.y, third.y);
 }
 
-// Of a point at an offset from the middle of a bite: positive outside.
-float powerOf(vec3 offset, float radius) {
-  return dot(offset, offset) - radius * radius;
-}
-
 vec2 viewGradient(vec2 outward);
 
 // The width of a line along an edge, on a surface of which the height falls by `lean`, if the distance from the edge grows along
@@ -70,17 +65,22 @@ float widthAcross(vec3 direction, vec2 lean) {
   vec3 fromNear = shown - nearBite.xyz;
   vec3 fromSide = shown - sideBiteAndPair.xyz;
   vec3 fromFar = shown + nearBite.xyz;
-  vec3 powers = vec3(powerOf(fromNear, nearBite.w), powerOf(fromSide, otherRadii.y), powerOf(fromFar, otherRadii.x));
-  if (isRing && min(min(powers.x, powers.y), powers.z) < 0.0) discard;
+  vec3 radii = vec3(nearBite.w, otherRadii.yx);
+  vec3 powers = vec3(dot(fromNear, fromNear), dot(fromSide, fromSide), dot(fromFar, fromFar)) - radii * radii;
+  // The line around a lobe tapers towards a bite.
+  if (isRing && any(lessThan(powers, 4.0 * line.w * radii))) discard;
   bvec3 isOfWall = equal(vec3(height), walls);
   bool isWall = !isRing && any(isOfWall);
   vec3 outOfLobes = viewNormal;
   if (isWall) normal = viewNormal = -normalize(isOfWall.x ? fromNear : isOfWall.y ? fromSide : fromFar);
   vec2 lean = viewNormal.xy / max(viewNormal.z, STEEPEST_LINED);
   vec3 widths = vec3(widthAcross(fromNear, lean), widthAcross(fromSide, lean), widthAcross(fromFar, lean));
-  // Where the wall of a bite meets the front of a lobe, the line is on the front.
-  bool isBehind = isWall && outOfLobes.z < 0.0 && -deepest < reach * widthAcross(outOfLobes, lean);
-  if (!isRing && (isBehind || any(lessThan(powers + 1e3 * vec3(isOfWall), 2.0 * reach * widths)))) {
+  // Between two walls, each has half of the line.
+  if (isWall) widths *= mix(vec3(0.5), vec3(1.0), greaterThan(vec3(fromNear.z, fromSide.z, fromFar.z), vec3(0.0)));
+  // Where the wall of a bite meets the front of a lobe, the line is on the front, unless the front is too narrow.
+  float share = min(1.0, 1.0 - 2.0 * outOfLobes.z);
+  bool isBehind = isWall && -deepest < share * reach * widthAcross(outOfLobes, lean);
+  if (!isRing && (isBehind || any(lessThan(powers + 1e3 * vec3(isOfWall), 2.0 * reach * sign(radii) * widths)))) {
     isInk = true;
     viewZ -= lineDrop;
   }

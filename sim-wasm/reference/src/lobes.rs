@@ -1,7 +1,5 @@
 //! A puff: balls, stretched to ellipsoids; a ray along the view axis meets the nearest surface.
 
-use std::f64::consts::TAU;
-
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::attributes::{PackedAttributes, unfolded, unstretched};
@@ -9,8 +7,8 @@ use crate::bites::{self, EROSION_LEAD};
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
-/// Directions in which an edge is sought.
-const LINE_SIDES: usize = 8;
+/// Lines are as if no surface was steeper than this against the eye: the least cosine.
+const STEEPEST_LINED: f64 = 0.3;
 
 #[derive(Clone, Copy)]
 pub struct Lobe {
@@ -122,26 +120,11 @@ impl Lobes {
             }
         }
         let height = |height: f64| (height - on_board.z) / depth;
-        let top_of_whole = top;
         let mut wall = None;
         let mut is_edge = false;
         if !self.bites.is_empty() {
-            let left = self.remains(seen, 0.0);
-            (top, wall) = left.unwrap_or((f64::NEG_INFINITY, None));
-            if let Some(bite) = wall {
-                let outward = (seen - self.bites[bite].center.truncate()).normalize_or_zero();
-                let beside = self.remains(seen + outward * line * (plane * outward).length(), 0.0);
-                is_edge = beside.is_some_and(|(_, other)| other != wall);
-            }
-            if left.is_none() && (top_of_whole > f64::NEG_INFINITY || self.is_rim_bitten(&rim, seen)) {
-                let edge = self.edge_of_bite(seen, line);
-                return Meeting {
-                    height: edge.map_or(0.0, |(height, _)| (height - on_board.z) / depth),
-                    outside: edge.map_or(f64::INFINITY, |_| 0.5 * line),
-                    rim: edge.map_or(point, |(_, offset)| point + offset),
-                    ..rim
-                };
-            }
+            (top, wall) = self.remains(seen).unwrap_or((f64::NEG_INFINITY, None));
+            is_edge = self.is_edge(seen.extend(top), wall, line);
         }
         if top > surface {
             Meeting {
@@ -154,44 +137,52 @@ impl Lobes {
         } else {
             // Distances along the gradient.
             let gradient = plane * (rim.rim - seen);
+            let outside = rim.outside / (plane * (rim.rim - seen).normalize()).length();
+            let end = (seen + rim.outside * (rim.rim - seen).normalize_or_zero()).extend(rim.height);
+            // The line around a lobe tapers towards a bite.
+            let is_bitten = self
+                .bites
+                .iter()
+                .any(|bite| power(end, bite) < 4.0 * outside * bite.radius);
             Meeting {
                 height: height(rim.height),
-                outside: rim.outside / (plane * (rim.rim - seen).normalize()).length(),
+                outside: if is_bitten { f64::INFINITY } else { outside },
                 rim: point + gradient,
                 ..rim
             }
         }
     }
 
-    /// What is left over a point where lobes are balls, with lobes that are larger and bites that are smaller by the width of
-    /// a line: its height, and the bite whose wall it is.
-    fn remains(&self, seen: DVec2, line: f64) -> Option<(f64, Option<usize>)> {
-        let plane = DMat2::from_mat3(self.unstretched);
-        let wider = |ball: &Lobe, line: f64| {
-            let outward = (seen - ball.center.truncate()).normalize_or_zero();
-            let radius = ball.radius + line * (plane * outward).length();
-            bites::crossed(seen.extend(0.0), DVec3::Z, Lobe { radius, ..*ball })
-        };
-        let lobes: Vec<_> = self.lobes.iter().filter_map(|lobe| wider(lobe, line)).collect();
-        let bites: Vec<_> = self.bites.iter().map(|bite| wider(bite, -line)).collect();
+    /// What is left over a point where lobes are balls: its height, and the bite whose wall it is.
+    fn remains(&self, seen: DVec2) -> Option<(f64, Option<usize>)> {
+        let through = |ball: &Lobe| bites::crossed(seen.extend(0.0), DVec3::Z, *ball);
+        let lobes: Vec<_> = self.lobes.iter().filter_map(through).collect();
+        let bites: Vec<_> = self.bites.iter().map(through).collect();
         bites::top(&lobes, &bites)
     }
 
-    /// The height of what is left within the width of a line, and the way to it.
-    fn edge_of_bite(&self, seen: DVec2, line: f64) -> Option<(f64, DVec2)> {
-        self.remains(seen, line)?;
-        (0..LINE_SIDES).find_map(|side| {
-            let offset = line * DVec2::from_angle(TAU / LINE_SIDES as f64 * side as f64);
-            let (height, _) = self.remains(seen + DMat2::from_mat3(self.unstretched) * offset, 0.0)?;
-            Some((height, offset))
-        })
-    }
-
-    /// Whether a bite contains the nearest point of the rim that was met.
-    fn is_rim_bitten(&self, rim: &Meeting, seen: DVec2) -> bool {
-        let place = seen + rim.outside * (rim.rim - seen).normalize_or_zero();
-        let contains = |bite: &Lobe| bite.center.distance(place.extend(rim.height)) < bite.radius;
-        rim.outside.is_finite() && self.bites.iter().any(contains)
+    /// Whether a place where lobes are balls, on the wall of a bite or on a lobe, is within a line's width of an edge.
+    fn is_edge(&self, place: DVec3, wall: Option<usize>, line: f64) -> bool {
+        let out_of_lobes = self.ball_normal(place);
+        let normal = wall.map_or(out_of_lobes, |bite| (self.bites[bite].center - place).normalize());
+        let lean = normal.truncate() / normal.z.max(STEEPEST_LINED);
+        // Line width times how fast the distance from an edge grows on the surface, if it grows along `offset`.
+        let across = |offset: DVec3| {
+            let slope = offset.truncate() - offset.z * lean;
+            line * (DMat2::from_mat3(self.unstretched) * slope).length()
+        };
+        let is_beside = |bite: &Lobe| {
+            let offset = place - bite.center;
+            // Between two walls, each has half of the line.
+            let share = if wall.is_some() && offset.z <= 0.0 { 0.5 } else { 1.0 };
+            power(place, bite) < 2.0 * share * across(offset)
+        };
+        let others = self.bites.iter().enumerate().filter(|(bite, _)| Some(*bite) != wall);
+        let depth = self.lobes.iter().map(|lobe| lobe.radius - place.distance(lobe.center));
+        // Where the wall of a bite meets the front of a lobe, the line is on the front, unless the front is too narrow.
+        let share = (1.0 - 2.0 * out_of_lobes.z).min(1.0);
+        let is_behind = wall.is_some() && depth.fold(0.0, f64::max) < share * across(out_of_lobes);
+        is_behind || others.into_iter().any(|(_, bite)| is_beside(bite))
     }
 
     /// Unit normal of the wall of a bite.
@@ -213,7 +204,10 @@ impl Lobes {
 
     /// The same where lobes are balls.
     fn own_normal(&self, place: DVec3) -> DVec3 {
-        let place = self.unstretched * place;
+        self.ball_normal(self.unstretched * place)
+    }
+
+    fn ball_normal(&self, place: DVec3) -> DVec3 {
         let mut own = DVec3::ZERO;
         for lobe in &self.lobes {
             let outward = place - lobe.center;
@@ -222,6 +216,11 @@ impl Lobes {
         }
         own.normalize_or(DVec3::Z)
     }
+}
+
+/// Positive outside of a ball.
+fn power(place: DVec3, ball: &Lobe) -> f64 {
+    place.distance_squared(ball.center) - ball.radius * ball.radius
 }
 
 /// Whether one bite contains a lobe.
