@@ -25,14 +25,14 @@ export const BILLOW_DEPTH = 0.6;
 export const BILLOW_DELAY = 0.5;
 /** Difference of the start between one lobe and the next, modulo 1: the golden ratio spreads the starts evenly. */
 export const BILLOW_STEP = 0.618034;
-/** Distance of the centres of a puff's first two bites and of its third one from its centre, in its radii. */
-export const BITE_DISTANCES = [1.15, 1.25] as const;
-/** Erosion at which the second and the third bite begin. */
-export const BITE_STARTS = [0.2, 0.4] as const;
-/** How far the first two bites and the third one have grown into the puff when the erosion is 1, in its radii. */
-export const BITE_DEPTHS = [1.08, 0.75] as const;
-/** Erosion up to which the shadow of a puff moves behind it, before the first bite begins. */
-export const EROSION_LEAD = 0.0625;
+/** Centres of the first and of the third bite of a puff in its radii; the second is opposite to the first. */
+export const FIRST_BITE = [0.69, 0.92, 0] as const;
+export const THIRD_BITE = [0, 0, 1.25] as const;
+/** Radii of the bites of a puff when they begin, and how much they grow until the erosion is 1, in its radii. */
+export const BITE_RADII = [0.15, 0.15, 0.25] as const;
+export const BITE_GROWTH = [1.08, 1.08, 0.75] as const;
+/** Erosion at which the bites begin. Before the first begins, the shadow of a puff moves behind it. */
+export const BITE_STARTS = [0.0625, 0.2, 0.4] as const;
 /** Columns of a table of start caps: azimuth of the light about the view axis. */
 export const CAP_COLUMNS = 64;
 /** Rows of a table of start caps: angle between light and view axis. */

@@ -1,46 +1,37 @@
-// Inserted into lib/volume.glsl. 8: declarations.
+// Inserted into lib/volume.glsl. 7: declarations.
 #include place.glsl
-
-// Centres of the first and of the third bite in the frame of the discs, where balls are balls along the light, too.
-flat out vec3 firstBiteSeen;
-flat out vec3 sideBiteSeen;
-// 255 times the erosion, plus half of the width across the stretch.
-flat out float erosionAndWidth;
-
-// Distance from the centre to the end of the puff, in radii along the light's travel.
-float behind = 0.0;
-#ifdef DEFORMED
-// Half of the extent of a stretched ball along the light in its radii; factor on depths where balls are balls, and shear.
-vec3 supportDepthShear;
-#endif
-
-vec3 inDiscFrame(vec3 seen) {
-#ifdef DEFORMED
-  return vec3(seen.x, seen.y * widthTiltFactor.z, supportDepthShear.y * (seen.z + supportDepthShear.z * seen.y));
-#else
-  return seen;
-#endif
-}
 #pragma section
-  // 9: before the slack of the start. Bites open the puff to the light up to its end.
-  cap = mix(cap, max(cap, behind), min(erosionOf(attributes) / EROSION_LEAD, 1.0));
-#pragma section
-  // 10: for each disc.
-#ifdef DEFORMED
-  behind = max(behind, middle + lobe.w * supportDepthShear.x);
-  middle = inDiscFrame(frameFromPuff * lobe.xyz).z;
-#else
-  behind = max(behind, middle + lobe.w);
-#endif
-#pragma section
-  // 11: after the discs.
-  firstBiteSeen = inDiscFrame(frameFromPuff * firstBite(variation));
-  sideBiteSeen = inDiscFrame(frameFromPuff * sideBite(variation));
+  // 8: after the start. Bites open the puff to the light up to its end.
+  mat3 discsFromPuff = frameFromView * viewFromPuff;
   float width = 1.0;
+  vec3 depthRow = vec3(0.0, 0.0, 1.0);
+  float halfOfLobe = 1.0;
 #ifdef DEFORMED
   width = widthTiltFactor.x;
+  halfOfLobe = width * sqrt(support);
+  // Where balls are balls along the light, too.
+  depthRow = projection.depth * vec3(0.0, dot(projection.shear, along), 1.0);
 #endif
-  erosionAndWidth = float(attributes.w >> 24u) + 0.5 * width;
-#pragma section
-  // 12: of deformed puffs.
-  supportDepthShear = vec3(sqrt(support), projection.depth, dot(projection.shear, along));
+  int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
+  float behind = 0.0;
+  #pragma unroll_loop_start
+  for (int i = 0; i < LOBES; i++) {
+    {
+      vec4 lobe = lobeOf(UNROLLED_LOOP_INDEX, variation);
+      vec3 seen = discsFromPuff * lobe.xyz;
+      discs[ i ].w = dot(depthRow, seen);
+      behind = max(behind, seen.z + lobe.w * halfOfLobe);
+    }
+  }
+  #pragma unroll_loop_end
+  behind += clipFromView[2][3] != 0.0 ? shearOf(axis, centre) : 0.0;
+  cap = mix(cap, max(cap, behind + CAP_SLACK), min(erosionOf(attributes) / BITE_STARTS.x, 1.0));
+  vec3 first = discsFromPuff * FIRST_BITE;
+  vec3 third = discsFromPuff * THIRD_BITE;
+  first.z = dot(depthRow, first);
+  third.z = dot(depthRow, third);
+#ifdef DEFORMED
+  first.y *= widthTiltFactor.z;
+  third.y *= widthTiltFactor.z;
+#endif
+  placeBites(first, third, width);

@@ -166,7 +166,6 @@ void main() {
       line = nearerRim(line, lobes[ i ], point, surface - 2.0 * reach);
     }
     #pragma unroll_loop_end
-    #pragma insert_6
 #ifdef DEFORMED
     line.w /= length(viewGradient(normalize(point - line.xy)));
 #endif
@@ -186,7 +185,7 @@ void main() {
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
   float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
   bool isInk = isRing;
-  #pragma insert_7
+  #pragma insert_6
 #ifdef DEFORMED
   viewNormal = normalize(stretchedNormal(projection, viewNormal));
 #endif

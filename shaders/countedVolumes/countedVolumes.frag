@@ -27,7 +27,7 @@ const float FAR = 1e20;
 
 // Extends the interval (from, to) along a line by its intersection with a disc. The line has a unit direction and a
 // signed distance from the origin, positive to the left.
-void pass(inout vec2 stretch, vec4 disc, vec2 direction, float offset) {
+void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
   float beside = direction.x * disc.y - direction.y * disc.x - offset;
   float squared = disc.z - beside * beside;
   float middle = dot(disc.xy, direction);
@@ -65,7 +65,7 @@ void main() {
   vec2 stretch = vec2(FAR, -FAR);
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    pass(stretch, discs[ i ], direction, offset);
+    pass(stretch, discs[ i ].xyz, direction, offset);
   }
   #pragma unroll_loop_end
 

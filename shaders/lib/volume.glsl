@@ -25,7 +25,7 @@ uniform float reach;
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
-// Discs on the plane where the scale is 1: centre and squared radius; and the middle of the lobe along the light.
+// Discs on the plane where the scale is 1: centre and squared radius. Bites use the last component.
 flat out vec4 discs[LOBES];
 #ifdef DEFORMED
 // Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
@@ -82,7 +82,7 @@ float farthest;
 vec3 widthTiltFactor;
 #endif
 
-#pragma insert_8
+#pragma insert_7
 
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
@@ -94,7 +94,6 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
 #endif
-  #pragma insert_9
   float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
   return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
 }
@@ -117,23 +116,21 @@ vec4 lobeOf(int index, int variation) {
 }
 
 // The disc that a lobe shows to a light at a distance of 1 / growth: the section of the light's tangent cone.
-vec4 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
+vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   vec3 seen = frameFromPuff * lobe.xyz;
-  float middle = seen.z;
 #ifdef DEFORMED
   lobe.w *= widthTiltFactor.x;
   farthest = max(farthest, seen.z + lobe.w * widthTiltFactor.y);
   seen.y *= widthTiltFactor.z;
 #endif
-  #pragma insert_10
   float nearness = 1.0 / (1.0 + growth * seen.z);
   float radius = lobe.w * nearness;
   float slope = radius * growth;
-  return vec4(seen.xy * nearness, radius * radius / (1.0 - slope * slope), middle);
+  return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
 }
 
 // Distance from the centre to the far side of a disc.
-float farSide(vec4 disc) {
+float farSide(vec3 disc) {
 #ifdef DEFORMED
   return length(vec2(disc.x, disc.y / widthTiltFactor.z)) + sqrt(disc.z) / widthTiltFactor.z;
 #else
@@ -150,11 +147,10 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 #endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
-    widest = max(widest, farSide(discs[ i ]));
+    discs[ i ].xyz = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, farSide(discs[ i ].xyz));
   }
   #pragma unroll_loop_end
-  #pragma insert_11
   return widest;
 }
 
@@ -181,13 +177,13 @@ bool writeVolume(out Ends ends) {
   float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
   float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
   widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
-  #pragma insert_12
 #endif
 
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
+  #pragma insert_8
   float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
   if (extent <= 0.0) return false;
 #ifdef DEFORMED

@@ -50,7 +50,7 @@ bool boundReceivers(ivec2 tile, vec2 depths, out vec3 low, out vec3 high) {
   return true;
 }
 
-bool reaches(vec4 disc, vec3 low, vec3 high) {
+bool reaches(vec3 disc, vec3 low, vec3 high) {
   vec2 beside = max(max(low.xy - disc.xy, disc.xy - high.xy), 0.0);
   return dot(beside, beside) < disc.z;
 }
@@ -63,7 +63,7 @@ bool containsReceivers(ivec2 tile) {
   bool isReached = false;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    isReached = isReached || reaches(discs[ i ], low, high);
+    isReached = isReached || reaches(discs[ i ].xyz, low, high);
   }
   #pragma unroll_loop_end
   return isReached && low.z <= rightAndLength.w && high.z >= 0.0;

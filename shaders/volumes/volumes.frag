@@ -22,12 +22,12 @@ flat in float squeeze;
 #include ../lib/pixel.glsl
 
 // Positive in a disc.
-float within(vec4 disc, vec2 point) {
+float within(vec3 disc, vec2 point) {
   vec2 offset = point - disc.xy;
   return disc.z - dot(offset, offset);
 }
 
-#pragma insert_13
+#pragma insert_9
 
 void main() {
   float z = viewZOf(clipFromView, texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r);
@@ -42,9 +42,9 @@ void main() {
   float inside = 0.0;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    inside = max(inside, within(discs[ i ], point));
+    inside = max(inside, within(discs[ i ].xyz, point));
   }
   #pragma unroll_loop_end
   if (!(place.z >= 0.0 && place.z <= rightAndLength.w && inside > 0.0)) discard;
-  #pragma insert_14
+  #pragma insert_10
 }

@@ -77,25 +77,27 @@ function copied(whole: RawShaderMaterial, lobes: number): RawShaderMaterial {
 function sortByErosion({ count, placeArray, attributeWords }: RowTextures): number {
   const { word, shift } = ATTRIBUTE_BITS.erosion;
   const hasBites = (row: number) => attributeWords[ATTRIBUTE_WORDS * row + word] >>> shift > 0;
-  let [first, last] = [0, count - 1];
-  for (;;) {
-    while (first <= last && !hasBites(first)) first++;
-    while (first < last && hasBites(last)) last--;
-    if (first >= last) return first;
-    swap(placeArray, PLACE_FLOATS, first, last);
-    swap(attributeWords, ATTRIBUTE_WORDS, first, last);
+  let last = count;
+  for (let row = 0; row < last; row++) {
+    while (row < last && hasBites(row)) {
+      last--;
+      swap(placeArray, PLACE_FLOATS, row, last);
+      swap(attributeWords, ATTRIBUTE_WORDS, row, last);
+    }
   }
+  return last;
 }
 
 function swap(array: Float32Array | Uint32Array, length: number, one: number, other: number): void {
-  const kept = array.slice(length * one, length * (one + 1));
-  array.copyWithin(length * one, length * other, length * (other + 1));
-  array.set(kept, length * other);
+  for (let at = 0; at < length; at++) {
+    const [from, to] = [length * one + at, length * other + at];
+    [array[from], array[to]] = [array[to], array[from]];
+  }
 }
 
 /** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */
 function withWalls(whole: FormTextures): FormTextures {
-  const { startCaps, casterTable, casterLobes, capTable, solids, reach, spread, latestCap, capRange } = whole;
-  const same = { startCaps, casterTable, casterLobes, capTable, solids, reach, spread, latestCap };
-  return { ...same, depth: reach, capRange: [capRange[0], reach] };
+  const { reach, capRange } = whole;
+  const changed = { depth: { value: reach }, capRange: { value: [capRange[0], reach] } };
+  return Object.create(whole, changed) as FormTextures;
 }

@@ -5,32 +5,26 @@ use glam::{DMat3, DVec3};
 use crate::lobes::Lobe;
 
 /// See src/constants.ts.
-const BITE_DISTANCES: [f64; 2] = [1.15, 1.25];
-const BITE_STARTS: [f64; 2] = [0.2, 0.4];
-const BITE_DEPTHS: [f64; 2] = [1.08, 0.75];
-pub const EROSION_LEAD: f64 = 0.0625;
-const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+const FIRST_BITE: [f64; 3] = [0.69, 0.92, 0.0];
+const THIRD_BITE: [f64; 3] = [0.0, 0.0, 1.25];
+const BITE_RADII: [f64; 3] = [0.15, 0.15, 0.25];
+const BITE_GROWTH: [f64; 3] = [1.08, 1.08, 0.75];
+const BITE_STARTS: [f64; 3] = [0.0625, 0.2, 0.4];
+/// Erosion at which the first bite begins.
+pub const FIRST_START: f64 = BITE_STARTS[0];
 
-/// The bites of a variation at an erosion, mapped from the puff's frame. Their radii are those of an unstretched puff.
-pub fn bites(variation: usize, erosion: f64, map: DMat3) -> Vec<Lobe> {
-    let (sin, cos) = (GOLDEN_ANGLE * variation as f64).sin_cos();
-    let axis = DVec3::new(0.6 * cos, 0.8, 0.6 * sin);
-    let side = DVec3::new(-sin, 0.0, cos);
-    let bite = |direction: DVec3, shape: usize, start: f64| {
-        let grown = (erosion - start) / (1.0 - start);
+/// The bites at an erosion, mapped from the puff's frame. Their radii are those of an unstretched puff.
+pub fn bites(erosion: f64, map: DMat3) -> Vec<Lobe> {
+    let first = DVec3::from(FIRST_BITE);
+    let centers = [first, -first, DVec3::from(THIRD_BITE)];
+    let bite = |(index, center): (usize, DVec3)| {
+        let grown = (erosion - BITE_STARTS[index]) / (1.0 - BITE_STARTS[index]);
         (grown > 0.0).then(|| Lobe {
-            center: map * (direction * BITE_DISTANCES[shape]),
-            radius: BITE_DISTANCES[shape] - 1.0 + BITE_DEPTHS[shape] * grown * (2.0 - grown),
+            center: map * center,
+            radius: BITE_RADII[index] + BITE_GROWTH[index] * grown * (2.0 - grown),
         })
     };
-    [
-        bite(axis, 0, EROSION_LEAD),
-        bite(-axis, 0, BITE_STARTS[0]),
-        bite(side, 1, BITE_STARTS[1]),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    centers.into_iter().enumerate().filter_map(bite).collect()
 }
 
 /// A part of a line, from its start to its end.

@@ -3,7 +3,7 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::attributes::{PackedAttributes, unfolded, unstretched};
-use crate::bites::{self, EROSION_LEAD};
+use crate::bites::{self, FIRST_START};
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
@@ -55,8 +55,8 @@ impl Lobes {
     ) -> Self {
         let unstretched = unstretched(stretching);
         let (variation, age, erosion) = (attributes.variation(), attributes.age(), attributes.erosion());
-        let bites = if puffs.is_eroded && erosion > EROSION_LEAD {
-            bites::bites(variation % puffs.lobes.len(), erosion, unstretched * view_from_puff)
+        let bites = if puffs.is_eroded && erosion > FIRST_START {
+            bites::bites(erosion, unstretched * view_from_puff)
         } else {
             Vec::new()
         };

@@ -37,14 +37,16 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
-    /// Whether puffs are eroded before they shrink.
-    erodes: bool,
+    /// Factor on the density and limit of the product; they differ from 1 and infinity if puffs are eroded before they shrink.
+    gain: f32,
+    limit: f32,
 }
 
 impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
         let growth_time = parameters.emission.growth_time as f32;
+        let erodes = parameters.emission.dissolve == 1.0;
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
         Self {
             puff_size: parameters.puff.size as f32,
@@ -54,7 +56,8 @@ impl RadiusLaw {
                 growth_time.max(MIN_GROWTH_TIME)
             },
             curve: Curve::new(parameters.density.items()),
-            erodes: parameters.emission.dissolve == 1.0,
+            gain: if erodes { 1.0 / ERODED_DENSITY } else { 1.0 },
+            limit: if erodes { 1.0 } else { f32::INFINITY },
         }
     }
 
@@ -64,7 +67,8 @@ impl RadiusLaw {
             puff_size,
             growth_time,
             curve: None,
-            erodes: false,
+            gain: 1.0,
+            limit: f32::INFINITY,
         }
     }
 
@@ -72,24 +76,21 @@ impl RadiusLaw {
     /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
-        let density = self.density(age / lifetime);
-        let share = if self.erodes {
-            lesser(density * (1.0 / ERODED_DENSITY), 1.0)
-        } else {
-            density
-        };
+        let share = lesser(self.density(age / lifetime) * self.gain, self.limit);
         self.undiminished(size, age) * share
     }
 
     /// Erosion of a particle at `age` of `lifetime` (s), 0..=1; 0 if puffs only shrink.
     pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
-        if !self.erodes {
+        if self.gain == 1.0 {
             return 0.0;
         }
         let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);
         lesser(greater(lost / (EROSION_DENSITY - ERODED_DENSITY), 0.0), 1.0)
     }
 
+    // Inlined twice, the curve would take more space.
+    #[inline(never)]
     fn density(&self, worn: f32) -> f32 {
         match &self.curve {
             None => greater(1.0 - worn, 0.0),
@@ -107,13 +108,11 @@ impl RadiusLaw {
     pub fn radii(&self, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
         let age = positive_part(age);
         let worn = age / lifetime;
-        let mut density = match &self.curve {
+        let density = match &self.curve {
             None => positive_part(f32x4::ONE - worn),
             Some(curve) => curve.densities(worn),
         };
-        if self.erodes {
-            density = smaller(density * f32x4::splat(1.0 / ERODED_DENSITY), f32x4::ONE);
-        }
+        let density = smaller(density * f32x4::splat(self.gain), f32x4::splat(self.limit));
         let full = size * f32x4::splat(self.puff_size);
         if self.growth_time <= 0.0 {
             return full * density;

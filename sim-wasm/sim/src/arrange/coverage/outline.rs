@@ -207,9 +207,6 @@ impl<'a> Outliner<'a> {
         let line = bodies.pad * projected.w * projected.density;
         let [radius, tolerance, slack] = [projected.radius, projected.tolerance, projected.slack].map(f32x4::splat);
         let centre = f32x4::splat(projected.depth);
-        // The ink along a hole lies within the lobes, widened by the line, and surfaces may lift it.
-        let is_whole = is_whole(attributes);
-        let lift = f32x4::splat(projected.lift);
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             let depth = centre - ball.z * radius;
@@ -225,25 +222,24 @@ impl<'a> Outliner<'a> {
                 rim_depth: f32x4::splat(f32::INFINITY),
             };
             outline.inner.groups[group] = disc;
-            let rim = is_present & (outside + f32x4::splat(line));
             // Baked layers extend the relief of the last texel into the ring.
             let rise = match bodies.solids.faces_eye {
                 true => (f32x4::splat(4.0) * ball.radius * tolerance).sqrt() * radius,
                 false => f32x4::ZERO,
             };
             outline.outer.groups[group] = DiscGroup {
-                radius: if is_whole { outside } else { rim },
-                depth: if is_whole { depth - slack } else { depth - lift - slack },
-                rim,
+                radius: outside,
+                depth: depth - slack,
+                rim: is_present & (outside + f32x4::splat(line)),
                 rim_depth: match line > 0.0 {
-                    true => depth - rise - lift - slack,
+                    true => depth - rise - f32x4::splat(projected.lift) - slack,
                     false => disc.rim_depth,
                 },
                 ..disc
             };
         }
         let count = outline.balls.count;
-        outline.inner.count = if is_whole { count } else { 0 };
+        outline.inner.count = if is_eroded(attributes) { 0 } else { count };
         outline.outer.count = count;
         let bulge = 1.0 / projected.density;
         (outline.inner.bulge, outline.outer.bulge) = (bulge, bulge);
@@ -325,7 +321,7 @@ impl<'a> Outliner<'a> {
                 rim_depth: lanes(f32::INFINITY),
             };
         }
-        let covers = projected.covers && is_whole(attributes);
+        let covers = projected.covers && !is_eroded(attributes);
         outline.inner.count = if covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
@@ -336,9 +332,9 @@ impl<'a> Outliner<'a> {
     }
 }
 
-/// Whether a puff has no holes.
-fn is_whole(attributes: Attributes) -> bool {
-    EROSION.of(attributes) == 0
+/// Whether a puff may have holes.
+fn is_eroded(attributes: Attributes) -> bool {
+    EROSION.of(attributes) > 0
 }
 
 /// Share of its radius with which a puff is drawn, by its distance from the near plane. Same as in shaders/bodies.
