@@ -37,9 +37,8 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
-    /// Factor on the density and limit of the product; they differ from 1 and infinity if puffs are eroded before they shrink.
+    /// Factor on the density, which is at most 1 after it; more than 1 if puffs are eroded before they shrink.
     gain: f32,
-    limit: f32,
 }
 
 impl RadiusLaw {
@@ -57,7 +56,6 @@ impl RadiusLaw {
             },
             curve: Curve::new(parameters.density.items()),
             gain: if erodes { 1.0 / ERODED_DENSITY } else { 1.0 },
-            limit: if erodes { 1.0 } else { f32::INFINITY },
         }
     }
 
@@ -68,7 +66,6 @@ impl RadiusLaw {
             growth_time,
             curve: None,
             gain: 1.0,
-            limit: f32::INFINITY,
         }
     }
 
@@ -76,17 +73,17 @@ impl RadiusLaw {
     /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
-        let share = lesser(self.density(age / lifetime) * self.gain, self.limit);
+        let share = lesser(self.density(age / lifetime) * self.gain, 1.0);
         self.undiminished(size, age) * share
     }
 
-    /// Erosion of a particle at `age` of `lifetime` (s), 0..=1; 0 if puffs only shrink.
+    /// Erosion of a particle at `age` of `lifetime` (s); it has not begun up to 0 and is complete from 1 on. 0 if puffs only shrink.
     pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
         if self.gain == 1.0 {
             return 0.0;
         }
         let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);
-        lesser(greater(lost / (EROSION_DENSITY - ERODED_DENSITY), 0.0), 1.0)
+        lost / (EROSION_DENSITY - ERODED_DENSITY)
     }
 
     // Inlined twice, the curve would take more space.
@@ -112,7 +109,7 @@ impl RadiusLaw {
             None => positive_part(f32x4::ONE - worn),
             Some(curve) => curve.densities(worn),
         };
-        let density = smaller(density * f32x4::splat(self.gain), f32x4::splat(self.limit));
+        let density = smaller(density * f32x4::splat(self.gain), f32x4::ONE);
         let full = size * f32x4::splat(self.puff_size);
         if self.growth_time <= 0.0 {
             return full * density;

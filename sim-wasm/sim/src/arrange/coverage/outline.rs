@@ -102,6 +102,8 @@ impl<'a> Outliner<'a> {
     /// Writes the discs of the row that `place` projected.
     #[inline(always)]
     pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
+        // A puff that is eroded may have holes.
+        outline.projected.covers &= EROSION.of(attributes) == 0;
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
             PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
@@ -239,8 +241,7 @@ impl<'a> Outliner<'a> {
             };
         }
         let count = outline.balls.count;
-        outline.inner.count = if is_eroded(attributes) { 0 } else { count };
-        outline.outer.count = count;
+        (outline.inner.count, outline.outer.count) = (count, count);
         let bulge = 1.0 / projected.density;
         (outline.inner.bulge, outline.outer.bulge) = (bulge, bulge);
     }
@@ -321,8 +322,7 @@ impl<'a> Outliner<'a> {
                 rim_depth: lanes(f32::INFINITY),
             };
         }
-        let covers = projected.covers && !is_eroded(attributes);
-        outline.inner.count = if covers { outline.balls.count } else { 0 };
+        outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
             // Discs of one puff must not count as several covers.
@@ -330,11 +330,6 @@ impl<'a> Outliner<'a> {
             outline.inner.set(&largest);
         }
     }
-}
-
-/// Whether a puff may have holes.
-fn is_eroded(attributes: Attributes) -> bool {
-    EROSION.of(attributes) > 0
 }
 
 /// Share of its radius with which a puff is drawn, by its distance from the near plane. Same as in shaders/bodies.
