@@ -7,6 +7,8 @@ float spreadAt(float height) {
 
 // Lines are as if no surface was steeper than this against the eye: the least cosine.
 const float STEEPEST_LINED = 0.3;
+// Width of the lines of bites in widths of the outline, so that thin pieces do not become black.
+const float BITE_LINE = 0.65;
 
 // Least distance from the surfaces of lobes, less than 0 within.
 float deepest = 0.0;
@@ -16,7 +18,7 @@ vec2 viewGradient(vec2 outward);
 // The width of a line along an edge, on a surface of which the height falls by `lean`, if the distance from the edge grows along
 // a direction, times the length of this direction.
 float widthAcross(vec3 direction, vec2 lean) {
-  return length(viewGradient(direction.xy - direction.z * lean));
+  return BITE_LINE * length(viewGradient(direction.xy - direction.z * lean));
 }
 #pragma section
   // 3: the front of a lobe.

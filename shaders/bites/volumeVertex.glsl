@@ -1,5 +1,8 @@
 // Inserted into lib/volume.glsl. 7: declarations.
 #include place.glsl
+
+// Places of the lobes along the light, where balls are balls.
+flat out float middles[LOBES];
 #pragma section
   // 8: after the start. Bites open the puff to the light up to its end.
   mat3 discsFromPuff = frameFromView * viewFromPuff;
@@ -19,7 +22,7 @@
     {
       vec4 lobe = lobeOf(UNROLLED_LOOP_INDEX, variation);
       vec3 seen = discsFromPuff * lobe.xyz;
-      discs[ i ].w = dot(depthRow, seen);
+      middles[ i ] = dot(depthRow, seen);
       behind = max(behind, seen.z + lobe.w * halfOfLobe);
     }
   }

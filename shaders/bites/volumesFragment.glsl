@@ -5,10 +5,12 @@ float spreadAt(float height) {
 
 #include cut.glsl
 
+flat in float middles[LOBES];
+
 // Whether a light ray meets what is left of a lobe.
-bool isLeft(vec4 disc, vec2 point) {
-  float halfExtent = spreadAt(disc.w) * sqrt(max(within(disc.xyz, point), 0.0));
-  return halfExtent > 0.0 && topOf(disc.w, halfExtent) > disc.w - halfExtent;
+bool isLeft(vec3 disc, float middle, vec2 point) {
+  float halfExtent = spreadAt(middle) * sqrt(max(within(disc, point), 0.0));
+  return halfExtent > 0.0 && topOf(middle, halfExtent) > middle - halfExtent;
 }
 #pragma section
   // 10: in the volume.
@@ -16,7 +18,7 @@ bool isLeft(vec4 disc, vec2 point) {
   bool isShaded = false;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    isShaded = isShaded || isLeft(discs[ i ], point);
+    isShaded = isShaded || isLeft(discs[ i ], middles[ i ], point);
   }
   #pragma unroll_loop_end
   if (!isShaded) discard;

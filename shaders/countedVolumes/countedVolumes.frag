@@ -15,7 +15,7 @@ uniform vec2 viewportOrigin;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
-flat in vec4 discs[LOBES];
+flat in vec3 discs[LOBES];
 #ifdef DEFORMED
 flat in float squeeze;
 #endif
@@ -65,7 +65,7 @@ void main() {
   vec2 stretch = vec2(FAR, -FAR);
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    pass(stretch, discs[ i ].xyz, direction, offset);
+    pass(stretch, discs[ i ], direction, offset);
   }
   #pragma unroll_loop_end
 

@@ -25,8 +25,8 @@ uniform float reach;
 flat out vec4 rightAndLength;
 flat out vec4 upAndScale;
 flat out vec4 eyeAndGrowth;
-// Discs on the plane where the scale is 1: centre and squared radius. Bites use the last component.
-flat out vec4 discs[LOBES];
+// Discs on the plane where the scale is 1: centre and squared radius.
+flat out vec3 discs[LOBES];
 #ifdef DEFORMED
 // Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
 flat out float squeeze;
@@ -147,8 +147,8 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
 #endif
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    discs[ i ].xyz = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
-    widest = max(widest, farSide(discs[ i ].xyz));
+    discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, farSide(discs[ i ]));
   }
   #pragma unroll_loop_end
   return widest;

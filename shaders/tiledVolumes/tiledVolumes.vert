@@ -63,7 +63,7 @@ bool containsReceivers(ivec2 tile) {
   bool isReached = false;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    isReached = isReached || reaches(discs[ i ].xyz, low, high);
+    isReached = isReached || reaches(discs[ i ], low, high);
   }
   #pragma unroll_loop_end
   return isReached && low.z <= rightAndLength.w && high.z >= 0.0;

@@ -13,7 +13,7 @@ uniform sampler2D receiverDepth;
 flat in vec4 rightAndLength;
 flat in vec4 upAndScale;
 flat in vec4 eyeAndGrowth;
-flat in vec4 discs[LOBES];
+flat in vec3 discs[LOBES];
 #ifdef DEFORMED
 flat in float squeeze;
 #endif
@@ -42,7 +42,7 @@ void main() {
   float inside = 0.0;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    inside = max(inside, within(discs[ i ].xyz, point));
+    inside = max(inside, within(discs[ i ], point));
   }
   #pragma unroll_loop_end
   if (!(place.z >= 0.0 && place.z <= rightAndLength.w && inside > 0.0)) discard;

@@ -9,6 +9,8 @@ use crate::scene::Puffs;
 
 /// Lines are as if no surface was steeper than this against the eye: the least cosine.
 const STEEPEST_LINED: f64 = 0.3;
+/// Width of the lines of bites in widths of the outline.
+const BITE_LINE: f64 = 0.65;
 
 #[derive(Clone, Copy)]
 pub struct Lobe {
@@ -169,7 +171,7 @@ impl Lobes {
         // Line width times how fast the distance from an edge grows on the surface, if it grows along `offset`.
         let across = |offset: DVec3| {
             let slope = offset.truncate() - offset.z * lean;
-            line * (DMat2::from_mat3(self.unstretched) * slope).length()
+            BITE_LINE * line * (DMat2::from_mat3(self.unstretched) * slope).length()
         };
         let is_beside = |bite: &Lobe| {
             let offset = place - bite.center;
