@@ -8,7 +8,6 @@ import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, type RowTextures } from '..
 import type { FormTextures } from '../device/formTextures.ts';
 import type { Bites, PuffTextures } from '../device/puffTextures.ts';
 import { withLobes } from '../device/unroll.ts';
-import { ATTRIBUTE_BITS } from '../sim/layout.ts';
 
 /** The code in place of each `#pragma insert_N` of the shaders of whole puffs. */
 const INSERTIONS = [ofLobesVertex, ofLobesFragment, ofVolumeVertex, ofVolumesFragment].flatMap((shader) =>
@@ -75,8 +74,8 @@ function copied(whole: RawShaderMaterial, lobes: number): RawShaderMaterial {
 
 /** Moves rows with bites behind the others, whose number it returns. */
 function sortByErosion({ count, placeArray, attributeWords }: RowTextures): number {
-  const { word, shift } = ATTRIBUTE_BITS.erosion;
-  const hasBites = (row: number) => attributeWords[ATTRIBUTE_WORDS * row + word] >>> shift > 0;
+  // The highest byte of the last word, without the table of all fields, which the core does not need.
+  const hasBites = (row: number) => attributeWords[ATTRIBUTE_WORDS * (row + 1) - 1] >>> 24 > 0;
   let last = count;
   for (let row = 0; row < last; row++) {
     while (row < last && hasBites(row)) {

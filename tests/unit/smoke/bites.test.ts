@@ -40,7 +40,7 @@ function drawn(geometry: RowGeometry, maxVaryings: number) {
   const calls: { numbers: number[]; words: number[]; material: RawShaderMaterial }[] = [];
   const mesh = {
     material: whole,
-    drawPlain(_: WebGLRenderer, { rows: { first, count, placeArray, attributeWords } }: RowGeometry) {
+    drawPlain(_renderer: WebGLRenderer, { rows: { first, count, placeArray, attributeWords } }: RowGeometry) {
       const shown = Array.from({ length: count - first }, (_, index) => first + index);
       calls.push({
         numbers: shown.map((row) => placeArray[PLACE_FLOATS * row + 3]),
