@@ -15,7 +15,10 @@ export type Load = <Module>(path: `/${string}`) => Promise<InPage<Module>>;
 
 export const engine = inject('engine');
 
-export const test = base.extend<{ $file: { browser: Driver; load: Load } }>({
+/** Tests that have begun, to recognize a second attempt. */
+const begun = new Set<string>();
+
+export const test = base.extend<{ $test: { freshPage: void }; $file: { browser: Driver; load: Load } }>({
   browser: [
     // oxlint-disable-next-line no-empty-pattern -- what it needs is no fixture, and the runner reads the pattern
     async ({}, use) => {
@@ -31,6 +34,15 @@ export const test = base.extend<{ $file: { browser: Driver; load: Load } }>({
       await use((path) => Promise.resolve(inPage(browser, path)));
     },
     { scope: 'file' },
+  ],
+  // The memory of the page's simulators can be damaged after a failed attempt.
+  freshPage: [
+    async ({ browser, task }, use) => {
+      if (begun.has(task.id)) await browser.open(blankPage());
+      begun.add(task.id);
+      await use();
+    },
+    { auto: true },
   ],
 });
 

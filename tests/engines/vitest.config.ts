@@ -10,9 +10,23 @@ const OF_ALL = 'tests/engines/pictures.test.ts';
 const isCheck = process.env.CI === 'true';
 const engines = (await findEngines()).filter(({ path }) => isCheck || path !== undefined);
 
+/**
+ * JavaScriptCore on Linux (seen in WebKitGTK 2.50.6) compiles WASM to code that keeps live values below the stack
+ * pointer, where the signals that suspend the thread overwrite them. About 1 in 1,000 runs of a scene with Rapier then
+ * ends in another state or in a fault. Compare https://bugs.webkit.org/show_bug.cgi?id=299586. Safari suspends threads
+ * without signals. A wrong result of our own appears in each attempt.
+ */
+const ATTEMPTS_AGAIN = { WebKit: 1, All: 1 };
+
 const project = (name: string, include: string, exclude: string[], provide: Partial<ProvidedContext>) => ({
   extends: true as const,
-  test: { name, include: [include], exclude, provide: { engines, ...provide } },
+  test: {
+    name,
+    include: [include],
+    exclude,
+    provide: { engines, ...provide },
+    retry: ATTEMPTS_AGAIN[name as keyof typeof ATTEMPTS_AGAIN] ?? 0,
+  },
 });
 
 /** `npm run test:engines`: each test runs in three browser engines, with a project for each. */
