@@ -55,7 +55,11 @@ fn eroded(stops: &[(f64, f64)], worn: f64) -> (f64, f64) {
     let (law, lifetime) = (RadiusLaw::new(&parameters), 1000.0);
     let age = (worn * lifetime) as f32;
     let radius = law.radius(1.0, age, lifetime as f32);
-    (f64::from(radius), f64::from(law.erosion(age, lifetime as f32)))
+    // Rows have the erosion between 0 and 1.
+    (
+        f64::from(radius),
+        f64::from(law.erosion(age, lifetime as f32)).clamp(0.0, 1.0),
+    )
 }
 
 #[test]
