@@ -25,6 +25,14 @@ export const BILLOW_DEPTH = 0.6;
 export const BILLOW_DELAY = 0.5;
 /** Difference of the start between one lobe and the next, modulo 1: the golden ratio spreads the starts evenly. */
 export const BILLOW_STEP = 0.618034;
+/** Centres of the first and of the third bite of a puff in its radii; the second is opposite to the first. */
+export const FIRST_BITE = [0.69, 0.92, 0] as const;
+export const THIRD_BITE = [0, 0, 1.25] as const;
+/** Radii of the bites of a puff when they begin, and how much they grow until the erosion is 1, in its radii. */
+export const BITE_RADII = [0.15, 0.15, 0.25] as const;
+export const BITE_GROWTH = [1.08, 1.08, 0.75] as const;
+/** Erosion at which the bites begin. Before the first begins, the shadow of a puff moves behind it. */
+export const BITE_STARTS = [0.0625, 0.2, 0.4] as const;
 /** Columns of a table of start caps: azimuth of the light about the view axis. */
 export const CAP_COLUMNS = 64;
 /** Rows of a table of start caps: angle between light and view axis. */

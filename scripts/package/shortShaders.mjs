@@ -32,7 +32,7 @@ export function shadersTogether() {
     renderChunk(code, _chunk, _options, { magicString }) {
       if (!magicString) throw new Error('Shaders together need experimental.nativeMagicString.');
       for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
-        magicString.move(index, index + shader.length, 0);
+        if (index > 0) magicString.move(index, index + shader.length, 0);
       return { code: magicString };
     },
   };

@@ -6,6 +6,7 @@ precision highp int;
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
 // DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
+// Bites are inserted, see src/smoke/bites.ts.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
@@ -54,10 +55,13 @@ Projection projection;
 const float DEPTH_MARGIN = 4e-7;
 const float NOWHERE = -1e8;
 
+#pragma insert_2
+
 // Height of a lobe's front surface at a point of the image plane.
 float frontOf(vec4 lobe, vec2 point) {
   vec2 beside = point - lobe.xy;
   float squared = lobe.w * lobe.w - dot(beside, beside);
+  #pragma insert_3
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
 }
 
@@ -73,7 +77,9 @@ vec4 nearerRim(vec4 nearest, vec4 lobe, vec2 point, float surface) {
 vec3 shareOf(vec4 lobe, vec3 place) {
   vec3 outward = place - lobe.xyz;
   float inverse = inversesqrt(max(dot(outward, outward), 1e-12));
-  float nearness = max(0.0, 1.0 - abs(1.0 / inverse - lobe.w) / fillet);
+  float away = 1.0 / inverse - lobe.w;
+  #pragma insert_4
+  float nearness = max(0.0, 1.0 - abs(away) / fillet);
   return outward * (nearness * nearness * inverse);
 }
 
@@ -129,6 +135,7 @@ void main() {
   float lineDrop = depthsAndRamp.z;
 #endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
+  #pragma insert_5
   float height = NOWHERE;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
@@ -175,18 +182,17 @@ void main() {
   #pragma unroll_loop_end
   normal = normalize(normal);
   vec3 viewNormal = normal;
-#ifdef DEFORMED
-  viewNormal = normalize(stretchedNormal(projection, normal));
-#endif
-
+  normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
   float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
-#ifdef FLAT
   bool isInk = isRing;
-#else
-  bool isInk = isRing || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
+  #pragma insert_6
+#ifdef DEFORMED
+  viewNormal = normalize(stretchedNormal(projection, viewNormal));
+#endif
+#ifndef FLAT
+  isInk = isInk || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
 #endif
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
-  normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
 #endif

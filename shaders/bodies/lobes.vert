@@ -33,6 +33,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
+#pragma insert_0
 
 void main() {
   readRow();
@@ -79,6 +80,7 @@ void main() {
 #else
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
+  #pragma insert_1
 
   vec2 margin = corner * inkReach;
 #ifdef DEFORMED
@@ -99,7 +101,7 @@ void main() {
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef DEFORMED
   // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.
-  depthsAndRamp.z = float(attributes.w);
+  depthsAndRamp.z = float(attributes.w & 0xffffffu);
 #endif
 #ifdef FLAT
   float drop = gl_VertexID % 8 > 3 ? innerLine * radius : 0.0;

@@ -82,6 +82,8 @@ float farthest;
 vec3 widthTiltFactor;
 #endif
 
+#pragma insert_7
+
 // Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
 #ifdef DEFORMED
@@ -181,6 +183,7 @@ bool writeVolume(out Ends ends) {
   float growth = lightInWorld.w / distance;
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
+  #pragma insert_8
   float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
   if (extent <= 0.0) return false;
 #ifdef DEFORMED

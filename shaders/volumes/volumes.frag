@@ -27,6 +27,8 @@ float within(vec3 disc, vec2 point) {
   return disc.z - dot(offset, offset);
 }
 
+#pragma insert_9
+
 void main() {
   float z = viewZOf(clipFromView, texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r);
   vec3 receiver = vec3(viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, z), z);
@@ -44,4 +46,5 @@ void main() {
   }
   #pragma unroll_loop_end
   if (!(place.z >= 0.0 && place.z <= rightAndLength.w && inside > 0.0)) discard;
+  #pragma insert_10
 }

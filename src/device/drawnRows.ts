@@ -53,6 +53,8 @@ export class RowTextures {
   readonly attributes: DataTexture;
   readonly capacity: number;
   count = 0;
+  /** The first row that is drawn. */
+  first = 0;
 
   /** @param capacity maximum number of rows; the textures are never reallocated */
   constructor(capacity: number) {
@@ -123,7 +125,8 @@ export class RowGeometry extends BufferGeometry {
   /** Selects the current rows for the next draw call with a material. */
   bind({ uniforms }: RawShaderMaterial): void {
     const { rows, layout } = this;
-    this.setDrawRange(0, layout.index.length * rows.count);
+    const { length } = layout.index;
+    this.setDrawRange(length * rows.first, length * (rows.count - rows.first));
     uniforms.rowPlaces.value = rows.places;
     uniforms.rowAttributes.value = rows.attributes;
     uniforms.rowVertices.value = layout.vertices;
@@ -140,11 +143,25 @@ export class RowGeometry extends BufferGeometry {
   }
 }
 
+/** Draws rows of puffs that may have bites: see src/smoke/bites.ts. */
+export interface BiteDrawing {
+  draw(renderer: WebGLRenderer, mesh: DrawnRows, geometry: RowGeometry): void;
+}
+
 /** A mesh whose vertices are those of rows. Its material has the uniforms of rows. */
 export class DrawnRows extends DrawnMesh<RowGeometry> {
+  /** What draws the rows if they may have bites. */
+  bites: BiteDrawing | undefined;
+
   override draw(renderer: WebGLRenderer, geometry: RowGeometry): void {
     // Textures that were never filled do not match their samplers.
     if (geometry.rows.count === 0) return;
+    if (this.bites) this.bites.draw(renderer, this, geometry);
+    else this.drawPlain(renderer, geometry);
+  }
+
+  /** Draws rows with the material as it is. */
+  drawPlain(renderer: WebGLRenderer, geometry: RowGeometry): void {
     geometry.bind(this.material);
     super.draw(renderer, geometry);
   }

@@ -4,6 +4,7 @@ import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
 import { capRange, capTexture } from './capTexture.ts';
+import type { BiteDrawing } from './drawnRows.ts';
 import { Shared } from './shared.ts';
 import type { BillboardData, FormTextures } from './formTextures.ts';
 
@@ -21,6 +22,11 @@ export interface BakedPuffs {
   readonly lobes: LobePuffs;
   /** @throws LoadError if the code of billboards was not loaded, which a style with billboards does */
   readonly billboards: BillboardPuffs;
+}
+
+/** How puffs with bites differ from whole ones: see src/smoke/bites.ts. */
+export interface Bites extends BiteDrawing {
+  formOf(whole: FormTextures): FormTextures;
 }
 
 /** The puff textures of a device. Smokes with the same puffs share them. */
@@ -45,6 +51,8 @@ export class PuffTextures {
   private readonly library: PuffLibrary;
   private puffs: BakedPuffs;
   private deformedBy: number | undefined;
+  /** The bites of lobe puffs, if they may have bites. Passes have to call `of` again after a change. */
+  bites: Bites | undefined;
   private lobeTextures: LobeTextures | undefined;
   private billboardTextures: BillboardTextures | undefined;
 
@@ -75,7 +83,8 @@ export class PuffTextures {
 
   of(form: PuffForm): FormTextures {
     if (form === 'billboards') return this.billboards;
-    return this.deformedBy === undefined ? this.lobes : deformed(this.lobes, this.deformedBy);
+    const whole = this.deformedBy === undefined ? this.lobes : deformed(this.lobes, this.deformedBy);
+    return this.bites?.formOf(whole) ?? whole;
   }
 
   /** Replaces the puffs. Passes have to call `of` again. */

@@ -50,6 +50,7 @@ export abstract class ParticleVolumes {
    */
   follow(form: PuffForm, litThreshold: number): void {
     this.quads.material = this.materialFor(form, litThreshold);
+    this.quads.bites = this.puffs.bites;
   }
 
   /** Least distance behind a puff's centre at which volumes start, in radii. */

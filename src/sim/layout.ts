@@ -55,6 +55,7 @@ export const ATTRIBUTE_BITS = {
   stretchU: { word: 3, shift: 0, max: 0xff },
   stretchV: { word: 3, shift: 8, max: 0xff },
   stretch: { word: 3, shift: 16, max: 0xff },
+  erosion: { word: 3, shift: 24, max: 0xff },
 } as const;
 
 /** Temperature for the maximum of `temperature`. */

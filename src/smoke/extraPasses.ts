@@ -22,6 +22,7 @@ const imports = {
   tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
   simplify: () => import('../passes/simplify/simplify.ts'),
   strokes: () => import('../passes/strokes/strokes.ts'),
+  bites: () => import('./bites.ts'),
 };
 
 type Name = keyof typeof imports;
@@ -40,6 +41,8 @@ export interface PictureKind {
   readonly outlines: boolean;
   /** Number of strokes inside the silhouette, 0..1. */
   readonly strokes: number;
+  /** Whether puffs have bites. */
+  readonly isEroded: boolean;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
@@ -62,7 +65,7 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, volumes, view, isTiled } = kind;
+  const { renderer, form, volumes, isEroded, view, isTiled } = kind;
   return {
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
@@ -73,6 +76,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
     ...(isSimplified(kind) && { simplify: 'Simplified light' }),
     ...(hasStrokes(kind) && { strokes: 'Strokes' }),
+    ...(isEroded && { bites: 'Bites' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

@@ -20,7 +20,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -39,7 +39,14 @@ export interface SmokeOptions {
 /** World height below which surfaces are hidden, metres. */
 export const OUT_OF_SIGHT = -60;
 /** The parameters of a style that needs no further modules. */
-const PLAIN_PICTURE = { renderer: 'nailboards', form: 'lobes', volumes: 'receiver', simplify: 0, strokes: 0 } as const;
+const PLAIN_PICTURE = {
+  renderer: 'nailboards',
+  form: 'lobes',
+  volumes: 'receiver',
+  simplify: 0,
+  strokes: 0,
+  isEroded: false,
+} as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
 
@@ -172,6 +179,7 @@ export class SmokeRenderer {
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
+    this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     const strokes = hasStrokes(style) ? extras.strokes : undefined;

@@ -70,6 +70,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   billow: number;
   /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
   isDeformed: boolean;
+  /** Whether puffs have bites as they dissolve. */
+  isEroded: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
@@ -102,6 +104,10 @@ export function styleOf(values: Values): Style {
     ...same,
     form: values['puff.form'] as PuffForm,
     ...deformationOf(values),
+    isEroded:
+      values['puff.form'] === 'lobes' &&
+      values['style.renderer'] === 'nailboards' &&
+      values['emission.dissolve'] === 'erode',
     gradientHeights: [gradientBottom, gradientTop],
     stops: ramp,
     isBlended: rampBlend,

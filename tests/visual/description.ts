@@ -100,12 +100,12 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
   };
 }
 
-function puffsAsObject({ form, isDeformed, billow, stretch }: Style): object {
+function puffsAsObject({ form, isDeformed, isEroded, billow, stretch }: Style): object {
   const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
   const { width, height, values } = startCaps;
-  const depth = (isDeformed ? spreadOf(stretch) : 1) * puffs.depth;
+  const depth = (isDeformed ? spreadOf(stretch) : 1) * (isEroded ? bakedPuffs().lobes.reach : puffs.depth);
   const tallest = isDeformed ? spreadOf(stretch) * bakedPuffs().lobes.reach : 1;
-  return { ...puffs, depth, tallest, isDeformed, billow, startCaps: { width, height, values: [...values] } };
+  return { ...puffs, depth, tallest, isDeformed, isEroded, billow, startCaps: { width, height, values: [...values] } };
 }
 
 function lobePuffs() {

@@ -36,6 +36,7 @@ await fetchExtras({
   simplify: 0,
   outlines: true,
   strokes: 0,
+  isEroded: true,
   view: 'normals',
   isTiled: true,
 });
@@ -46,6 +47,7 @@ await fetchExtras({
   simplify: 1,
   outlines: true,
   strokes: 1,
+  isEroded: false,
 });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
@@ -61,6 +63,8 @@ export interface LabPuff {
   age?: number;
   /** 0 to 4. */
   temperature?: number;
+  /** 0 to 1. */
+  erosion?: number;
   /** Packed fields of its turn and its stretch. */
   deformation?: Partial<Record<Deformation, number>>;
 }
@@ -160,6 +164,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       seed: puff.seed ?? 0,
       temperature: Math.round(((puff.temperature ?? 0) / TEMPERATURE_MAX) * ATTRIBUTE_BITS.temperature.max),
       tint: puff.tint ?? 0,
+      erosion: Math.round((puff.erosion ?? 0) * ATTRIBUTE_BITS.erosion.max),
     };
     for (const [name, value] of Object.entries(fields)) {
       const { word, shift, max } = ATTRIBUTE_BITS[name as keyof typeof ATTRIBUTE_BITS];

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 use sim::arrange::row_layout::{
-    AGE, Attributes, CASTER_AGE, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN, TURN_LARGEST,
-    VARIATION,
+    AGE, Attributes, CASTER_AGE, EROSION, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN,
+    TURN_LARGEST, VARIATION,
 };
 
 use crate::scene::Bands;
@@ -36,6 +36,11 @@ impl PackedAttributes {
     /// The same in a row of a caster.
     pub fn caster_age(self) -> f64 {
         f64::from(CASTER_AGE.of(self.0)) / f64::from(CASTER_AGE.max)
+    }
+
+    /// How far it is dissolved, 0 to 1.
+    pub fn erosion(self) -> f64 {
+        f64::from(EROSION.of(self.0)) / f64::from(EROSION.max)
     }
 
     pub fn variation(self) -> usize {

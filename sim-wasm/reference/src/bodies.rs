@@ -45,6 +45,8 @@ struct Met {
     /// Normal of the form, and normal for shading.
     form_normal: DVec3,
     normal: DVec3,
+    /// Whether the line along the edge of a bite is here.
+    is_edge: bool,
 }
 
 /// The intersection of a ray with a body.
@@ -94,8 +96,7 @@ impl<'a> Body<'a> {
                 || {
                     Puff::Lobes(Lobes::new(
                         &scene.puffs,
-                        attributes.variation(),
-                        attributes.age(),
+                        attributes,
                         turn * attributes.world_from_puff() * across.recip(),
                         (stretching((turn * axis, ratio)) * across.recip(), ratio),
                     ))
@@ -132,19 +133,21 @@ impl<'a> Body<'a> {
         let point = (ray.at(-self.center.z) - self.center).truncate() / self.radius;
         let width = self.line.width(point - self.middle());
         let surface = (ground.z(at) - self.center.z) / self.radius;
-        let met = self.over(point, surface, 2.0 * width * self.pixel / self.radius);
+        let met = self.over(point, surface, width * self.pixel / self.radius);
         let is_ring = met.outside > 0.0;
         if is_ring && met.outside * self.radius > width * self.pixel {
             return None;
         }
         let place = point.extend(met.height);
         let z = self.center.z + met.height * self.radius;
-        let is_ink = is_ring || ground.is_seam(at, z, met.form_normal, self.pixel, width);
+        let is_ink = is_ring || met.is_edge || ground.is_seam(at, z, met.form_normal, self.pixel, width);
         let height = self.row.place[1] + self.up.dot(ray.at(-z) - self.center);
         let shade = self.shade(place, height, met.normal, screen);
         Some(BodyHit {
             depth: if is_ring {
                 ground.ring_depth(at, &self.ring(z, &met, width))
+            } else if met.is_edge {
+                self.scene.style.inner_line * self.radius - z
             } else {
                 -z
             },
@@ -164,18 +167,20 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// `surface`: height of an occluding surface. Lobes deeper by more than `slack` have no rim.
-    fn over(&self, point: DVec2, surface: f64, slack: f64) -> Met {
+    /// `surface`: height of an occluding surface. `line`: width of the line.
+    fn over(&self, point: DVec2, surface: f64, line: f64) -> Met {
         match &self.puff {
             Puff::Lobes(lobes) => {
-                let meeting = lobes.meet(point, surface, slack);
+                let meeting = lobes.meet(point, surface, line);
                 let place = point.extend(meeting.height);
+                let wall = meeting.wall.map(|bite| lobes.wall_normal(bite, place));
                 Met {
                     height: meeting.height,
                     outside: meeting.outside,
                     inward: (meeting.rim - point).normalize_or_zero(),
-                    form_normal: lobes.form_normal(place),
-                    normal: lobes.normal(place),
+                    form_normal: wall.unwrap_or_else(|| lobes.form_normal(place)),
+                    normal: wall.unwrap_or_else(|| lobes.normal(place)),
+                    is_edge: meeting.is_edge,
                 }
             }
             Puff::Billboard(billboards) => {
@@ -193,6 +198,7 @@ impl<'a> Body<'a> {
                     inward: -point.normalize_or_zero(),
                     form_normal: normal,
                     normal,
+                    is_edge: false,
                 }
             }
         }

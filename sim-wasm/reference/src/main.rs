@@ -4,6 +4,7 @@
 
 mod attributes;
 mod billboards;
+mod bites;
 mod bodies;
 mod contact;
 mod creases;

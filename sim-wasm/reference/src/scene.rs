@@ -134,6 +134,8 @@ pub struct Puffs {
     /// Whether puffs turn, stretch and unfold, and the part by which the lobes of young puffs are folded.
     pub is_deformed: bool,
     pub billow: f64,
+    /// Whether they have bites.
+    pub is_eroded: bool,
     /// Maximum height over the nailboard (radii).
     pub tallest: f64,
     /// Maximum visible depth behind the centre plane (radii).

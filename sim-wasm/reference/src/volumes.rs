@@ -5,8 +5,10 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat3, DVec3};
 
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
+use crate::bites::{self, FIRST_START};
 use crate::bodies::grown;
 use crate::light::Light;
+use crate::lobes::Lobe;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 
@@ -26,6 +28,60 @@ pub struct Volume {
     flat: DMat3,
     /// The discs of the lobes on this plane, in metres from the centre.
     discs: Vec<Disc>,
+    eaten: Option<Eaten>,
+}
+
+/// An eroded puff in a space about its centre where lobes and bites are balls of their own radii. A line to a lamp is treated
+/// as parallel to the axis at each ball.
+struct Eaten {
+    from_world: DMat3,
+    /// Unit vector away from the light.
+    axis: DVec3,
+    growth: f64,
+    lobes: Vec<Lobe>,
+    bites: Vec<Lobe>,
+}
+
+impl Eaten {
+    /// `growth`: inverse distance of the light.
+    fn new(scene: &Scene, row: &Row, axis: DVec3, growth: f64) -> Option<Self> {
+        let attributes = PackedAttributes(row.attributes);
+        let erosion = attributes.erosion();
+        if !scene.puffs.is_eroded || erosion <= FIRST_START {
+            return None;
+        }
+        let (along, ratio) = attributes.stretch();
+        let from_world = (stretching((along, ratio)) * row.radius).inverse();
+        let from_puff = from_world * attributes.world_from_puff() * row.radius;
+        let variation = attributes.variation() % scene.puffs.lobes.len();
+        let lobe = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| Lobe {
+            center: from_puff * DVec3::new(x, y, z) * unfolded(index, attributes.caster_age(), scene.puffs.billow),
+            radius,
+        };
+        Some(Self {
+            from_world,
+            axis: (from_world * axis).normalize(),
+            growth: growth * row.radius / ratio.sqrt(),
+            lobes: scene.puffs.lobes[variation].iter().enumerate().map(lobe).collect(),
+            bites: bites::bites(erosion, from_puff),
+        })
+    }
+
+    /// Whether a light ray meets what is left, by its offset from the centre where it crosses the plane of the centre.
+    fn is_met(&self, offset: DVec3) -> bool {
+        let point = (self.from_world * offset).reject_from_normalized(self.axis);
+        let through = |ball: &Lobe, cone: f64| {
+            let middle = ball.center.dot(self.axis);
+            let spread = 1.0 + self.growth * middle;
+            let beside = (point * spread - ball.center).reject_from_normalized(self.axis);
+            let slope = cone * ball.radius * self.growth / spread;
+            let half = ball.radius * ball.radius / (1.0 - slope * slope) - beside.length_squared();
+            (half > 0.0).then(|| (middle - half.sqrt(), middle + half.sqrt()))
+        };
+        let lobes: Vec<_> = self.lobes.iter().filter_map(|lobe| through(lobe, 1.0)).collect();
+        let bites: Vec<_> = self.bites.iter().map(|bite| through(bite, 0.0)).collect();
+        bites::top(&lobes, &bites).is_some()
+    }
 }
 
 struct Disc {
@@ -52,6 +108,7 @@ impl Volume {
             growth,
             flat,
             discs,
+            eaten: Eaten::new(scene, row, axis, growth),
         })
     }
 
@@ -60,7 +117,10 @@ impl Volume {
         let offset = point - self.center;
         let along = offset.dot(self.axis);
         let seen = self.flat * offset / (1.0 + self.growth * along);
-        along >= self.begin && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
+        let on_plane = (offset - along * self.axis) / (1.0 + self.growth * along);
+        along >= self.begin
+            && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
+            && self.eaten.as_ref().is_none_or(|eaten| eaten.is_met(on_plane))
     }
 
     /// Returns true if it contains the point of a view ray at a depth, counted as the paper does: on each ray it extends
@@ -176,7 +236,20 @@ fn begin_behind(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> f64
             world_from_puff.transpose() * towards_light,
         )
     };
-    cap.max(scene.style.min_cap) + shear(scene, camera, row, towards_light) + SLACK
+    let shear = shear(scene, camera, row, towards_light);
+    let start = cap.max(scene.style.min_cap) + shear + SLACK;
+    if !scene.puffs.is_eroded {
+        return start;
+    }
+    // Bites open the puff to the light up to its end.
+    let reach = (stretching(stretch(scene, row)).transpose() * towards_light).length();
+    let end = |(index, &[x, y, z, radius]): (usize, &[f64; 4])| {
+        let unfolded = unfolded(index, attributes.caster_age(), scene.puffs.billow);
+        radius * reach - (world_from_puff * DVec3::new(x, y, z)).dot(towards_light) * unfolded
+    };
+    let ends = scene.puffs.lobes[variation].iter().enumerate().map(end);
+    let end = ends.fold(0.0, f64::max) + shear + SLACK;
+    start + (end - start).max(0.0) * (attributes.erosion() / FIRST_START).min(1.0)
 }
 
 /// A board shows its relief along view rays instead of the view axis: a point at a height over the board is displaced

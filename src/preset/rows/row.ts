@@ -44,11 +44,16 @@ export function unitOf(unit: string): string {
   return unit === '1' ? '' : unit.replace(/(?<=[a-z])[23]/g, (power) => (power === '2' ? '\u00b2' : '\u00b3'));
 }
 
-/** An optional choice of the simulator. */
-export function choiceOfScene(key: SingleKey, group: string, rest: Named, labels: readonly string[]): ChoiceParameter {
+/** A choice of the simulator. */
+export function choiceOf(key: SingleKey, group: string, rest: Named, labels: readonly string[]): ChoiceParameter {
   const { names, default: initial } = singles[key];
   const options = names.map((name, index) => [name, labels[index]] as const);
-  return { ...choice(key, group, 'simulator', { ...rest, default: names[initial] }, options), isOptional: true };
+  return choice(key, group, 'simulator', { ...rest, default: names[initial] }, options);
+}
+
+/** An optional choice of the simulator. */
+export function choiceOfScene(key: SingleKey, group: string, rest: Named, labels: readonly string[]): ChoiceParameter {
+  return { ...choiceOf(key, group, rest, labels), isOptional: true };
 }
 
 /** A choice with the literal types of its values. */

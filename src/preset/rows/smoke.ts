@@ -1,5 +1,5 @@
 import type { Parameter } from '../parameter.ts';
-import { ofScene, simulated } from './row.ts';
+import { choiceOf, ofScene, simulated } from './row.ts';
 
 /** Emission rate, lifetime and size of puffs. */
 export const smokeRows: readonly Parameter[] = [
@@ -30,6 +30,15 @@ export const smokeRows: readonly Parameter[] = [
     text: 'Size of a puff over its life, from birth to death; it always ends at 0.',
     default: '0:1,1:0',
   },
+  choiceOf(
+    'emission.dissolve',
+    'emission',
+    {
+      label: 'Dissolving',
+      text: 'How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the comparison renderers have no holes.',
+    },
+    ['Shrink', 'Erode'],
+  ),
   ofScene('emission.entrainment', 'emission', {
     slider: 'even',
     step: 0.01,

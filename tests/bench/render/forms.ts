@@ -1,6 +1,6 @@
 /**
- * render.lobes, render.stretching, render.strokes: cost of bodies as lobes, as baked billboards and as stretched lobes, and of
- * strokes, of the same particles, in turns.
+ * render.lobes, render.stretching, render.eroding, render.strokes: cost of bodies as lobes, as baked billboards, as stretched
+ * lobes and as lobes with bites, and of strokes, of the same particles, in turns.
  */
 import { MAX_STRETCH } from '../../../src/constants.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
@@ -28,14 +28,15 @@ interface Side {
 
 export async function measureForms(quick: boolean): Promise<Figure[]> {
   const bench = await RenderBench.create();
-  const arranger = { plain: bench.simulator, stretched: stretched(bench.simulator) };
+  const arranger = { plain: bench.simulator, stretched: stretched(bench.simulator), eroded: eroded(bench.simulator) };
   const lobes = look(bench, 'lobes', arranger.plain, {});
   const billboards = look(bench, 'billboards', arranger.plain, { form: 'billboards' });
   const deformed = { isDeformed: true, stretch: RATIO };
   const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
   const drawn = look(bench, 'strokes', arranger.plain, { strokes: 1 });
-  const sides = [lobes, billboards, rotated, longer, drawn];
+  const bitten = look(bench, 'eroded', arranger.eroded, { isEroded: true });
+  const sides = [lobes, billboards, rotated, longer, drawn, bitten];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -81,6 +82,12 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       `bodies stretched upwards by ${RATIO} / not stretched, the same particles`,
     ),
     figure(
+      'render.eroding',
+      'x',
+      bitten.times.map((time, round) => time / lobes.times[round]),
+      'bodies eroded by 0 to 1, evenly spread / whole, the same particles',
+    ),
+    figure(
       'render.strokes',
       'x',
       drawn.frames.map((time, round) => time / lobes.frames[round]),
@@ -103,11 +110,22 @@ function stretched(simulator: Arranger): Arranger {
   const { stretchU, stretchV, stretch } = ATTRIBUTE_BITS;
   const steps = Math.round((stretch.max * (RATIO - 1)) / (MAX_STRETCH - 1));
   const word = ((127 << stretchU.shift) | (254 << stretchV.shift) | (steps << stretch.shift)) >>> 0;
+  return withLastWord(simulator, () => word);
+}
+
+/** The same rows, each with another erosion. */
+function eroded(simulator: Arranger): Arranger {
+  const { shift, max } = ATTRIBUTE_BITS.erosion;
+  return withLastWord(simulator, (row) => (((row * 97) % (max + 1)) << shift) >>> 0);
+}
+
+function withLastWord(simulator: Arranger, wordOf: (row: number) => number): Arranger {
   return {
     arrange(view) {
       const arranged = simulator.arrange(view);
       const { count, attributes } = arranged.rows;
-      for (let row = 0; row < count; row++) attributes[ATTRIBUTE_WORDS * row + stretch.word] = word;
+      for (let row = 0; row < count; row++)
+        attributes[ATTRIBUTE_WORDS * row + ATTRIBUTE_BITS.erosion.word] = wordOf(row);
       return arranged;
     },
   };

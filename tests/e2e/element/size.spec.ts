@@ -36,7 +36,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   judge([
     { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 66, goal: 66 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 114.5 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 114.6 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);

@@ -17,7 +17,15 @@ const CHANGED: readonly (readonly [key: string, value: number])[] = [
 const LOOKS: readonly Values[] = [{ 'puff.form': 'billboards' }, { 'style.renderer': 'selle' }];
 
 beforeAll(() =>
-  fetchExtras({ renderer: 'selle', form: 'billboards', volumes: 'receiver', simplify: 0, outlines: true, strokes: 0 }),
+  fetchExtras({
+    renderer: 'selle',
+    form: 'billboards',
+    volumes: 'receiver',
+    simplify: 0,
+    outlines: true,
+    strokes: 0,
+    isEroded: false,
+  }),
 );
 
 function layersOf(values: Values) {

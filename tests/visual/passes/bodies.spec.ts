@@ -7,6 +7,18 @@ const CASES = '/tests/visual/passes/puffs.cases.ts';
 type LonePuffs = typeof import('./lonePuffs.cases.ts');
 const LONE_PUFFS = '/tests/visual/passes/lonePuffs.cases.ts';
 
+for (const light of ['sun', 'lamp'] as const) {
+  test(`puffs with bites under a ${light} mask none of their own lit pixels`, async ({ load }) => {
+    const cases = await load<LonePuffs>(LONE_PUFFS);
+    const report = await cases.evaluate(
+      (module, kind) => module.selfMasked('lobes', kind, 200, undefined, { tones: 3, isEroded: true }),
+      light,
+    );
+    expect(report.lit).toBeGreaterThan(30_000);
+    expect(report.masked).toBe(0);
+  });
+}
+
 for (const form of ['lobes', 'billboards'] as const) {
   test.describe(form, () => {
     for (const light of ['sun', 'lamp'] as const) {

@@ -120,7 +120,9 @@ function seenPlace(camera: Camera, next: Random): Vector3 {
 }
 
 function rotatedPuff(next: Random, place: Vector3, radius: number): LabPuff {
-  return { place: place.toArray(), radius, roll: next() * 2 * Math.PI, seed: Math.floor(next() * 256) };
+  const [roll, seed] = [next() * 2 * Math.PI, Math.floor(next() * 256)];
+  // Read only by styles with erosion; from the seed, because the places of all puffs follow from the random numbers.
+  return { place: place.toArray(), radius, roll, seed, erosion: ((seed * 97) % 256) / 255 };
 }
 
 /** Pixels that are not ink, page or the darkest tone, which receives no light. */

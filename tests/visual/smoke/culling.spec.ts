@@ -32,6 +32,17 @@ test('culling changes no pixel of puffs that turn, stretch and unfold', async ({
   expectSame(comparisons);
 });
 
+test('culling changes no pixel of puffs that are eroded', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'erode' };
+  const comparisons = await cases.evaluate(
+    (module, input) => module.compareScene(input, 5, ['scene', 'above', 'inside', 'behind']),
+    values,
+  );
+  expectSame(comparisons);
+  for (const { bodies } of comparisons) expect(bodies[0]).toBeLessThan(bodies[1]);
+});
+
 for (const form of ['lobes', 'billboards'] as const) {
   test(`culling changes no pixel of a dense plume of ${form}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);

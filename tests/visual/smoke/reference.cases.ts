@@ -41,6 +41,14 @@ const SCENES = {
   deformed: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, deformation),
   deformedByLamp: () =>
     cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, deformation),
+  eroded: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, erosion),
+  erodedByLamp: () =>
+    cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, erosion),
+  erodedAndDeformed: () =>
+    cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, (next) => ({
+      ...deformation(next),
+      ...erosion(next),
+    })),
   orthographic: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), SUN),
   eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }),
   backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), { towardsLight: [0.1, 0.35, -1] }),
@@ -85,7 +93,7 @@ function cluster(
   camera: Camera,
   light: Pick<LabScene, 'towardsLight' | 'lamp'>,
   raised = 0,
-  deform?: (next: () => number) => LabPuff['deformation'],
+  change: (next: () => number) => Partial<LabPuff> = () => ({}),
 ): Shown {
   const next = random(77);
   const puffs = Array.from({ length: 40 }, (_, index) => ({
@@ -97,7 +105,7 @@ function cluster(
     tint: index % 5,
     age: next(),
     temperature: (index % 7) / 6,
-    ...(deform ? { deformation: deform(next) } : {}),
+    ...change(next),
   }));
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
@@ -105,20 +113,18 @@ function cluster(
 }
 
 /** Any turn, and any stretch up to a ratio of 3. */
-function deformation(next: () => number): LabPuff['deformation'] {
+function deformation(next: () => number): Pick<LabPuff, 'deformation'> {
   const bits = (max: number): number => Math.floor(next() * max);
   // The highest bit is flipped, and each component is at most 300 / 720.
   const component = (): number => (212 + bits(600)) ^ 512;
   const [quaternionX, quaternionY, quaternionZ] = [component(), component(), component()];
-  return {
-    quaternionX,
-    quaternionY,
-    quaternionZ,
-    quaternionLargest: bits(4),
-    stretchU: bits(255),
-    stretchV: bits(255),
-    stretch: bits(170),
-  };
+  const rotation = { quaternionX, quaternionY, quaternionZ, quaternionLargest: bits(4) };
+  return { deformation: { ...rotation, stretchU: bits(255), stretchV: bits(255), stretch: bits(170) } };
+}
+
+/** Whole puffs and puffs with one to three bites. */
+function erosion(next: () => number): Pick<LabPuff, 'erosion'> {
+  return { erosion: Math.max(0, 1.2 * next() - 0.2) };
 }
 
 /** Shadows of puffs beside and behind the eye, most of them close to the near plane. */

@@ -60,6 +60,18 @@ const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['deformed', [STRETCHED, UNFOLDING, { ...UNFOLDING, volumes: 'counted' }, { ...STRETCHED, tones: 3 }]],
   ['deformedByLamp', [UNFOLDING]],
 ];
+const ERODED = { isEroded: true };
+const DISSOLVING: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['eroded', [ERODED, { ...ERODED, tones: 3, inkSwell: 0.7, boil: 0.5 }, { ...ERODED, volumes: 'counted' }]],
+  ['erodedByLamp', [{ ...ERODED, outlineWidth: 4 }]],
+  [
+    'erodedAndDeformed',
+    [
+      { ...ERODED, ...STRETCHED },
+      { ...ERODED, ...UNFOLDING, tones: 3 },
+    ],
+  ],
+];
 const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{}]],
   ['offAxis', [BILLBOARDS]],
@@ -91,6 +103,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs among solids', CLUSTERS, false],
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
   ['puffs that turn, stretch and unfold', DEFORMED, false],
+  ['puffs that are eroded, also while they turn and stretch', DISSOLVING, false],
   ['billboards', ON_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
   ['volumes counted by entry and exit', COUNTED, false],

@@ -68,6 +68,8 @@ pub const TURN_LARGEST: Bits = Bits::new(2, 30, 2);
 pub const STRETCH_AXIS: [Bits; 2] = [Bits::new(3, 0, 8), Bits::new(3, 8, 8)];
 /// Ratio of the axes, from 1 to [`MAX_STRETCH`].
 pub const STRETCH: Bits = Bits::new(3, 16, 8);
+/// Erosion in 255ths. A puff that is eroded covers nothing.
+pub const EROSION: Bits = Bits::new(3, 24, 8);
 
 /// Steps of a quaternion's component per unit: the components left are at most the root of 1/2.
 pub const QUATERNION_STEPS: f32 = 720.0;
@@ -96,6 +98,7 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("stretchU", STRETCH_AXIS[0]),
     ("stretchV", STRETCH_AXIS[1]),
     ("stretch", STRETCH),
+    ("erosion", EROSION),
 ];
 
 /// Ends of shadows per radius.

@@ -2,7 +2,7 @@
 
 use crate::arrange::deformation;
 use crate::arrange::row_layout::{
-    AGE, Attributes, Bits, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
+    AGE, Attributes, Bits, EROSION, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
 };
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
@@ -69,11 +69,12 @@ impl RowSampler {
         let age = self.age(particles, i);
         let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
         let [turn, stretch] = self.flow(particles, i);
+        let erosion = fraction(self.radii.erosion(age, particles.lifetime[i]), EROSION);
         [
             ROLL.packed(roll(attributes, age)) | worn,
             constant(attributes),
             turn,
-            stretch,
+            stretch | EROSION.packed(erosion),
         ]
     }
 

@@ -3,23 +3,30 @@
 //! radius(age) = size * puff.size * growth(age) * density(age / lifetime), exactly 0 at birth and at death. growth(age)
 //! is t (2 - t) for t = age / growthTime up to 1. Growth is steepest at birth, so that smoke leaves a nozzle as a stem
 //! instead of a string of specks. Growth times below [`MIN_GROWTH_TIME`] are raised to it, except for the integrator
-//! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`.
+//! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`. With
+//! `emission.dissolve` `erode`, a puff keeps its radius and is eroded instead, until the density is [`ERODED_DENSITY`]; the
+//! factor is then density / [`ERODED_DENSITY`].
 //!
 //! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
 //! slope / lifetime), the first term only for growthTime above 0. The slope is 1 for the linear law and the steepest
-//! slope of a curve otherwise, at most 50. Entrainment adds puff.size * entrainment * |slip| * h.
+//! slope of a curve otherwise, at most 50, and 1 / [`ERODED_DENSITY`] times as much for eroded puffs. Entrainment adds puff.size * entrainment * |slip| * h.
 
 use wide::f32x4;
 
 use crate::layout::parameters::settings::Integrator;
 use crate::layout::parameters::table::Parameters;
-use crate::math::scalar::greater;
+use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{positive_part, smaller};
 use crate::particles::density::Curve;
 
 /// Minimum growth time (s), so that no particle appears at full size from one step to the next. Does not apply to the
 /// integrator `paper`, which keeps the law of the paper.
 pub const MIN_GROWTH_TIME: f32 = 0.1;
+
+/// Density from which an eroded puff shrinks, so that its last piece vanishes without a jump.
+pub const ERODED_DENSITY: f32 = 0.25;
+/// Density at which the erosion of a puff begins; it is complete at [`ERODED_DENSITY`].
+pub const EROSION_DENSITY: f32 = 0.75;
 
 /// The radius of a particle as a function of size and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,12 +37,15 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
+    /// Factor on the density, which is at most 1 after it; more than 1 if puffs are eroded before they shrink.
+    gain: f32,
 }
 
 impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
         let growth_time = parameters.emission.growth_time as f32;
+        let erodes = parameters.emission.dissolve == 1.0;
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
         Self {
             puff_size: parameters.puff.size as f32,
@@ -45,6 +55,7 @@ impl RadiusLaw {
                 growth_time.max(MIN_GROWTH_TIME)
             },
             curve: Curve::new(parameters.density.items()),
+            gain: if erodes { 1.0 / ERODED_DENSITY } else { 1.0 },
         }
     }
 
@@ -54,6 +65,7 @@ impl RadiusLaw {
             puff_size,
             growth_time,
             curve: None,
+            gain: 1.0,
         }
     }
 
@@ -61,12 +73,26 @@ impl RadiusLaw {
     /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
-        let worn = age / lifetime;
-        let density = match &self.curve {
+        let share = lesser(self.density(age / lifetime) * self.gain, 1.0);
+        self.undiminished(size, age) * share
+    }
+
+    /// Erosion of a particle at `age` of `lifetime` (s); it has not begun up to 0 and is complete from 1 on. 0 if puffs only shrink.
+    pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
+        if self.gain == 1.0 {
+            return 0.0;
+        }
+        let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);
+        lost / (EROSION_DENSITY - ERODED_DENSITY)
+    }
+
+    // Inlined twice, the curve would take more space.
+    #[inline(never)]
+    fn density(&self, worn: f32) -> f32 {
+        match &self.curve {
             None => greater(1.0 - worn, 0.0),
             Some(curve) => curve.density(worn),
-        };
-        self.undiminished(size, age) * density
+        }
     }
 
     /// Radius (m) at density 1; `age` is 0 or more.
@@ -83,6 +109,7 @@ impl RadiusLaw {
             None => positive_part(f32x4::ONE - worn),
             Some(curve) => curve.densities(worn),
         };
+        let density = smaller(density * f32x4::splat(self.gain), f32x4::ONE);
         let full = size * f32x4::splat(self.puff_size);
         if self.growth_time <= 0.0 {
             return full * density;
@@ -104,7 +131,7 @@ impl RadiusLaw {
 mod tests {
     use super::*;
 
-    fn law(stops: &[[f64; 2]], growth_time: f64, integrator: f64) -> RadiusLaw {
+    fn law(stops: &[[f64; 2]], growth_time: f64, integrator: f64, dissolve: f64) -> RadiusLaw {
         let mut parameters = Parameters::default();
         let mut set = |key: &str, value| parameters.set(key, value).expect("a test's values are in range");
         for (index, [age, value]) in stops.iter().enumerate() {
@@ -114,6 +141,7 @@ mod tests {
         set("puff.size", 1.3);
         set("emission.growthTime", growth_time);
         set("simulation.integrator", integrator);
+        set("emission.dissolve", dissolve);
         RadiusLaw::new(&parameters)
     }
 
@@ -134,11 +162,11 @@ mod tests {
                 [1.0, 1.0],
             ],
         ];
-        for (stops, (growth_time, integrator)) in curves
+        for (stops, (growth_time, integrator, dissolve)) in curves
             .iter()
-            .flat_map(|curve| [(0.0, 1.0), (0.7, 0.0)].map(|rest| (curve, rest)))
+            .flat_map(|curve| [(0.0, 1.0, 0.0), (0.7, 0.0, 0.0), (0.7, 0.0, 1.0)].map(|rest| (curve, rest)))
         {
-            let law = law(stops, growth_time, integrator);
+            let law = law(stops, growth_time, integrator, dissolve);
             for step in -5..300 {
                 let age = step as f32 / 60.0;
                 let lanes = law.radii(f32x4::splat(0.4), f32x4::splat(age), f32x4::splat(3.1));

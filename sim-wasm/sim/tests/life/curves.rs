@@ -48,6 +48,42 @@ fn a_curve_goes_straight_from_stop_to_stop() {
     }
 }
 
+/// Radius and erosion of a particle of size 1 at the fraction `worn` of its life, with `emission.dissolve` `erode`.
+fn eroded(stops: &[(f64, f64)], worn: f64) -> (f64, f64) {
+    let mut parameters = parameters(stops);
+    parameters.set("emission.dissolve", 1.0).unwrap();
+    let (law, lifetime) = (RadiusLaw::new(&parameters), 1000.0);
+    let age = (worn * lifetime) as f32;
+    let radius = law.radius(1.0, age, lifetime as f32);
+    // Rows have the erosion between 0 and 1.
+    (
+        f64::from(radius),
+        f64::from(law.erosion(age, lifetime as f32)).clamp(0.0, 1.0),
+    )
+}
+
+#[test]
+fn an_eroded_puff_keeps_its_radius_until_its_erosion_is_complete() {
+    let cases = [
+        (0.2, 1.0, 0.0),
+        (0.25, 1.0, 0.0),
+        (0.5, 1.0, 0.5),
+        (0.75, 1.0, 1.0),
+        (0.875, 0.5, 1.0),
+        (1.0, 0.0, 1.0),
+    ];
+    for (worn, radius, erosion) in cases {
+        let found = eroded(&[], worn);
+        assert!((found.0 - radius).abs() < 1e-4, "radius {} at {worn}", found.0);
+        assert!((found.1 - erosion).abs() < 1e-4, "erosion {} at {worn}", found.1);
+        assert_eq!(RadiusLaw::new(&parameters(&[])).erosion(worn as f32, 1.0), 0.0);
+    }
+    // By a curve that ends earlier.
+    let (radius, erosion) = eroded(&[(0.0, 1.0), (0.4, 0.5), (0.6, 0.125)], 0.4);
+    assert!((radius - 1.0).abs() < 1e-4 && (erosion - 0.5).abs() < 1e-4);
+    assert!((eroded(&[(0.0, 1.0), (0.4, 0.5), (0.6, 0.125)], 0.7).0 - 0.5).abs() < 1e-4);
+}
+
 #[test]
 fn stops_are_taken_in_the_order_of_their_ages() {
     let ordered = [(0.1, 0.3), (0.5, 0.9), (0.7, 0.4)];

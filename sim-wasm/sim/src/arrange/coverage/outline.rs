@@ -8,7 +8,7 @@ use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::deformation::undeformed;
-use crate::arrange::row_layout::{Attributes, END_STEPS, NO_END};
+use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
 use crate::math::scalar::{clamped, greater};
 use crate::math::simd::{LANES, positive_part};
 
@@ -102,6 +102,8 @@ impl<'a> Outliner<'a> {
     /// Writes the discs of the row that `place` projected.
     #[inline(always)]
     pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
+        // A puff that is eroded may have holes.
+        outline.projected.covers &= EROSION.of(attributes) == 0;
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
             PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),

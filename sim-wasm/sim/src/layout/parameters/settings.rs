@@ -12,6 +12,7 @@ pub struct Emission {
     pub lifetime: f64,
     pub growth_time: f64,
     pub entrainment: f64,
+    pub dissolve: f64,
 }
 
 impl Item for Emission {
@@ -20,6 +21,7 @@ impl Item for Emission {
         number("lifetime", "s", [0.1, 60.0], 7.0, |e: &mut Self| &mut e.lifetime),
         number("growthTime", "s", [0.0, 30.0], 2.6, |e: &mut Self| &mut e.growth_time),
         number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
+        number("dissolve", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.dissolve).named(&["shrink", "erode"]),
     ];
 }
 

@@ -1,0 +1,104 @@
+import { RawShaderMaterial, type WebGLRenderer } from 'three';
+import { expect, it } from 'vitest';
+import lobesFragment from '../../../shaders/bodies/lobes.frag';
+import lobesVertex from '../../../shaders/bodies/lobes.vert';
+import tiledVertex from '../../../shaders/tiledVolumes/tiledVolumes.vert';
+import volumesFragment from '../../../shaders/volumes/volumes.frag';
+import volumesVertex from '../../../shaders/volumes/volumes.vert';
+import {
+  ATTRIBUTE_WORDS,
+  ONE_QUAD,
+  PLACE_FLOATS,
+  RowGeometry,
+  RowTextures,
+  type DrawnRows,
+} from '../../../src/device/drawnRows.ts';
+import type { PuffTextures } from '../../../src/device/puffTextures.ts';
+import { ATTRIBUTE_BITS } from '../../../src/sim/layout.ts';
+import { bitesOf, withBites } from '../../../src/smoke/bites.ts';
+
+const LOBES = 10;
+const EROSIONS = [0, 9, 0, 255, 1, 0, 0, 40];
+
+/** Rows whose place is their number. */
+function rowsOf(erosions: readonly number[]): RowGeometry {
+  const rows = new RowTextures(erosions.length);
+  const { word, shift } = ATTRIBUTE_BITS.erosion;
+  erosions.forEach((erosion, row) => {
+    rows.placeArray.fill(row, PLACE_FLOATS * row, PLACE_FLOATS * (row + 1));
+    rows.attributeWords.fill(row, ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1));
+    rows.attributeWords[ATTRIBUTE_WORDS * row + word] = (erosion << shift) >>> 0;
+  });
+  rows.update(erosions.length);
+  return new RowGeometry(rows, ONE_QUAD);
+}
+
+/** The draw calls: their rows and materials. */
+function drawn(geometry: RowGeometry, maxVaryings: number) {
+  const whole = new RawShaderMaterial({ vertexShader: lobesVertex, fragmentShader: lobesFragment });
+  whole.stencilRef = 3;
+  const calls: { numbers: number[]; words: number[]; material: RawShaderMaterial }[] = [];
+  const mesh = {
+    material: whole,
+    drawPlain(_renderer: WebGLRenderer, { rows: { first, count, placeArray, attributeWords } }: RowGeometry) {
+      const shown = Array.from({ length: count - first }, (_, index) => first + index);
+      calls.push({
+        numbers: shown.map((row) => placeArray[PLACE_FLOATS * row + 3]),
+        words: shown.map((row) => attributeWords[ATTRIBUTE_WORDS * row]),
+        material: mesh.material,
+      });
+    },
+  };
+  const puffs = { lobes: { puffs: { lobeCount: LOBES } } } as unknown as PuffTextures;
+  const renderer = { capabilities: { maxVaryings } } as unknown as WebGLRenderer;
+  bitesOf(puffs).draw(renderer, mesh as unknown as DrawnRows, geometry);
+  expect(mesh.material).toBe(whole);
+  return { calls, whole };
+}
+
+const sorted = (numbers: readonly number[]) => [...numbers].sort((one, other) => one - other);
+
+it('draws whole rows with the plain material and the others with bites, each once', () => {
+  const geometry = rowsOf(EROSIONS);
+  const { calls, whole } = drawn(geometry, 15);
+  expect(calls.map(({ numbers }) => sorted(numbers))).toEqual([
+    [0, 2, 5, 6],
+    [1, 3, 4, 7],
+  ]);
+  for (const { numbers, words } of calls) expect(words).toEqual(numbers);
+  expect(calls[0].material).toBe(whole);
+  expect(calls[1].material.uniforms).toBe(whole.uniforms);
+  expect(calls[1].material.stencilRef).toBe(3);
+  expect(calls[1].material.fragmentShader).not.toContain('insert_');
+  expect([geometry.rows.first, geometry.rows.count]).toEqual([0, EROSIONS.length]);
+});
+
+it('draws no row twice if all are whole or all have bites', () => {
+  expect(drawn(rowsOf([0, 0]), 15).calls.map(({ numbers }) => sorted(numbers))).toEqual([[0, 1], []]);
+  expect(drawn(rowsOf([7, 8]), 15).calls.map(({ numbers }) => sorted(numbers))).toEqual([[0, 1]]);
+});
+
+it('keeps the order of rows on which other geometries depend', () => {
+  class Listed extends RowGeometry {}
+  const { rows } = rowsOf(EROSIONS);
+  const { calls } = drawn(new Listed(rows, ONE_QUAD), 15);
+  expect(calls.map(({ numbers }) => numbers)).toEqual([[0, 1, 2, 3, 4, 5, 6, 7]]);
+});
+
+it('draws whole puffs where the GPU has too few varyings', () => {
+  const { calls, whole } = drawn(rowsOf(EROSIONS), 14);
+  expect(calls.map(({ numbers, material }) => [numbers.length, material])).toEqual([[EROSIONS.length, whole]]);
+});
+
+it('replaces every insertion point, and each piece of code once', () => {
+  const shaders = [lobesVertex, lobesFragment, volumesVertex, volumesFragment];
+  const points = shaders.flatMap((shader) =>
+    [...shader.matchAll(/#pragma insert_(\d+)/g)].map(([, index]) => Number(index)),
+  );
+  expect(points).toEqual(points.map((_, index) => index));
+  for (const shader of [...shaders, tiledVertex]) {
+    const bitten = withBites(shader, LOBES);
+    expect(bitten).not.toMatch(/insert_|undefined|#pragma section/);
+    expect(bitten.length).toBeGreaterThan(shader.length);
+  }
+});
