@@ -130,7 +130,7 @@ describe('test', () => {
     project.write('scripts/test/suites.mjs', `${run} export const suites = () => [${code}];`);
   }
   function withSetUp(body: string): void {
-    const code = `export const TOOLS = ['tools'], WASM = ['wasm']; export async function setUp(components) { ${body} }`;
+    const code = `export const TOOLCHAIN = ['toolchain'], TOOLS = ['tools'], WASM = ['wasm']; export async function setUp(components) { ${body} }`;
     project.write('scripts/setup/setup.mjs', code);
   }
   const suite = (name: string, result: object) =>
