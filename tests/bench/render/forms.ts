@@ -1,6 +1,7 @@
 /**
- * render.lobes, render.stretching, render.eroding, render.strokes: cost of bodies as lobes, as baked billboards, as stretched
- * lobes and as lobes with bites, and of strokes, of the same particles, in turns.
+ * render.lobes, render.stretching, render.eroding, render.strokes, render.simplify: cost of bodies as lobes, as baked
+ * billboards, as stretched lobes and as lobes with bites, and of strokes and large shapes of light, of the same particles,
+ * in turns.
  */
 import { MAX_STRETCH } from '../../../src/constants.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
@@ -13,6 +14,9 @@ import type { Fragments } from './fragments.ts';
 
 /** Ratio of the axes of stretched puffs: about the mean of the lamp and of the rocket. */
 const RATIO = 2;
+
+/** CSS px, as in most presets. */
+const SIMPLIFY = 3;
 
 /** Results of one form. */
 interface Side {
@@ -35,8 +39,9 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
   const drawn = look(bench, 'strokes', arranger.plain, { strokes: 1 });
+  const simplified = look(bench, 'simplified', arranger.plain, { simplify: SIMPLIFY });
   const bitten = look(bench, 'eroded', arranger.eroded, { isEroded: true });
-  const sides = [lobes, billboards, rotated, longer, drawn, bitten];
+  const sides = [lobes, billboards, rotated, longer, drawn, bitten, simplified];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -92,6 +97,12 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       'x',
       drawn.frames.map((time, round) => time / lobes.frames[round]),
       'frames with style.strokes=1 / with 0, the same particles',
+    ),
+    figure(
+      'render.simplify',
+      'x',
+      simplified.frames.map((time, round) => time / lobes.frames[round]),
+      `frames with style.simplify=${SIMPLIFY} / with 0, the same particles`,
     ),
   ];
 }
