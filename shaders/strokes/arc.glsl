@@ -13,6 +13,12 @@ uniform float pixelRatio;
 uniform sampler2D lobeTable;
 // Size of the texture with a texel for each sample of each arc, in reading order.
 uniform ivec2 standingsSize;
+// Size of the texture with a texel for each arc, in reading order.
+uniform ivec2 candidatesSize;
+#ifndef CANDIDATES
+// 1 where the arc has samples.
+uniform sampler2D candidates;
+#endif
 
 // Half angle of the arc, radians.
 const vec2 HALF_ANGLES = vec2(1.1, 1.7);
@@ -118,6 +124,17 @@ ivec2 texelOf(int stroke, int number) {
   int at = stroke * (LAST + 1) + number;
   return ivec2(at % standingsSize.x, at / standingsSize.x);
 }
+
+ivec2 candidateTexelOf(int stroke) {
+  return ivec2(stroke % candidatesSize.x, stroke / candidatesSize.x);
+}
+
+#ifndef CANDIDATES
+// Whether a sample of the arc can stand before other smoke.
+bool isCandidate(int stroke) {
+  return texelFetch(candidates, candidateTexelOf(stroke), 0).r > 0.0;
+}
+#endif
 
 // Finds the arc of the row. Returns its opacity as far as it does not depend on other smoke.
 float findArc() {

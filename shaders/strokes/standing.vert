@@ -2,7 +2,8 @@ precision highp float;
 precision highp int;
 
 // How well a lobe stands before other smoke at a sample of a stroke's arc: a point for each. The depth of the picture on both
-// sides of the outline says so, at two distances, so that the result changes gradually as other smoke moves past.
+// sides of the outline says so, at several distances, so that the result changes gradually as other smoke moves past.
+// CANDIDATES: a point for each arc, which says whether the others have to be drawn.
 uniform float innerLine;
 uniform float innerTaper;
 uniform sampler2D lit;
@@ -77,11 +78,39 @@ float standing(float along) {
   return sum / float(TAPS);
 }
 
-void main() {
-  fetchRow(gl_VertexID / (LAST + 1));
-  int number = gl_VertexID % (LAST + 1);
-  shown = findArc() > 0.0 ? standing(alongOf(number)) : 0.0;
-  vec2 texel = vec2(texelOf(gl_VertexID / (LAST + 1), number)) + 0.5;
-  gl_Position = vec4(2.0 * texel / vec2(standingsSize) - 1.0, 0.0, 1.0);
+void placePoint(ivec2 texel, ivec2 size) {
+  gl_Position = vec4(2.0 * (vec2(texel) + 0.5) / vec2(size) - 1.0, 0.0, 1.0);
   gl_PointSize = 1.0;
 }
+
+#ifdef CANDIDATES
+// Finds the arcs that can have a stroke: those with one of these samples before other smoke. A stroke covers more samples
+// than lie between two of them.
+const int STRIDE = 2;
+
+bool isCandidate() {
+  if (findArc() <= 0.0) return false;
+  for (int number = STRIDE - 1; number <= LAST; number += STRIDE) {
+    if (standing(alongOf(number)) > 0.0) return true;
+  }
+  return false;
+}
+
+void main() {
+  fetchRow(gl_VertexID);
+  shown = isCandidate() ? 1.0 : 0.0;
+  placePoint(candidateTexelOf(gl_VertexID), candidatesSize);
+}
+#else
+void main() {
+  int stroke = gl_VertexID / (LAST + 1);
+  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  gl_PointSize = 1.0;
+  shown = 0.0;
+  if (!isCandidate(stroke)) return;
+  fetchRow(stroke);
+  int number = gl_VertexID % (LAST + 1);
+  if (findArc() > 0.0) shown = standing(alongOf(number));
+  placePoint(texelOf(stroke, number), standingsSize);
+}
+#endif

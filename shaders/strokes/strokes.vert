@@ -38,7 +38,7 @@ int stroke;
 
 // The standing about a sample. The average closes narrow gaps, such as where a line of smoke behind meets the outline.
 float standing(int number) {
-  const int TAPS = 2;
+  const int TAPS = 1;
   float sum = 0.0;
   for (int i = -TAPS; i <= TAPS; i++) {
     float weight = float(TAPS + 1 - abs(i));
@@ -59,11 +59,13 @@ float averageStanding(float along) {
 }
 
 void main() {
-  readRow();
   stroke = gl_VertexID / rowVertices;
   int number = (gl_VertexID % rowVertices) / 2;
   float side = float(gl_VertexID % 2) * 2.0 - 1.0;
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  opacity = 0.0;
+  if (!isCandidate(stroke)) return;
+  fetchRow(stroke);
   opacity = findArc();
   if (opacity <= 0.0) return;
   bulge = height;

@@ -1,7 +1,7 @@
 import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, RowTextures, type RowLayout } from '../../device/drawnRows.ts';
 
 /** Segments of a stroke. */
-export const SEGMENTS = 40;
+export const SEGMENTS = 20;
 const MIN_CAPACITY = 256;
 
 const STRIP: RowLayout = {

@@ -10,6 +10,7 @@ import {
   type RawShaderMaterial,
   type Texture,
   type WebGLRenderer,
+  type WebGLRenderTarget,
 } from 'three';
 import composeShader from '../../../shaders/strokes/compose.frag';
 import standingFragmentShader from '../../../shaders/strokes/standing.frag';
@@ -30,16 +31,19 @@ import { SEGMENTS, StrokeRows } from './strokeRows.ts';
 /** Samples of an arc, and arcs in a row of texels. */
 const SAMPLES = SEGMENTS + 1;
 const ARCS_PER_LINE = 32;
+/** Arcs in a row of texels of the candidates. */
+const CANDIDATES_PER_LINE = 1024;
 
 /**
  * Draws strokes of ink inside the silhouette: arcs of the outlines of lobes that stand before other smoke. First the depth
- * of the picture is compared at samples of all arcs. Then the strokes are drawn into a target of their own, where the
+ * of the picture is compared at some samples of all arcs, then at all samples of the few arcs that have any. Then the strokes are drawn into a target of their own, where the
  * greatest opacity counts, so that their order does not matter.
  */
 export class StrokesPass {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   private readonly found = new StrokeRows();
+  private readonly candidates = opacityTarget();
   private readonly standings = opacityTarget();
   private readonly coverage = opacityTarget();
   private readonly kinds: Readonly<Record<'plain' | 'deformed', StrokeShaders>>;
@@ -50,7 +54,7 @@ export class StrokesPass {
 
   constructor(eye: FrameView, puffs: PuffTextures) {
     this.puffs = puffs;
-    this.uniforms = { ...eye.uniforms, ...strokeUniforms(this.standings.texture) };
+    this.uniforms = { ...eye.uniforms, ...strokeUniforms(this.candidates.texture, this.standings.texture) };
     this.kinds = {
       plain: new StrokeShaders(this.uniforms, {}),
       deformed: new StrokeShaders(this.uniforms, DEFORMED),
@@ -108,7 +112,7 @@ export class StrokesPass {
 
   /** Releases the render targets until the next draw. */
   rest(): void {
-    for (const target of [this.standings, this.coverage]) target.dispose();
+    for (const target of [this.candidates, this.standings, this.coverage]) target.dispose();
   }
 
   dispose(): void {
@@ -120,28 +124,39 @@ export class StrokesPass {
     return this.puffs.isDeformed ? this.kinds.deformed : this.kinds.plain;
   }
 
-  /** Compares the depth at all samples. */
+  /** Compares the depth at the samples. */
   private compare(renderer: WebGLRenderer, strips: RowGeometry): void {
     const { count } = strips.rows;
     if (count === 0) return;
-    const { standings, uniforms } = this;
-    const size = uniforms.standingsSize.value.set(SAMPLES * ARCS_PER_LINE, Math.ceil(count / ARCS_PER_LINE));
-    standings.setSize(size.x, Math.max(size.y, standings.height));
-    size.y = standings.height;
+    const { candidates, standings, uniforms, kind } = this;
+    strips.bind(kind.strips);
+    fit(candidates, uniforms.candidatesSize.value, CANDIDATES_PER_LINE, Math.ceil(count / CANDIDATES_PER_LINE));
+    renderer.setRenderTarget(candidates);
+    kind.candidates.draw(renderer, count);
+    fit(standings, uniforms.standingsSize.value, SAMPLES * ARCS_PER_LINE, Math.ceil(count / ARCS_PER_LINE));
     renderer.setRenderTarget(standings);
-    strips.bind(this.kind.strips);
-    this.kind.samples.draw(renderer, SAMPLES * count);
+    kind.samples.draw(renderer, SAMPLES * count);
   }
+}
+
+/** Gives a target at least this size, and `size` the size that it has. */
+function fit(target: WebGLRenderTarget, size: Vector2, width: number, height: number): void {
+  target.setSize(width, Math.max(height, target.height));
+  size.set(target.width, target.height);
 }
 
 /** The programs for puffs that do not turn, stretch or unfold, or for those that do. */
 class StrokeShaders {
   readonly strips: RawShaderMaterial;
+  readonly candidates: DrawnPoints;
   readonly samples: DrawnPoints;
 
   constructor(uniforms: ViewUniforms, kind: Record<string, string>) {
     const defines = { SEGMENTS: String(SEGMENTS), ...kind };
-    this.samples = new DrawnPoints(standingVertexShader, standingFragmentShader, uniforms, defines);
+    const points = (more: Record<string, string>) =>
+      new DrawnPoints(standingVertexShader, standingFragmentShader, uniforms, { ...defines, ...more });
+    this.candidates = points({ CANDIDATES: '' });
+    this.samples = points({});
     this.strips = pictureMaterial({
       vertexShader,
       fragmentShader,
@@ -155,18 +170,19 @@ class StrokeShaders {
   }
 
   dispose(): void {
-    this.samples.dispose();
-    this.strips.dispose();
+    for (const part of [this.candidates, this.samples, this.strips]) part.dispose();
   }
 }
 
-function strokeUniforms(standings: Texture) {
+function strokeUniforms(candidates: Texture, standings: Texture) {
   return {
     depth: { value: null as Texture | null },
     lit: { value: null as Texture | null },
     surfaceDepth: { value: null as Texture | null },
     hasSurfaces: { value: false },
     lobeTable: { value: null as Texture | null },
+    candidates: { value: candidates },
+    candidatesSize: { value: new Vector2(1, 1) },
     standings: { value: standings },
     standingsSize: { value: new Vector2(1, 1) },
     pixelRatio: { value: 1 },
