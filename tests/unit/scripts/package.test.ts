@@ -74,7 +74,7 @@ it('exports by name each type that a public signature names', () => {
   expect(exported).toBeGreaterThan(80);
 });
 
-it.each(['index', 'element', 'preset'])('can import %s without a DOM', (name) => {
+it.each(['index', 'element', 'fiber', 'preset'])('can import %s without a DOM', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
   const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
   const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
@@ -89,6 +89,15 @@ it('has a source map for each module, and no labels of the table in the code of 
   const isWordy = (code: string) => table.some(({ text }) => code.includes(text));
   const wordy = modules.filter((file) => isWordy(readFileSync(join(FOLDER, 'dist', file), 'utf8')));
   expect(wordy).toEqual(['preset.js']);
+});
+
+it('contains React in the module of React Three Fiber only', () => {
+  const dist = join(FOLDER, 'dist');
+  const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
+  const usesReact = (file: string) =>
+    /['"](react|@react-three\/fiber)['"/]/.test(readFileSync(join(dist, file), 'utf8'));
+  expect(built.filter(usesReact)).toEqual(['fiber.js']);
+  expect(readFileSync(join(dist, 'fiber.js'), 'utf8')).toMatch(/^["']use client["']/);
 });
 
 it('contains no fault injection', () => {
