@@ -2,8 +2,10 @@
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { findParameter } from '../../../src/preset/table.ts';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../../support/freshProject.ts';
+import { fiberCode, threeCode } from '../../../src/app/share/sceneCode.ts';
 import { pixelsOf } from '../../support/pictures.ts';
 
 const [, EXAMPLE] = /```tsx\n([^]+?)```/.exec(
@@ -41,5 +43,54 @@ test('the example of docs/fiber.md has less than 25 lines, exact types, and draw
   await expectTitle(page, join(place, 'dist'), 'Smoke', async () => {
     // Lit smoke has exactly its colour.
     await expect.poll(() => pixelsOf(page, SMOKE)).toBeGreaterThan(500);
+  });
+});
+
+/** What the share sheet's code has of a page; tests/site/snippet.spec.ts compares the code for three.js with the page. */
+const SCENE = {
+  values: { 'emission.rate': 60, 'emitters.0.position.y': -0.5, seed: 9, 'style.smokeColor': '#e01020' },
+  eye: [0, 0.5, 4],
+  centre: [0, 0.5, 0],
+  fieldOfView: 40,
+  light: [3, 5, 6],
+  background: '#224466',
+} as const;
+const EMBED = {
+  width: 400,
+  ratio: [4, 3],
+  isTransparent: false,
+  isInteractive: true,
+  alt: 'Smoke',
+  hasPoster: false,
+} as const;
+
+test('the code of the share sheet for Fiber and for three.js has the same smoke', async ({ page, project }) => {
+  const fiber = fiberCode(SCENE, EMBED).replace('<Smoke ', '<Smoke ref={(smoke) => (window.fiber = smoke)} ');
+  const main = `import './three.js';
+import { createRoot } from 'react-dom/client';
+import { SmokeScene } from './fiber.jsx';
+createRoot(document.getElementById('root')).render(<SmokeScene />);
+`;
+  const packages = ['vite@8', 'react@19', 'react-dom@19', '@react-three/fiber@9', '@react-three/drei@10'];
+  const place = project(packages, {
+    'index.html': `${PAGE}<div id="root"></div><script type="module" src="/main.jsx"></script>`,
+    'main.jsx': main,
+    'fiber.jsx': fiber,
+    'three.js': `${threeCode(SCENE, EMBED)}\nrenderer.setAnimationLoop(null);\nwindow.three = smoke;\n`,
+    'tsconfig.json': JSON.stringify({ compilerOptions: JSX }),
+  });
+  bin(place, 'vite/bin/vite.js', 'build');
+  await expectTitle(page, join(place, 'dist'), 'Waiting', async () => {
+    await page.waitForFunction(() => Boolean(Reflect.get(window, 'fiber') && Reflect.get(window, 'three')));
+    const hashes = await page.evaluate(() =>
+      ['fiber', 'three'].map((name) => {
+        const smoke = Reflect.get(window, name) as CartoonSmoke;
+        smoke.step(600 - smoke.stats.steps);
+        return [smoke.hash(), smoke.stats.alive > 100];
+      }),
+    );
+    expect(hashes[0]).toEqual(hashes[1]);
+    expect(hashes[0][1]).toBe(true);
+    await expect.poll(() => pixelsOf(page, '#e01020')).toBeGreaterThan(300);
   });
 });
