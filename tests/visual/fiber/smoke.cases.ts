@@ -6,8 +6,9 @@ import { Caster, Collider, Emitter, Smoke, type EmitterProps, type SmokeProps } 
 import type { Values } from '../../../src/preset/parameter.ts';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { EmitterHandle } from '../../../src/three/emitters.ts';
+import { liveObjects } from '../../support/liveObjects.ts';
 import { makeRenderer } from '../three/scene.ts';
-import { census, liveObjects, Mounted, Tree } from './tree.ts';
+import { census, Mounted, Tree } from './tree.ts';
 
 const VALUES: Values = { 'emission.rate': 0, 'emission.lifetime': 3, 'simulation.maxParticles': 400, seed: 5 };
 const BALL = { position: [0.1, 1.1, 0] as const, radius: 0.3 };
