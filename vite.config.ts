@@ -1,7 +1,10 @@
+import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { withoutShaders } from './scripts/package/withoutShaders.mjs';
 import { addresses, preloads, serviceWorker } from './scripts/site/plugins.ts';
+
+const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({
@@ -13,6 +16,14 @@ export default defineConfig({
     preloads('/src/app/ahead.ts', '/src/app/main.ts'),
     serviceWorker(),
   ],
+  // The examples import the package by its name.
+  resolve: {
+    alias: [
+      { find: /^cartoon-smoke$/, replacement: source('index') },
+      { find: /^cartoon-smoke\/element$/, replacement: source('element/define') },
+      { find: /^cartoon-smoke\/(fiber|puff)$/, replacement: source('$1') },
+    ],
+  },
   // Vite would discover these late, in modules that only tests import or that load on demand, and reload the page.
   optimizeDeps: {
     include: [

@@ -21,7 +21,7 @@ import {
   WebGLRenderer,
   type BufferGeometry,
 } from 'three';
-import { CartoonSmoke } from '../../src/index.ts';
+import { CartoonSmoke } from 'cartoon-smoke';
 
 const renderer = new WebGLRenderer({ antialias: true, stencil: true });
 document.body.append(renderer.domElement);

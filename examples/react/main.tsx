@@ -1,22 +1,18 @@
 /** A small React Three Fiber page with smoke: drag to orbit, click the ring to change the colour of the smoke. */
+import { Caster, Collider, Emitter, Smoke } from 'cartoon-smoke/fiber';
 import { Canvas, useFrame, useThree } from '@react-three/fiber';
 import { useEffect, useMemo, useRef, useState, type ReactNode } from 'react';
 import { createRoot } from 'react-dom/client';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { DirectionalLight, Mesh } from 'three';
-import { Smoke } from './Smoke.tsx';
 
 const COLORS = ['#fff4e3', '#ffc1cf', '#bfe6ff'];
 
 function Scene(): ReactNode {
   const keyLight = useRef<DirectionalLight>(null);
-  const pot = useRef<Mesh>(null);
   const ring = useRef<Mesh>(null);
   const [color, setColor] = useState(0);
-  const values = useMemo(
-    () => ({ 'emission.rate': 40, 'emission.lifetime': 5, 'emitters.0.size': 0.3, 'style.smokeColor': COLORS[color] }),
-    [color],
-  );
+  const values = { 'emission.rate': 0, 'emission.lifetime': 5, 'style.smokeColor': COLORS[color] };
   const time = useRef(0);
   useFrame((_, seconds) => {
     // A slow machine shows everything in slow motion, as smoke does itself.
@@ -24,7 +20,7 @@ function Scene(): ReactNode {
     ring.current!.rotation.set(1.57 + 0.35 * Math.sin(time.current), 0.3 * Math.cos(time.current), 0);
   });
   return (
-    <>
+    <Smoke keyLight={keyLight} values={values}>
       <color attach="background" args={['#f3d9a4']} />
       <ambientLight color="#b9a8ff" intensity={1.2} />
       <directionalLight ref={keyLight} position={[3, 6, 4]} intensity={2.6} />
@@ -32,7 +28,8 @@ function Scene(): ReactNode {
         <circleGeometry args={[2.6, 64]} />
         <meshStandardMaterial color="#d9825b" />
       </mesh>
-      <mesh ref={pot} position={[0, 0.2, 0]}>
+      <Emitter rate={40} size={0.3} />
+      <mesh position={[0, 0.2, 0]}>
         <cylinderGeometry args={[0.3, 0.22, 0.4, 48]} />
         <meshToonMaterial color="#3a8f8a" />
       </mesh>
@@ -49,8 +46,9 @@ function Scene(): ReactNode {
         <boxGeometry args={[0.7, 1.2, 0.03]} />
         <meshStandardMaterial color="#8fd3ff" transparent opacity={0.4} />
       </mesh>
-      <Smoke keyLight={keyLight} source={pot} solids={[ring]} values={values} />
-    </>
+      <Collider object={ring} />
+      <Caster object={ring} />
+    </Smoke>
   );
 }
 

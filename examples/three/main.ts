@@ -3,7 +3,7 @@
  */
 import { ACESFilmicToneMapping, PCFShadowMap, PerspectiveCamera, Timer, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { CartoonSmoke } from '../../src/index.ts';
+import { CartoonSmoke } from 'cartoon-smoke';
 import { makeScene } from './scene.ts';
 
 // Smoke counts its shadows in the stencil buffer, which three.js does not allocate by default.

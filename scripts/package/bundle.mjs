@@ -55,10 +55,11 @@ export async function bundleAll(folder, plugins = shortening()) {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
     'element.development': 'src/element/development.ts',
+    fiber: 'src/fiber.ts',
     puff: 'src/puff.ts',
     errors: 'src/preset/errors.ts',
   };
-  const external = /^three(\/|$)/;
+  const external = /^(three|react|@react-three\/fiber)(\/|$)/;
   await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
@@ -129,8 +130,8 @@ export const SMALL = {
   // Modules of the table have no effects: without this, unused texts of lists stay in index.js.
   treeshake: { moduleSideEffects: (id) => !/src\/preset\//.test(id) },
   experimental: { nativeMagicString: true },
-  // Shaders have no source maps. A busy machine is no reason for a warning.
-  checks: { sourcemapBroken: false, bundlerTimings: false },
+  // Shaders have no source maps. A busy machine is no reason for a warning. An entry keeps its 'use client'.
+  checks: { sourcemapBroken: false, bundlerTimings: false, moduleLevelDirective: false },
 };
 
 /**

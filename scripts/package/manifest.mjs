@@ -42,6 +42,7 @@ export const manifest = {
     './solid': { types: './types/jsx/solid.d.ts', ...ELEMENT },
     './svelte': { types: './types/jsx/svelte.d.ts', ...ELEMENT },
     './vue': { types: './types/jsx/vue.d.ts', ...ELEMENT },
+    './fiber': { types: './types/fiber.d.ts', default: './dist/fiber.js' },
     './puff': { types: './types/puff.d.ts', default: './dist/puff.js' },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
@@ -66,7 +67,8 @@ export const manifest = {
     './dist/cartoon-smoke.min.js',
     './dist/puff.min.js',
   ],
-  peerDependencies: { three: project.dependencies.three },
+  peerDependencies: { '@react-three/fiber': '^9.0.0', react: '>=19', three: project.dependencies.three },
+  peerDependenciesMeta: { '@react-three/fiber': { optional: true }, react: { optional: true } },
 };
 
 /** @param {string} repository npm's shorthand, `github:owner/name` */

@@ -129,10 +129,6 @@ export const strings = {
     code: 'QR code of the link',
     scan: 'Scan to open on a phone',
     embed: 'Embed in your page',
-    frame: 'Iframe without controls',
-    element: 'Custom element with its script',
-    puff: 'A puff of this look by one call',
-    copyCode: 'Copy',
   },
   own: {
     title: 'My looks',

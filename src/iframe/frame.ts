@@ -23,7 +23,9 @@ const MAX_BYTES = 16 * 1024 * 1024;
 function begin(smoke: CartoonSmokeElement): void {
   // A worker needs an origin, which a sandboxed frame may lack. Most browsers run cross-site frames on a separate thread.
   smoke.thread = 'main';
-  smoke.interactive = new URLSearchParams(location.search).get('interactive') !== '0';
+  const query = new URLSearchParams(location.search);
+  smoke.interactive = query.get('interactive') !== '0';
+  smoke.transparent = query.get('transparent') === '1';
   const follow = () => (smoke.src = location.href);
   addEventListener('hashchange', follow);
   follow();

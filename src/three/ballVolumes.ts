@@ -45,6 +45,10 @@ export class BallVolumes {
     this.volumes.follow('lobes', LIT_THRESHOLD);
   }
 
+  get isEmpty(): boolean {
+    return this.count === 0;
+  }
+
   /** @throws ParameterError when the total exceeds the maximum */
   add(balls: readonly BallAt[], object: Object3D): BallsOf {
     const count = this.count + balls.length;

@@ -39,6 +39,7 @@ import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
+const NOTHING = { bodiesDrawn: 0, castersDrawn: 0 };
 /** Renders before all other blended objects. */
 const FIRST = -1e9;
 
@@ -81,9 +82,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private style: Style;
   private now = 0;
   private isDrawing = false;
+  /** Whether its programs exist. The first frame compiles them, so that the first puff does not wait. */
+  private hasDrawn = false;
   private isDisposed = false;
   private error: unknown;
-  private drawn = { bodiesDrawn: 0, castersDrawn: 0 };
+  private drawn = NOTHING;
 
   /**
    * @throws UnsupportedError when the renderer or the browser lacks a required feature. ParameterError for an unknown
@@ -135,7 +138,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       () => {},
       (error) => this.isDisposed || this.dispatchEvent({ type: 'error', error }),
     );
-    this.stopListening = this.device.onContext((event) => (event === 'lost' ? this.passes.release() : undefined));
+    this.stopListening = this.device.onContext((event) => {
+      if (event !== 'lost') return;
+      this.passes.release();
+      this.hasDrawn = false;
+    });
     const { unlitMesh } = this.passes.insert;
     markWith(unlitMesh, (renderer, scene, camera) => this.draw(renderer, scene, camera));
     this.add(unlitMesh);
@@ -162,7 +169,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    */
   cast(object: Object3D, options: CastOptions = {}): SmokeHandle {
     this.requireAlive();
-    return this.handles.add(new Caster(this.passes.casters, object, options));
+    const caster = this.handles.add(new Caster(this.passes.casters, object, options));
+    this.markVisible();
+    return caster;
   }
 
   /**
@@ -220,6 +229,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       this.advance(this.clock.tick(this.now));
       this.handles.show(this.clock.blend);
       this.showPuffs(this.puffs.workFor(BAKING_MS));
+      this.markVisible();
     } catch (error) {
       this.reportOnce(error);
     }
@@ -238,6 +248,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.advance(count);
     this.handles.show(this.clock.blend);
     this.showPuffs(this.puffs.finish());
+    this.markVisible();
   }
 
   /**
@@ -347,6 +358,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       const view = { renderer, scene, camera, keyLight, origin, onRelight };
       receiversIn(scene, this.receivers);
       this.drawn = drawIntoHost(this.passes, view, { ...input, receivers: this.receivers });
+      this.hasDrawn = true;
       return true;
     } catch (failure) {
       this.error = failure;
@@ -354,6 +366,13 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     } finally {
       this.isDrawing = false;
     }
+  }
+
+  /** Hides the marker while there is nothing to draw, so that a frame costs nothing. */
+  private markVisible(): void {
+    const isVisible = !this.hasDrawn || this.simulator.alive > 0 || !this.passes.casters.isEmpty;
+    this.passes.insert.unlitMesh.visible = isVisible;
+    if (!isVisible) this.drawn = NOTHING;
   }
 
   private lookFrom(renderer: WebGLRenderer, camera: Camera) {

@@ -46,6 +46,10 @@ export class HostCasters {
     this.balls = new BallVolumes(device, eye);
   }
 
+  get isEmpty(): boolean {
+    return this.meshes.size === 0 && this.balls.isEmpty;
+  }
+
   /**
    * Adds every mesh of an object, or its proxies.
    * @returns the casters, for {@link remove}

@@ -60,9 +60,10 @@ interface Field {
   readonly isVector: boolean;
 }
 
-/** Parameters of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
-const PARAMETERS = table.filter(({ group }) => group === 'emitters.0') as (NumberParameter | ChoiceParameter)[];
 const PREFIX = 'emitters.0.';
+/** Parameters of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
+// By key, since rows have no group in the package.
+const PARAMETERS = table.filter(({ key }) => key.startsWith(PREFIX)) as (NumberParameter | ChoiceParameter)[];
 const PUFF_KEYS =
   'shape radius inner extent speed speedVariation spread size sizeVariation lifetime lifetimeVariation temperature tint'.split(
     ' ',

@@ -54,10 +54,11 @@ export interface CartoonSmokeStats {
 
 /** Without other values the first emitter is a small disc at the origin that emits upwards. */
 const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
-const AT_CREATION = ['seed', 'simulation.maxParticles'];
+/** Keys that only `create` takes. */
+export const AT_CREATION = ['seed', 'simulation.maxParticles'];
 
 /** The initial values: the defaults, then the small emitter, the preset and the caller's values. */
-export function startValues({ preset: name, values = {} }: CartoonSmokeOptions): Values {
+export function startValues({ preset: name, values = {} }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
   const preset = name === undefined ? undefined : findPreset(name);
   if (name !== undefined && !preset)
     throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));

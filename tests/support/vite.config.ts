@@ -22,5 +22,6 @@ export default mergeConfig(site, {
   root: fileURLToPath(new URL('../..', import.meta.url)),
   plugins: [policies()],
   cacheDir: '.cache/vite-tests',
+  optimizeDeps: { include: ['react', '@react-three/fiber'] },
   server: { host: '127.0.0.1', hmr: false, watch: null },
 });

@@ -7,9 +7,9 @@ import type { SmokeFiles } from './files.ts';
 import { icon } from '../ui/icons.ts';
 import { linkToMoment } from './moment.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
-import { puffCall } from './puffCall.ts';
 import { strings } from '../strings.ts';
-import { elementCode, frameCode, type ElementScript } from './embed.ts';
+import { copyText } from './copyText.ts';
+import type { EmbedBuilder } from './embedBuilder.ts';
 import type { Bitmap2D } from 'lean-qr';
 
 const words = strings.share;
@@ -26,7 +26,8 @@ export class ShareSheet {
   private readonly send = textButton('quiet', words.send, () => void this.sendLink());
   private readonly status = create('p', { class: 'share-status', role: 'status' });
   private readonly code = create('figure', { class: 'share-code' });
-  private readonly embed = createEmbed((text) => void this.copyText(text));
+  private readonly embed = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
+  private builder: EmbedBuilder | undefined;
   private links: Record<ShareKind, string> = { look: '', moment: '' };
 
   constructor(editor: Editor, stage: Stage, files: SmokeFiles) {
@@ -41,7 +42,8 @@ export class ShareSheet {
     const main = create('div', { class: 'share-main' }, this.kind.element, line, buttons);
     const body = create('div', { class: 'share-body' }, main, this.code);
     const attributes = { class: 'sheet card share-sheet', 'aria-labelledby': 'share-title' };
-    this.element = create('dialog', attributes, heading, close, body, this.embed.element);
+    this.element = create('dialog', attributes, heading, close, body, this.embed);
+    this.embed.addEventListener('toggle', () => void this.showEmbed());
     this.send.hidden = !('share' in navigator);
   }
 
@@ -54,7 +56,6 @@ export class ShareSheet {
     this.element.showModal();
     const moment = linkToMoment(this.editor.state, this.stage);
     this.links = { look: await linkTo(this.editor), moment: await moment };
-    this.embed.showCall(await puffCall(this.editor.state));
     this.show(this.kind.chosen);
     if (mesh !== undefined) this.notify(strings.ownShape.unshared(mesh));
     this.copy.focus();
@@ -70,7 +71,8 @@ export class ShareSheet {
     const sent = isTooLong ? '' : link;
     this.field.value = sent;
     this.field.disabled = this.copy.disabled = this.send.disabled = sent === '';
-    this.embed.show(sent || undefined);
+    this.embed.hidden = sent === '';
+    this.builder?.show(sent);
     this.notify(isTooLong ? words.tooLong(link.length, LONGEST_LINK) : '');
     void this.showCode(link);
   }
@@ -82,16 +84,20 @@ export class ShareSheet {
     if (link === this.link) this.code.replaceChildren(picture, create('figcaption', {}, words.scan));
   }
 
-  private async copyLink(): Promise<void> {
-    if (await this.copyText(this.link)) return;
-    this.field.focus();
-    this.field.select();
+  /** Fetches the builder when its section is first open. */
+  private async showEmbed(): Promise<void> {
+    if (!this.embed.open) return;
+    const { EmbedBuilder: Builder } = await import('./embedBuilder.ts');
+    this.builder ??= new Builder(this.embed, this.editor, this.stage);
+    this.builder.show(this.field.value);
   }
 
-  private async copyText(text: string): Promise<boolean> {
-    const isCopied = await copyText(text);
+  private async copyLink(): Promise<void> {
+    const isCopied = await copyText(this.link);
     this.notify(isCopied ? words.copied : words.byHand);
-    return isCopied;
+    if (isCopied) return;
+    this.field.focus();
+    this.field.select();
   }
 
   private async sendLink(): Promise<void> {
@@ -111,56 +117,6 @@ export class ShareSheet {
   private notify(message: string): void {
     this.status.textContent = message;
   }
-}
-
-/** Copies text. @returns whether the browser allowed it */
-async function copyText(text: string): Promise<boolean> {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    return false;
-  }
-}
-
-/** Embed code, initially collapsed. @param copy copies a text */
-function createEmbed(copy: (text: string) => void): {
-  element: HTMLElement;
-  show(link?: string): void;
-  showCall(code: string): void;
-} {
-  const frame = createSnippet(words.frame, copy);
-  const component = createSnippet(words.element, copy);
-  const call = createSnippet(words.puff, copy);
-  const element = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
-  element.append(frame.element, component.element, call.element);
-  return {
-    element,
-    show(link?: string) {
-      element.hidden = link === undefined;
-      if (link === undefined) return;
-      frame.field.value = frameCode(link, strings.title);
-      component.field.value = elementCode(link, publishedScript());
-    },
-    showCall(code: string) {
-      call.field.value = code;
-    },
-  };
-}
-
-/** The script of the built site at its published URL; undefined on the development server. */
-function publishedScript(): ElementScript | undefined {
-  const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
-  const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
-  return path ? { address: new URL(path, document.baseURI).href, integrity } : undefined;
-}
-
-function createSnippet(name: string, copy: (text: string) => void) {
-  const field = create('textarea', { readonly: true, rows: 3, 'aria-label': name, spellcheck: 'false' });
-  field.addEventListener('focus', () => field.select());
-  const button = textButton('quiet', words.copyCode, () => copy(field.value));
-  const head = create('div', { class: 'share-snippet-head' }, create('span', {}, name), button);
-  return { element: create('div', { class: 'share-snippet' }, head, field), field };
 }
 
 /** Width of the quiet zone around a QR code, in modules. */

@@ -8,7 +8,7 @@ import { Project } from '../../support/project.ts';
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const CONFIG = '.oxlintrc.arrows.json';
 const FOLDERS =
-  'app element iframe puff page remote stage three scenes smoke passes rows puffs sim device preset'.split(' ');
+  'app element fiber iframe puff page remote stage three scenes smoke passes rows puffs sim device preset'.split(' ');
 
 let project: Project;
 beforeEach(() => {
@@ -17,7 +17,7 @@ beforeEach(() => {
   for (const folder of FOLDERS)
     project.write(`src/${folder}/thing.ts`, 'export interface Type {}\nexport const value = 1;\n');
   project.write('src/preset/errors.ts', 'export class Problem extends Error {}\n');
-  for (const entry of ['index', 'internal', 'preset', 'puff'])
+  for (const entry of ['index', 'internal', 'preset', 'puff', 'fiber'])
     project.write(`src/${entry}.ts`, `export { value } from './preset/thing.ts';\n`);
 });
 afterEach(() => project.dispose());
@@ -40,6 +40,7 @@ function lintLine(folder: string, code: string): string[] {
 
 const right: Record<string, string> = {
   app: '',
+  fiber: 'three preset',
   iframe: 'element remote stage scenes smoke passes rows puffs sim device preset',
   element: 'page remote stage scenes smoke passes rows puffs sim device preset',
   puff: 'page remote stage scenes smoke passes rows puffs sim device preset',
@@ -111,6 +112,7 @@ test.each([
   ['app', `export { value } from '../preset.ts';`, 0],
   ['app', `export { value } from '../puff.ts';`, 0],
   ['element', `export { value } from '../puff.ts';`, 1],
+  ['three', `export { value } from '../fiber.ts';`, 1],
   ['app', `export { value } from '../internal';`, 1],
 ])('src/%s: %s is rejected %i times', (folder, code, count) => {
   expect(lintLine(folder, code)).toHaveLength(count);

@@ -9,6 +9,7 @@ import { beforeAll, expect, it } from 'vitest';
 import { names } from '../../../src/element/attributes/names.ts';
 import { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
 import { table } from '../../../src/preset/table.ts';
+import * as emitterOptions from '../../../src/three/emitterOptions.ts';
 import { hiddenTypes } from './signatures.ts';
 
 interface PackageScript {
@@ -63,12 +64,17 @@ it('has types for each way of resolving modules', () => {
 }, 120_000);
 
 it('exports by name each type that a public signature names', () => {
-  const { hidden, exported } = hiddenTypes(join(FOLDER, 'types'), ['index.d.ts', 'preset.d.ts', 'element/define.d.ts']);
+  const { hidden, exported } = hiddenTypes(join(FOLDER, 'types'), [
+    'index.d.ts',
+    'preset.d.ts',
+    'element/define.d.ts',
+    'fiber.d.ts',
+  ]);
   expect(hidden).toEqual([]);
   expect(exported).toBeGreaterThan(80);
 });
 
-it.each(['index', 'element', 'preset'])('can import %s without a DOM', (name) => {
+it.each(['index', 'element', 'fiber', 'preset'])('can import %s without a DOM', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
   const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
   const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
@@ -85,6 +91,15 @@ it('has a source map for each module, and no labels of the table in the code of 
   expect(wordy).toEqual(['preset.js']);
 });
 
+it('contains React in the module of React Three Fiber only', () => {
+  const dist = join(FOLDER, 'dist');
+  const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
+  const usesReact = (file: string) =>
+    /['"](react|@react-three\/fiber)['"/]/.test(readFileSync(join(dist, file), 'utf8'));
+  expect(built.filter(usesReact)).toEqual(['fiber.js']);
+  expect(readFileSync(join(dist, 'fiber.js'), 'utf8')).toMatch(/^["']use client["']/);
+});
+
 it('contains no fault injection', () => {
   const faults = [...readFileSync(join(ROOT, 'src/device/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
   expect(faults).toHaveLength(3);
@@ -94,14 +109,31 @@ it('contains no fault injection', () => {
   expect(built.filter((file) => faults.some(([, name]) => knows(file, name)))).toEqual([]);
 });
 
-it('has the same ranges and defaults without labels and texts', async () => {
+/** A module with the parameter table of the package. */
+async function withoutWords<Module>(path: string): Promise<Module> {
   const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
-  const { withoutWords } = (await import(script)) as { withoutWords(): Plugin };
-  const build = await rolldown({ input: join(ROOT, 'src/preset/table.ts'), plugins: [withoutWords()] });
+  const module = (await import(script)) as { withoutWords(): Plugin };
+  const build = await rolldown({ input: join(ROOT, path), plugins: [module.withoutWords()] });
   const { output } = await build.generate();
   await build.close();
-  const module = `data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`;
-  const bare = (await import(module)) as Pick<typeof import('../../../src/preset/table.ts'), 'table' | 'findParameter'>;
+  return (await import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`)) as Module;
+}
+
+it('passes the same numbers of emitters and bursts to the simulator', async () => {
+  const options = { shape: 'ring', speed: 3, tint: 2, extent: { x: 1, y: 2, z: 3 } } as const;
+  const bare = await withoutWords<typeof emitterOptions>('src/three/emitterOptions.ts');
+  for (const { emitterNumbers, burstNumbers } of [emitterOptions, bare]) {
+    const expected = [...emitterOptions.emitterNumbers('emitFrom', { ...options, rate: 7 })];
+    expect([...emitterNumbers('emitFrom', { ...options, rate: 7 })]).toEqual(expected);
+    expect(expected).toContain(7);
+    const burst = { ...options, count: 3, position: { x: 4, y: 5, z: 6 } };
+    expect([...burstNumbers(burst)]).toEqual([...emitterOptions.burstNumbers(burst)]);
+  }
+});
+
+it('has the same ranges and defaults without labels and texts', async () => {
+  type Table = Pick<typeof import('../../../src/preset/table.ts'), 'table' | 'findParameter'>;
+  const bare = await withoutWords<Table>('src/preset/table.ts');
   expect(bare.table.map(({ key }) => key)).toEqual(table.map(({ key }) => key));
   for (const whole of table) {
     const row = bare.findParameter(whole.key)!;

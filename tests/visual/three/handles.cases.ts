@@ -211,3 +211,52 @@ export async function mistakes(): Promise<{ said: string[]; alive: number; pixel
   dispose(smoke, host.renderer);
   return { said, alive, pixels };
 }
+
+/** Draw calls of a frame, and whether its picture differs from that without smoke: empty, in a burst, after it, casting. */
+export async function idle(): Promise<Record<string, { calls: number; changed: number; bodies: number }>> {
+  const host = emptyHost();
+  const floor = new Mesh(new PlaneGeometry(6, 6), new MeshStandardMaterial({ color: '#c08860' }));
+  floor.rotation.x = -Math.PI / 2;
+  const box = new Mesh(new BoxGeometry(0.5, 0.5, 0.5), new MeshStandardMaterial());
+  box.position.y = 0.8;
+  host.scene.add(floor, box);
+  const bare = draw(host);
+  const calls = drawCalls(host);
+  draw(host);
+  const seen: Record<string, { calls: number; changed: number; bodies: number }> = {};
+  const without = calls();
+  const smoke = await smokeIn(host, SHORT);
+  const look = (name: string) => {
+    smoke.step();
+    const before = calls();
+    const changed = changedPixels(draw(host), bare);
+    seen[name] = { calls: calls() - before - without, changed, bodies: smoke.stats.bodiesDrawn };
+  };
+  look('first');
+  look('empty');
+  smoke.burst({ ...CLUMP, position: new Vector3(0.4, 1.4, 0.3), count: 20 });
+  look('burst');
+  smoke.step(60);
+  look('after');
+  const handle = smoke.cast(box);
+  draw(host);
+  look('casting');
+  handle.remove();
+  look('removed');
+  dispose(smoke, host.renderer);
+  return seen;
+}
+
+/** Counts the draw calls of a host. */
+function drawCalls({ renderer }: Host): () => number {
+  const gl = renderer.getContext() as unknown as Record<string, (...given: unknown[]) => unknown>;
+  let count = 0;
+  for (const name of ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'clear']) {
+    const native = gl[name].bind(gl);
+    gl[name] = (...given) => {
+      count++;
+      return native(...given);
+    };
+  }
+  return () => count;
+}

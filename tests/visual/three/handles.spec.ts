@@ -42,6 +42,19 @@ test('a thousand adds and removes of each handle leave no objects on the GPU', a
   expect(late).toEqual(early);
 });
 
+test('smoke without particles and casters makes no draw call after the first frame', async ({ load }) => {
+  const cases = await load<Handles>(HANDLES);
+  const { first, empty, burst, after, casting, removed } = await cases.evaluate((module) => module.idle());
+  // The first frame compiles the programs.
+  expect(first.calls).toBeGreaterThan(0);
+  for (const idle of [empty, after, removed]) expect(idle).toEqual({ calls: 0, changed: 0, bodies: 0 });
+  for (const drawn of [burst, casting]) {
+    expect(drawn.calls).toBeGreaterThan(0);
+    expect(drawn.changed).toBeGreaterThan(100);
+  }
+  expect([burst.bodies > 0, casting.bodies]).toEqual([true, 0]);
+});
+
 test('the same calls give the same hash', async ({ load }) => {
   const cases = await load<Handles>(HANDLES);
   const [first, second, without] = await cases.evaluate((module) => module.hashes());

@@ -50,17 +50,24 @@ test('the sheet copies link and code, shows a QR code, and works by keyboard', a
   await page.keyboard.press('ArrowRight');
   await expect(sheet(page).getByLabel('Link to this smoke')).toHaveValue(page.url());
   await sheet(page).getByText('Embed in your page').click();
-  await sheet(page).getByRole('button', { name: 'Copy', exact: true }).first().click();
-  await expect
-    .poll(copied)
-    .toMatch(
-      /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5#v=1&amp;preset=air&amp;[^"]+" title="Cartoon Smoke"/,
-    );
-  expect(await sheet(page).getByLabel('Custom element').inputValue()).toMatch(
-    /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+"><\/cartoon-smoke>$/,
+  const code = sheet(page).getByLabel('Code', { exact: true });
+  await expect(code).toHaveValue(
+    /^<script type="module" [^<>]+><\/script>\n<cartoon-smoke src="[^"<>]+" alt="" style="[^"<>]+"><\/cartoon-smoke>$/,
   );
+  // By keyboard alone, with an announcement.
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowRight');
+  await expect(sheet(page).getByRole('radio', { name: 'Iframe' })).toBeChecked();
+  const copy = sheet(page).getByRole('button', { name: 'Copy code' });
+  while (!(await copy.evaluate((button) => button === document.activeElement))) await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await expect(sheet(page).getByRole('status').last()).toHaveText('Code copied.');
+  expect(await copied()).toMatch(
+    /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5&amp;interactive=0#v=1&amp;preset=air&amp;[^"]+" title="Cartoon Smoke"/,
+  );
+  await sheet(page).getByRole('radio', { name: 'A puff by one call' }).check();
   // The look of the preset, without its motion.
-  expect(await sheet(page).getByLabel('A puff of this look').inputValue()).toBe(
+  await expect(code).toHaveValue(
     "import { puff } from 'cartoon-smoke/puff';\npuff(button, { preset: '#v=1&preset=air&puff.variations=1' });",
   );
   await closeSheet(page);

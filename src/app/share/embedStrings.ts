@@ -1,0 +1,26 @@
+/** Text of the embed builder, which is fetched with it. */
+export const strings = {
+  what: 'Code for',
+  kinds: {
+    element: 'Custom element',
+    frame: 'Iframe',
+    three: 'three.js',
+    fiber: 'React Three Fiber',
+    puff: 'A puff by one call',
+  },
+  width: 'Width, px',
+  full: 'Full width',
+  ratio: 'Ratio',
+  transparent: 'Transparent',
+  interactive: 'Interactive',
+  poster: 'Poster',
+  alt: 'Description for screen readers',
+  altHint: 'Empty for decoration',
+  code: 'Code',
+  copy: 'Copy code',
+  copied: 'Code copied.',
+  byHand: 'The browser blocked copying. Press Ctrl + C, or \u2318 C on a Mac.',
+  download: 'Download poster',
+  saved: (name: string) => `Saved as ${name}. Put it beside the page.`,
+  failed: (reason: string) => `The poster could not be drawn. ${reason}`,
+} as const;

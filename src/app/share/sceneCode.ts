@@ -1,0 +1,178 @@
+/** Code that shows the current smoke in a three.js scene of its own. */
+import { findParameter, type Value, type Values } from '../../preset.ts';
+import type { Stage } from '../../index.ts';
+import { styleOf, type EmbedOptions } from './embed.ts';
+
+type Numbers = readonly [number, number, number];
+
+/** What the code needs of the page's scene. */
+export interface SceneOfCode {
+  /** Values that differ from those of `CartoonSmoke.create` without values. */
+  readonly values: Values;
+  /** Position of the camera and the point that it looks at, in metres. */
+  readonly eye: Numbers;
+  readonly centre: Numbers;
+  /** Vertical field of view in degrees. */
+  readonly fieldOfView: number;
+  /** Towards the light, at a distance that lights the scene evenly. */
+  readonly light: Numbers;
+  /** `#rrggbb` */
+  readonly background: string;
+}
+
+/** Values of `CartoonSmoke` that differ from the table. */
+const OWN: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
+/** What a scene of three.js has of its own. */
+const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)/;
+const NEEDED = ['seed', 'simulation.maxParticles'];
+const BACKGROUND = '#9ac4d6';
+const LIGHT_DISTANCE = 10;
+
+/** Reads what the code needs of a stage. */
+export function sceneOf(stage: Stage): SceneOfCode {
+  const all = { ...stage.rig, ...stage.get() };
+  const { plane, centre } = stage.sight;
+  const canvas = stage.canvas as HTMLCanvasElement;
+  const distance = all['camera.distance'] as number;
+  const [right, up] = [unit(plane.right), unit(plane.up)];
+  const halfHeight = (Math.hypot(...plane.up) * canvas.clientHeight) / 2;
+  const back = cross(right, up);
+  return {
+    values: Object.fromEntries(
+      Object.entries(all).filter(([key, value]) => isCarried(key, value) && !isSilent(key, all)),
+    ),
+    eye: rounded(centre.map((at, axis) => at + distance * back[axis])),
+    centre: rounded([...centre]),
+    fieldOfView: Math.round((Math.atan(halfHeight / distance) * 3600) / Math.PI) / 10,
+    light: lightOf(all),
+    background: /^0:([0-9a-f]{6})/.exec(String(all['style.backdrop']))?.[1] ?? BACKGROUND,
+  };
+}
+
+function isCarried(key: string, value: Value): boolean {
+  const parameter = findParameter(key);
+  if (!parameter || OF_SCENE.test(key) || value === (OWN[key] ?? parameter.default)) return false;
+  return NEEDED.includes(key) || parameter.reader === 'simulator' || parameter.reader === 'style';
+}
+
+/** Whether a value is of an emitter that emits nothing. The first emitter of a three.js scene emits by default. */
+function isSilent(key: string, values: Values): boolean {
+  const emitter = /^emitters\.\d\./.exec(key)?.[0];
+  return emitter !== undefined && key !== 'emitters.0.share' && values[`${emitter}share`] === 0;
+}
+
+function lightOf(values: Values): Numbers {
+  const [azimuth, elevation] = ['azimuth', 'elevation'].map(
+    (key) => ((values[`light.${key}`] as number) * Math.PI) / 180,
+  );
+  const across = LIGHT_DISTANCE * Math.cos(elevation);
+  return rounded([across * Math.sin(azimuth), LIGHT_DISTANCE * Math.sin(elevation), across * Math.cos(azimuth)]);
+}
+
+/** A page with three.js. */
+export function threeCode(scene: SceneOfCode, options: EmbedOptions): string {
+  const { isTransparent, isInteractive, alt } = options;
+  const [across, up] = options.ratio;
+  const lines = [
+    isInteractive && `import { OrbitControls } from 'three/addons/controls/OrbitControls.js';`,
+    `import { CartoonSmoke } from 'cartoon-smoke';`,
+    `import { ${isTransparent ? '' : 'Color, '}DirectionalLight, PerspectiveCamera, Scene, Timer, WebGLRenderer } from 'three';`,
+    '',
+    `const renderer = new WebGLRenderer({ antialias: true, alpha: ${isTransparent}, stencil: true });`,
+    `const canvas = renderer.domElement;`,
+    alt ? `canvas.role = 'img';\ncanvas.ariaLabel = ${text(alt)};` : `canvas.ariaHidden = 'true';`,
+    `canvas.style.cssText = ${text(styleOf(options))};`,
+    `document.body.append(canvas);`,
+    `renderer.setPixelRatio(Math.min(devicePixelRatio, 2));`,
+    '',
+    `const scene = new Scene();`,
+    !isTransparent && `scene.background = new Color('${scene.background}');`,
+    `const camera = new PerspectiveCamera(${scene.fieldOfView}, ${across} / ${up}, 0.1, 200);`,
+    `camera.position.set(${scene.eye.join(', ')});`,
+    isInteractive
+      ? `const controls = new OrbitControls(camera, canvas);\ncontrols.target.set(${scene.centre.join(', ')});\ncontrols.update();`
+      : `camera.lookAt(${scene.centre.join(', ')});`,
+    `const keyLight = new DirectionalLight('white', 3);`,
+    `keyLight.position.set(${scene.light.join(', ')});`,
+    `const smoke = await CartoonSmoke.create({ renderer, keyLight, values: ${literal(scene.values, '')} });`,
+    `scene.add(keyLight, smoke);`,
+    '',
+    `const timer = new Timer();`,
+    `renderer.setAnimationLoop((now) => {`,
+    `  renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);`,
+    `  timer.update(now);`,
+    `  smoke.update(timer.getDelta());`,
+    `  renderer.render(scene, camera);`,
+    `});`,
+  ];
+  return lines.filter((line) => line !== false).join('\n');
+}
+
+/** A component for React Three Fiber. */
+export function fiberCode(scene: SceneOfCode, options: EmbedOptions): string {
+  const { isTransparent, isInteractive, alt, width, ratio } = options;
+  const sides = width === undefined ? `width: '100%'` : `width: ${width}, maxWidth: '100%'`;
+  const name = alt ? ` role="img" aria-label={${text(alt)}}` : ' aria-hidden';
+  const camera = `{ position: [${scene.eye.join(', ')}], fov: ${scene.fieldOfView} }`;
+  const [target, light] = [scene.centre, scene.light].map((place) => `[${place.join(', ')}]`);
+  const lines = [
+    isInteractive && `import { OrbitControls } from '@react-three/drei';`,
+    `import { Canvas } from '@react-three/fiber';`,
+    `import { Smoke } from 'cartoon-smoke/fiber';`,
+    `import { useRef } from 'react';`,
+    '',
+    `const VALUES = ${literal(scene.values, '')};`,
+    '',
+    `function Scene() {`,
+    `  const keyLight = useRef(null);`,
+    `  return (`,
+    `    <Smoke keyLight={keyLight} values={VALUES}>`,
+    `      <directionalLight ref={keyLight} position={${light}} intensity={3} />`,
+    isInteractive && `      <OrbitControls target={${target}} />`,
+    `    </Smoke>`,
+    `  );`,
+    `}`,
+    '',
+    `export function SmokeScene() {`,
+    `  return (`,
+    `    <div style={{ ${sides}, aspectRatio: '${ratio.join(' / ')}' }}${name}>`,
+    `      <Canvas flat gl={{ stencil: true }} camera={${camera}} onCreated={({ camera }) => camera.lookAt(${scene.centre.join(', ')})}>`,
+    !isTransparent && `        <color attach="background" args={['${scene.background}']} />`,
+    `        <Scene />`,
+    `      </Canvas>`,
+    `    </div>`,
+    `  );`,
+    `}`,
+  ];
+  return lines.filter((line) => line !== false).join('\n');
+}
+
+/** An object of values as code. */
+function literal(values: Values, indent: string): string {
+  const entries = Object.entries(values);
+  if (entries.length === 0) return '{}';
+  const lines = entries.map(([key, value]) => {
+    const name = /^\w+$/.test(key) ? key : text(key);
+    return `${indent}  ${name}: ${typeof value === 'string' ? text(value) : value},`;
+  });
+  return `{\n${lines.join('\n')}\n${indent}}`;
+}
+
+/** A string as code, also inside a script element. */
+function text(value: string): string {
+  const escaped = JSON.stringify(value).slice(1, -1).replaceAll('\\"', '"').replaceAll('<', '\\x3C');
+  return `'${escaped.replaceAll("'", "\\'")}'`;
+}
+
+function rounded(numbers: readonly number[]): Numbers {
+  return numbers.map((value) => Math.round(value * 1000) / 1000 + 0) as unknown as Numbers;
+}
+
+function unit(vector: Numbers): Numbers {
+  const length = Math.hypot(...vector);
+  return vector.map((value) => value / length) as unknown as Numbers;
+}
+
+function cross([a, b, c]: Numbers, [x, y, z]: Numbers): Numbers {
+  return [b * z - c * y, c * x - a * z, a * y - b * x];
+}
