@@ -160,10 +160,12 @@ async function compile(
 function wasmAddress(physics: boolean): URL {
   const own = assetUrl(physics ? 'physics' : 'core');
   if (own) return new URL(own);
-  const { href } = physics
+  const url = physics
     ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
     : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
-  return new URL(servedUrl(href));
+  // Turbopack's URLs have no origin, so they are kept as they are.
+  const served = servedUrl(url.href);
+  return served === url.href ? url : new URL(served);
 }
 
 async function compileFrom(address: URL, report: Listener): Promise<WebAssembly.Module> {
