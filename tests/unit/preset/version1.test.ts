@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { decode, encode } from '../../../src/preset/codec.ts';
 import { readFile } from '../../../src/preset/file.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
 import { defaults } from '../../../src/preset/values.ts';
 
 const recorded = JSON.parse(readFileSync(new URL('version1.json', import.meta.url), 'utf8')) as Record<string, Values>;
@@ -45,7 +45,24 @@ it('is the base of malformed values and of unknown presets', async () => {
   expect(state).toEqual({ preset: 'lamp', values: { ...defaults(), ...recorded.lamp } });
 });
 
+it('has no newer presets, which keep their values', async () => {
+  const newer = presets.filter(({ name }) => !names.includes(name));
+  expect(newer.length).toBeGreaterThan(5);
+  for (const { name, values } of newer) {
+    const { state } = await decode(`#v=1&preset=${name}`);
+    expect(state).toEqual({ preset: name, values: { ...defaults(), ...values } });
+  }
+});
+
 it('is not the meaning of an empty link', async () => {
   const { state } = await decode('');
   expect(state).toEqual({ preset: 'lamp', values: presetValues(findPreset('lamp')!) });
+});
+
+it('differs from the current values of most presets', () => {
+  const changed = names.filter((name) => {
+    const [before, now] = [recorded[name], findPreset(name)!.values].map((values) => ({ ...defaults(), ...values }));
+    return JSON.stringify(before) !== JSON.stringify(now);
+  });
+  expect(changed.length).toBeGreaterThan(20);
 });
