@@ -12,8 +12,8 @@ export async function expectStatesReturn(page: Page, count: number, seed: number
   for (const { preset, values } of fc.sample(anyState, { numRuns: count, seed })) {
     // Large buffers take seconds to allocate again, and another test covers them.
     const state = { preset, values: { ...values, 'simulation.maxParticles': 100 } };
-    // As a user may type it: without the version, which the page prepends.
-    const typed = (await encode(state)).replace('#v=2&', '#');
+    // As a user may type it: with the version at the end, which the page puts first.
+    const typed = `${(await encode(state)).replace('#v=2&', '#')}&v=2`;
     await page.evaluate((hash) => (location.hash = hash), typed);
     await expect.poll(() => ask(page, (stage) => stage.get())).toEqual(state.values);
     await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/^#v=2&/);

@@ -1,6 +1,6 @@
 /** `version1.json` has the values of the presets in links of version 1, where they differ from the defaults. */
 import { readFileSync } from 'node:fs';
-import { expect, it } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import { decode, encode } from '../../../src/preset/codec.ts';
 import { readFile } from '../../../src/preset/file.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
@@ -57,6 +57,18 @@ it('has no newer presets, which keep their values', async () => {
 it('is not the meaning of an empty link', async () => {
   const { state } = await decode('');
   expect(state).toEqual({ preset: 'lamp', values: presetValues(findPreset('lamp')!) });
+});
+
+it('is replaced by the current values, with a notice, if it cannot be loaded', async () => {
+  vi.resetModules();
+  vi.doMock('../../../src/preset/version1.ts', () => Promise.reject(new Error('offline')));
+  const { decode: decodeOffline } = await import('../../../src/preset/codec.ts');
+  const { state, notices } = await decodeOffline('#v=1&preset=lamp');
+  vi.doUnmock('../../../src/preset/version1.ts');
+  expect(state).toEqual({ preset: 'lamp', values: presetValues(findPreset('lamp')!) });
+  expect(notices.map(({ code, message }) => [code, message])).toEqual([
+    ['version', 'The look of this older link could not be loaded; the current one is shown.'],
+  ]);
 });
 
 it('differs from the current values of most presets', () => {
