@@ -7,7 +7,7 @@ import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
-import { withoutWords } from './withoutWords.mjs';
+import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
@@ -79,7 +79,7 @@ export async function bundleAll(folder, plugins = shortening()) {
  */
 export async function bundleScript(name, folder, plugins = shortening()) {
   const input = entries({ [name]: SCRIPTS[name] });
-  await bundle({ input, plugins: [...plugins, workerAt(`./${name}.js`)] }, folder, ALONE);
+  await bundle({ input, plugins: [...plugins, withoutPresetWords(), workerAt(`./${name}.js`)] }, folder, ALONE);
   copyWasm(folder);
 }
 

@@ -22,6 +22,27 @@ export function withoutWords() {
   };
 }
 
+/** The name and the sentence of a preset, one field in one or two lines. */
+const WORDS = /^ {4}(?:label|text):\s+(?:'[^']*'|"[^"]*"),$/gm;
+
+/**
+ * Removes the names and sentences of presets, for scripts that do not export them.
+ * @returns {import('rolldown').Plugin}
+ */
+export function withoutPresetWords() {
+  return {
+    name: 'without-preset-words',
+    transform: {
+      filter: { id: /src\/preset\/byScene\/(?!fetchPreset|preset)\w+\.ts$/ },
+      handler(code) {
+        const found = code.match(WORDS)?.length;
+        if (found !== 2 * (code.match(/^ {4}name: /gm)?.length ?? 0)) throw new Error('A preset has other words.');
+        return { code: code.replace(WORDS, ''), map: null };
+      },
+    },
+  };
+}
+
 /** The source of the reduced table module. */
 function tableModule() {
   const stray = table.find(({ key }, index) => key !== names[index].key);

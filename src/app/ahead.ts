@@ -1,9 +1,10 @@
 /** Fetches the scene and the simulator of the page's address, in parallel with the rest of the page. */
 import { openScene } from '../internal.ts';
 import { decode } from '../preset.ts';
+import { linkOf } from './poster.ts';
 
 async function fetchAhead(): Promise<void> {
-  const { state } = await decode(location.hash);
+  const { state } = await decode(linkOf(location.hash));
   await openScene(state.values.scene as string);
 }
 

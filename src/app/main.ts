@@ -2,7 +2,7 @@
 import { createStage, LoadError, type Stage } from '../index.ts';
 import { readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
 import { decode, type Values } from '../preset.ts';
-import { fadePoster, removePoster } from './poster.ts';
+import { fadePoster, linkOf, removePoster } from './poster.ts';
 import { textButton } from './ui/dom.ts';
 import { goToMoment, momentOf } from './share/moment.ts';
 import { notifyAll, Notices } from './ui/notices.ts';
@@ -32,7 +32,7 @@ const calm = matchMedia('(prefers-reduced-motion: reduce)');
 async function start(): Promise<void> {
   const environment = readEnvironment(location.search);
   container.classList.toggle('is-bare', !environment.hasInterface);
-  const decoded = await decode(location.hash);
+  const decoded = await decode(linkOf(location.hash));
   const notices = new Notices();
   container.append(notices.element);
   const moment = momentOf(decoded, environment);

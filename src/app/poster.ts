@@ -10,22 +10,32 @@ const files: Readonly<Record<string, string>> = import.meta.glob('./posters/*.we
   eager: true,
 });
 
-const FIRST_PRESET = 'lamp';
+/** Version of links that have the looks of the posters. */
+const VERSION = '2';
+/** Preset of a link without one. */
+const DEFAULT_PRESET = 'lamp';
+/** Preset of an address without a link. */
+const FIRST_LOOK = 'cloudscape-cumulus';
 /** Keys of a link that change neither the colours nor the framing of a preset. */
 const OTHER_KEYS = /^(v|preset|take|seed|(emission|simulation)\..+)$/;
 
 let poster: HTMLImageElement | undefined;
 
+/** The link in the hash of an address, or the first look if there is none. */
+export function linkOf(hash: string): string {
+  return hash.length > 1 ? hash : `#v=${VERSION}&preset=${FIRST_LOOK}`;
+}
+
 /**
  * The name of the preset whose picture stands for a link, or undefined: the values of the link or the debug view could
- * look different, and a compressed link is not readable yet.
+ * look different, as can older links, and a compressed link is not readable yet.
  * @param search, hash of the page's address
  */
 export function posterOf(search: string, hash: string): string | undefined {
-  const link = new URLSearchParams(hash.replace(/^#/, ''));
-  if (new URLSearchParams(search).has('view') || ![...link.keys()].every((key) => OTHER_KEYS.test(key)))
-    return undefined;
-  return link.get('preset') ?? FIRST_PRESET;
+  const link = new URLSearchParams(linkOf(hash).slice(1));
+  const isPlain = link.get('v') === VERSION && [...link.keys()].every((key) => OTHER_KEYS.test(key));
+  if (new URLSearchParams(search).has('view') || !isPlain) return undefined;
+  return link.get('preset') ?? DEFAULT_PRESET;
 }
 
 /** Shows the poster of the page's address, if there is one. @param stage the parent, as large as the canvas */

@@ -1,14 +1,14 @@
 /**
- * Encodes the state as the hash of a share link and decodes it: `#v=1&preset=lamp&emission.rate=240`.
+ * Encodes the state as the hash of a share link and decodes it: `#v=2&preset=lamp&emission.rate=240`.
  *
  * A link contains the values that differ from its preset, in the order of the table. Links are untrusted: decoding
  * never throws and reports invalid parts as notices. The result has a valid value for every key that is not optional.
  */
-import { migrate, VERSION } from './migrations.ts';
+import { migrate, olderValues, VERSION, versionOf } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { DECODED_LIMIT, pack, packBytes, unpack, unpackBytes } from './packing.ts';
 import type { Parameter, Value, Values } from './parameter.ts';
-import { defaultPreset, findPreset, presetValues } from './presets.ts';
+import { defaultPreset, findPreset, presetValues, type Preset } from './presets.ts';
 import { findParameter, table } from './table.ts';
 import { readText, writeText } from './values.ts';
 
@@ -50,8 +50,8 @@ export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Prom
 export async function decode(hash: string): Promise<Decoded> {
   const notices: Notice[] = [];
   const text = await expand(hash.replace(/^#/, ''), notices);
-  const pairs = migrate(firstOfEach(new URLSearchParams(text), notices), notices);
-  const state = readState(pairs, notices, 'link');
+  const pairs = firstOfEach(new URLSearchParams(text), notices);
+  const state = await readState(pairs, notices, 'link');
   const take = await readTake(pairs.get('take'), notices);
   return { state, ...(take && { take }), notices: summarise(notices) };
 }
@@ -75,9 +75,9 @@ async function expand(text: string, notices: Notice[]): Promise<string> {
   const packed = outer.get('z');
   if (packed === null) return outer.toString();
   outer.delete('z');
-  outer.delete('v');
   try {
     const inner = await unpack(packed);
+    if (new URLSearchParams(inner.text).has('v')) outer.delete('v');
     return `${cut(inner.text, inner.isCut, notices)}&${outer}`;
   } catch {
     const sentence = () => 'The link is damaged: its packed part cannot be read. Copy the whole link.';
@@ -116,20 +116,37 @@ async function readTake(packed: string | undefined, notices: Notice[]): Promise<
 const OWN_KEYS: ReadonlySet<string> = new Set(['v', 'preset', 'take']);
 
 /**
- * Parses the pairs of a link or a file. Call {@link migrate} first.
+ * Parses the pairs of a link or a file of any version. Never rejects.
  * @param notices receives a notice for each pair that is ignored or changed
  */
-export function readState(pairs: ReadonlyMap<string, string>, notices: Notice[], source: 'link' | 'file'): State {
-  const version = pairs.get('v') ?? VERSION;
+export async function readState(
+  given: ReadonlyMap<string, string>,
+  notices: Notice[],
+  source: 'link' | 'file',
+): Promise<State> {
+  const pairs = migrate(given, notices);
+  const version = versionOf(pairs);
   if (version !== VERSION) notices.push(notice('version', 'v', version, versionSentence));
   const name = pairs.get('preset') ?? defaultPreset.name;
-  const preset = findPreset(name);
-  if (!preset) notices.push(notice('unknownPreset', 'preset', name, presetSentence));
-  const values = presetValues(preset ?? defaultPreset);
+  const found = findPreset(name);
+  if (!found) notices.push(notice('unknownPreset', 'preset', name, presetSentence));
+  const preset = found ?? defaultPreset;
+  const values = { ...presetValues(preset), ...(await valuesThen(versionOf(given), preset, notices)) };
   for (const [key, text] of pairs) {
     if (!OWN_KEYS.has(key)) readPair(key, text, values, notices, source);
   }
-  return { preset: (preset ?? defaultPreset).name, values };
+  return { preset: preset.name, values };
+}
+
+/** The values of a preset that were others in a version of links. */
+async function valuesThen(version: string, { name }: Preset, notices: Notice[]): Promise<Values> {
+  try {
+    return await olderValues(version, name);
+  } catch {
+    const sentence = () => 'The look of this older link could not be loaded; the current one is shown.';
+    notices.push(notice('version', 'v', version, sentence));
+    return {};
+  }
 }
 
 function readPair(

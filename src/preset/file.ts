@@ -7,7 +7,7 @@
 import { ownValues, readState, type State } from './codec.ts';
 import { FileError } from './errors.ts';
 import { jsonFault } from './jsonFault.ts';
-import { migrate, VERSION } from './migrations.ts';
+import { VERSION } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { packBytes, unpackBytes } from './packing.ts';
 import { defaultPreset } from './presets.ts';
@@ -47,7 +47,7 @@ export async function readFile(text: string): Promise<SmokeFile & { notices: rea
     throw new FileError(`This is not a Cartoon Smoke file: "format" must be "${FORMAT}".`);
   }
   const notices: Notice[] = [];
-  const state = readState(migrate(pairsOf(content, notices), notices), notices, 'file');
+  const state = await readState(pairsOf(content, notices), notices, 'file');
   const moment = content.moment === undefined ? undefined : await readMoment(content.moment);
   return { name: nameOf(content.name), state, ...(moment && { moment }), notices: summarise(notices) };
 }

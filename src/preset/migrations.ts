@@ -1,9 +1,14 @@
 /** Migrates links of older versions to the current version, one version at a time. */
 import { MAX_STOPS, writeCurve } from './curve.ts';
 import { notice, type Notice } from './notice.ts';
+import type { Values } from './parameter.ts';
+import { fetched } from './timeout.ts';
 
 /** Current version of the link format. */
-export const VERSION = '1';
+export const VERSION = '2';
+
+/** Version of a link that does not name one. */
+const UNNAMED = '1';
 
 /** Keys and values of a link, as text. */
 type Pairs = ReadonlyMap<string, string>;
@@ -16,14 +21,33 @@ interface Migration {
   readonly bring: (pairs: Pairs) => { pairs: Pairs; notified: string | undefined };
 }
 
-/** Sorted by version. */
-const migrations: readonly Migration[] = [{ from: '0', to: '1', bring: gatherDensity }];
+/** Sorted by version. From 1 to 2 only values of presets changed: {@link olderValues}. */
+const migrations: readonly Migration[] = [
+  { from: '0', to: '1', bring: gatherDensity },
+  { from: '1', to: '2', bring: (pairs) => ({ pairs, notified: undefined }) },
+];
+
+/** The version of a link or a file; an empty link has the current one. */
+export function versionOf(pairs: Pairs): string {
+  return pairs.get('v') ?? (pairs.size > 0 ? UNNAMED : VERSION);
+}
+
+/**
+ * Values of a preset in links of a version, where they differ from the current ones.
+ * @param preset name of an existing preset
+ * @throws LoadError if the download fails or times out
+ */
+export async function olderValues(version: string, preset: string): Promise<Values> {
+  if (version !== '0' && version !== '1') return {};
+  const { valuesOfVersion1 } = await fetched('The values of older links', import('./version1.ts'));
+  return valuesOfVersion1(preset);
+}
 
 /** Migrates the pairs of a link to the current version and adds notices. Unknown versions are left unchanged. */
 export function migrate(pairs: Pairs, notices: Notice[]): Pairs {
   let current = pairs;
   for (const { from, to, bring } of migrations) {
-    if (current.get('v') !== from) continue;
+    if (versionOf(current) !== from) continue;
     const { pairs: next, notified } = bring(current);
     current = new Map([...next, ['v', to]]);
     if (notified !== undefined) notices.push(notice('migrated', 'v', from, () => notified));

@@ -20,7 +20,7 @@ export function fileSchema(): Schema {
     properties: {
       $schema: { type: 'string' },
       format: { const: FORMAT },
-      version: { const: Number(VERSION) },
+      version: { type: 'integer', minimum: 1, maximum: Number(VERSION) },
       name: { type: 'string', minLength: 1, maxLength: MAX_NAME, description: 'The display name.' },
       preset: { enum: presets.map(({ name }) => name), description: 'The base preset. The values override it.' },
       values: valuesSchema(),

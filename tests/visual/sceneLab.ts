@@ -17,9 +17,10 @@ import type { SmokePasses } from '../../src/smoke/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { readStencil, rowsOf, type LabPicture } from './lab.ts';
+import { PLAIN_LOOK } from '../support/plainLook.ts';
 
-/** Few enough particles for a software renderer. */
-const SMALL: Values = { 'simulation.maxParticles': 800 };
+/** Few enough particles for a software renderer, drawn plainly. */
+const SMALL: Values = { 'simulation.maxParticles': 800, ...PLAIN_LOOK };
 
 export interface SceneChoice {
   width: number;
@@ -28,6 +29,8 @@ export interface SceneChoice {
   values?: Values;
   /** Stops self-rotating parts at their initial angle. */
   holdsRotations?: boolean;
+  /** Whether the preset draws as on the page. The default is a plain drawing with few particles. */
+  ownLook?: boolean;
   /** Draws with the edge filter. */
   smoothEdges?: boolean;
 }
@@ -79,7 +82,7 @@ export class SceneLab {
 
   /** @param preset name of a preset; a scene has the name of its first preset */
   static async create(preset: string, choice: SceneChoice): Promise<SceneLab> {
-    const values = { ...presetValues(findPreset(preset)!), ...SMALL, ...choice.values };
+    const values = { ...presetValues(findPreset(preset)!), ...(choice.ownLook ? {} : SMALL), ...choice.values };
     const { load, hasRigids } = sceneNamed(values.scene as string);
     const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
     const scene = choice.holdsRotations ? withHeldRotations(loaded) : loaded;

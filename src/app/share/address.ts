@@ -1,5 +1,6 @@
 import { decode, encode, type Decoded } from '../../preset.ts';
 import type { Editor } from '../editor/editor.ts';
+import { linkOf } from '../poster.ts';
 import { QUIET_MS } from '../input/gestureEnd.ts';
 
 /** The share link of the current state. The smoke starts from the beginning where it is opened. */
@@ -42,7 +43,7 @@ export function followAddress(
     timer = undefined;
     // A pending write may have replaced the new address before this event.
     if (location.href !== newURL) history.replaceState(history.state, '', newURL);
-    const reading = (newest = decode(new URL(newURL).hash));
+    const reading = (newest = decode(linkOf(new URL(newURL).hash)));
     const decoded = await reading;
     // Decoding is asynchronous. The newest address wins.
     if (reading !== newest) return;

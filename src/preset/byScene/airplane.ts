@@ -10,6 +10,11 @@ const smoke: Values = {
   'emission.density': '0:1,.8:1,1:0',
   'forces.turbulence': 0.8,
   'simulation.maxParticles': 1500,
+  'puff.turn': 0.6,
+  'puff.stretch': 1.4,
+  'puff.billow': 0.5,
+  'style.simplify': 5.5,
+  'style.strokes': 0.4,
 };
 
 export const airplanePresets: readonly Preset[] = [

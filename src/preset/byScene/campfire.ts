@@ -24,6 +24,11 @@ export const campfirePresets: readonly Preset[] = [
       'style.innerLine': 0.22,
       'light.azimuth': 26,
       'light.elevation': 38,
+      'puff.turn': 0.6,
+      'puff.stretch': 1.4,
+      'puff.billow': 0.4,
+      'style.simplify': 3,
+      'style.strokes': 0.3,
     },
   },
 ];

@@ -19,6 +19,11 @@ export const dustPresets: readonly Preset[] = [
       'style.innerLine': 0.3,
       'light.azimuth': -48,
       'light.elevation': 37,
+      'puff.turn': 0.6,
+      'puff.stretch': 1.4,
+      'puff.billow': 0.5,
+      'style.simplify': 4,
+      'style.strokes': 0.4,
     },
   },
 ];

@@ -10,6 +10,10 @@ const smoke: Values = {
   'emission.density': '0:1,.7:1,1:0',
   'forces.turbulence': 0.6,
   'simulation.maxParticles': 1000,
+  'puff.turn': 0.6,
+  'puff.stretch': 1.4,
+  'puff.billow': 0.5,
+  'style.simplify': 4.5,
 };
 
 export const geniePresets: readonly Preset[] = [
@@ -24,6 +28,7 @@ export const geniePresets: readonly Preset[] = [
       'style.innerLine': 0.42,
       'light.azimuth': 38,
       'light.elevation': 46,
+      'style.strokes': 0.25,
     },
   },
   {
@@ -43,6 +48,7 @@ export const geniePresets: readonly Preset[] = [
       'style.washColor': '#f6f3ea',
       'light.azimuth': 38,
       'light.elevation': 52,
+      'style.strokes': 0.5,
     },
   },
 ];

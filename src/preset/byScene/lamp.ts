@@ -2,7 +2,8 @@ import type { Values } from '../parameter.ts';
 import type { Preset } from './preset.ts';
 
 /**
- * The vortex that curls the smoke above the lamp's spout. All presets of the scene use it and may change its strength.
+ * The vortex that curls the smoke above the lamp's spout, and puffs that turn in it. All presets of the scene use them and
+ * may change their strength.
  */
 const curl: Values = {
   'vortices.0.circulation': 3.2,
@@ -11,6 +12,10 @@ const curl: Values = {
   'vortices.0.position.x': 0.1,
   'vortices.0.position.y': 1.7,
   'forces.wind.x': -0.06,
+  'puff.turn': 0.6,
+  'puff.stretch': 1.5,
+  'puff.billow': 0.6,
+  'style.simplify': 4,
 };
 
 export const lampPresets: readonly Preset[] = [
@@ -18,7 +23,10 @@ export const lampPresets: readonly Preset[] = [
     name: 'lamp',
     label: 'Lamp',
     text: 'White smoke in two tones that rises from the spout and curls.',
-    values: curl,
+    values: {
+      ...curl,
+      'style.strokes': 0.4,
+    },
   },
   {
     name: 'lamp-noir',
@@ -35,6 +43,7 @@ export const lampPresets: readonly Preset[] = [
       'style.washColor': '#d8d3c8',
       'light.azimuth': -70,
       'light.elevation': 30,
+      'style.strokes': 0.5,
     },
   },
   {
@@ -49,10 +58,11 @@ export const lampPresets: readonly Preset[] = [
       'style.inkColor': '#4a1527',
       'style.gradient': 'height',
       'style.gradientColor': '#f0708a',
-      'style.rim': 0.25,
+      'style.rim': 0.4,
       'style.rimColor': '#ffe6a8',
       'light.azimuth': 62,
       'light.elevation': 20,
+      'style.strokes': 0.3,
     },
   },
   {
@@ -84,6 +94,8 @@ export const lampPresets: readonly Preset[] = [
       'style.inkColor': '#1c0f14',
       'buoyancy.coolingTime': 2.2,
       'buoyancy.acceleration': 1.7,
+      'style.simplify': 3,
+      'style.strokes': 0.3,
     },
   },
   {
@@ -102,6 +114,7 @@ export const lampPresets: readonly Preset[] = [
       'turbulence.octaves': 3,
       'turbulence.evolution': 0.8,
       'vortices.0.circulation': 1.5,
+      'style.strokes': 0.5,
     },
   },
   {
@@ -120,6 +133,7 @@ export const lampPresets: readonly Preset[] = [
       'style.backdrop': '0:1b4a8c,1:163f7a',
       'style.wash': 1,
       'style.washColor': '#2a62ac',
+      'style.strokes': 0.8,
     },
   },
   {
@@ -135,6 +149,7 @@ export const lampPresets: readonly Preset[] = [
       'style.backdrop': '0:e9dfc6,1:f0e7d0',
       'style.wash': 1,
       'style.washColor': '#efe5cd',
+      'style.strokes': 0.5,
     },
   },
   {
@@ -146,12 +161,13 @@ export const lampPresets: readonly Preset[] = [
       'style.ramp': '0:9a6fd0,.34:ff8fc0,.7:fff0c8',
       'style.inkColor': '#6a2a78',
       'style.outlineWidth': 2.4,
-      'style.rim': 0.2,
+      'style.rim': 0.35,
       'style.rimColor': '#9ff0e0',
       'style.backdrop': '0:ffd9e4,1:a6e4e0',
       'style.wash': 0.35,
       'style.washColor': '#ffc2dc',
       'light.elevation': 42,
+      'style.strokes': 0.3,
     },
   },
   {
@@ -171,6 +187,31 @@ export const lampPresets: readonly Preset[] = [
       'style.wash': 0.4,
       'style.washColor': '#ffe2b8',
       'light.azimuth': -40,
+    },
+  },
+  {
+    name: 'lamp-wind-waker',
+    label: 'Wind waker',
+    text: 'Round white smoke that rolls up under a saturated sky, with light along its edges.',
+    values: {
+      ...curl,
+      'emission.rate': 30,
+      'emission.lifetime': 8,
+      'emission.density': '0:1,.85:.8,1:0',
+      'puff.size': 1.08,
+      'vortices.0.circulation': 5,
+      'vortices.0.coreRadius': 0.4,
+      'vortices.0.reach': 2.6,
+      'style.simplify': 5,
+      'style.strokes': 0.6,
+      'style.ramp': '0:6fcbe8,.34:ffffff',
+      'style.rim': 0.26,
+      'style.rimColor': '#e6feff',
+      'style.inkColor': '#15406e',
+      'style.outlineWidth': 2.4,
+      'style.backdrop': '0:8ff0ec,1:1668d8',
+      'light.azimuth': 40,
+      'light.elevation': 48,
     },
   },
 ];

@@ -20,6 +20,11 @@ export const rocketPresets: readonly Preset[] = [
       'style.innerLine': 0.24,
       'light.azimuth': 44,
       'light.elevation': 48,
+      'puff.turn': 0.6,
+      'puff.stretch': 1.3,
+      'puff.billow': 0.5,
+      'style.simplify': 4,
+      'style.strokes': 0.4,
     },
   },
 ];

@@ -10,6 +10,10 @@ const smoke: Values = {
   'forces.turbulence': 1.2,
   'turbulence.scale': 0.7,
   'simulation.maxParticles': 400,
+  'puff.turn': 0.6,
+  'puff.stretch': 1.4,
+  'puff.billow': 0.5,
+  'style.simplify': 3.5,
 };
 
 export const wispPresets: readonly Preset[] = [

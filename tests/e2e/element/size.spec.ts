@@ -1,6 +1,7 @@
 /**
  * Downloads of `<cartoon-smoke preset="wisp">`, in kilobytes on the wire (gzip -9). The limits match the current state;
- * the output also lists the targets.
+ * the output also lists the targets. Where a limit is that of the plain drawing, `style-simplify="0"` leaves out the pass
+ * that the preset adds.
  */
 import { expect, stands, test, type Server } from '../../support/embed.ts';
 
@@ -21,7 +22,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
-  'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards countedVolumes strokes link moment pointers onPage';
+  'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards countedVolumes strokes simplify link version1 moment pointers onPage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit, goal } of figures) {
@@ -32,14 +33,20 @@ function judge(figures: readonly Figure[]): void {
 }
 
 test('on the main thread, beside the three.js of the page', async ({ page, openPage, server }) => {
-  await openPage('<cartoon-smoke preset="wisp" thread="main" paused></cartoon-smoke>');
+  await openPage('<cartoon-smoke preset="wisp" style-simplify="0" thread="main" paused></cartoon-smoke>');
   await stands(page);
+  const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: fetched(server, (file) => isScript(file) && !isThree(file)), limit: 66, goal: 66 },
+    { name: 'embed.coreKb', kB: core, limit: 66, goal: 66 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 114.6 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
+  await page.evaluate(() => document.querySelector('cartoon-smoke')!.setAttribute('style-simplify', '3'));
+  await expect.poll(() => server.sent.filter(({ file }) => file.endsWith('simplify.js')).length).toBe(1);
+  judge([
+    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 2.5 },
+  ]);
 });
 
 test('in a worker, which includes its own three.js', async ({ page, openPage, server }) => {

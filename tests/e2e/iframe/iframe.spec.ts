@@ -20,7 +20,7 @@ type Cases = typeof import('../remote/stage.cases.ts');
 type FrameCases = typeof import('./iframe.cases.ts');
 const FRAMES = '/tests/e2e/iframe/iframe.cases.ts';
 const SANDBOX = 'allow-scripts';
-const WISP = '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300';
+const WISP = '?paused=1#v=2&preset=wisp&puff.variations=1&simulation.maxParticles=300';
 
 test('a frame without an origin needs only scripts, and shows the same picture as a stage on this page', async ({
   load,
@@ -132,7 +132,7 @@ test('reads hash and query like the demo, and loads physics only if needed', asy
   const frames = await load<FrameCases>(FRAMES);
   const address = `${baseURL}/embed.html?paused=1&t=0.5`;
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
-    `${address}#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
+    `${address}#v=2&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
     SANDBOX,
   ] as const);
   const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);
@@ -140,7 +140,7 @@ test('reads hash and query like the demo, and loads physics only if needed', asy
   expect(physics).toEqual([]);
   await framed.evaluate(
     ({ frame }, url) => (frame.src = url),
-    `${address}#v=1&preset=lamp&simulation.maxParticles=300`,
+    `${address}#v=2&preset=lamp&simulation.maxParticles=300`,
   );
   await expect.poll(() => framed.evaluate(async ({ stage }) => (await stage.get()).scene)).toBe('lamp');
   expect(physics).toHaveLength(1);
@@ -154,7 +154,7 @@ test.describe('without the physics module', () => {
     const frames = await load<FrameCases>(FRAMES);
     const cases = await load<Cases>('/tests/e2e/remote/stage.cases.ts');
     await blank.route('**/embed-physics*', (route) => route.abort());
-    const address = `${baseURL}/embed.html?paused=1#v=1&preset=lamp&simulation.maxParticles=300`;
+    const address = `${baseURL}/embed.html?paused=1#v=2&preset=lamp&simulation.maxParticles=300`;
     const rejected = await cases.evaluate(
       (module, [connecting, url, sandbox]) => module.thrownBy(() => connecting.connect(url, sandbox)),
       [frames, address, SANDBOX] as const,
@@ -227,12 +227,12 @@ test('each preset of the gallery has an oEmbed response and a page that links to
   const page = readFileSync(new URL('../../../dist/gallery/wisp.html', import.meta.url), 'utf8');
   const link = /<link rel="alternate" type="application\/json\+oembed" href="([^"]*)"/.exec(page)![1];
   expect(new URL(link, 'https://example.org/gallery/wisp.html').pathname).toBe('/oembed/wisp.json');
-  expect(page).toContain('href="../#v=1&amp;preset=wisp"');
+  expect(page).toContain('href="../#v=2&amp;preset=wisp"');
   expect(page).toMatch(/<meta name="description" content="[^"]{40,160}" \/>/);
   const answer = JSON.parse(readFileSync(new URL('../../../dist/oembed/wisp.json', import.meta.url), 'utf8')) as object;
   expect(answer).toMatchObject({ version: '1.0', type: 'rich', width: 640, height: 360 });
   expect(answer).toHaveProperty(
     'html',
-    expect.stringMatching(/^<iframe src="[^"]*embed\.html#v=1&amp;preset=wisp" title="/),
+    expect.stringMatching(/^<iframe src="[^"]*embed\.html#v=2&amp;preset=wisp" title="/),
   );
 });

@@ -4,9 +4,15 @@ import { openStage } from '../../../src/remote/openStage.ts';
 import { SmokeError, type ParameterError } from '../../../src/preset/errors.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
-const SMALL: Values = { ...presetValues(findPreset('wisp')!), 'simulation.maxParticles': 300, 'puff.variations': 1 };
+const SMALL: Values = {
+  ...presetValues(findPreset('wisp')!),
+  ...PLAIN_LOOK,
+  'simulation.maxParticles': 300,
+  'puff.variations': 1,
+};
 
 export interface Opened {
   stage: RemoteStage;

@@ -6,6 +6,7 @@ import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { packed, packedFile } from './bytes.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
 /** Little smoke of one shape is cheap to bake and draw. */
@@ -33,7 +34,7 @@ function open(preset: string, values = valuesOf(preset)): Promise<Stage> {
 }
 
 function valuesOf(preset: string): Values {
-  return { ...presetValues(findPreset(preset)!), ...LITTLE };
+  return { ...presetValues(findPreset(preset)!), ...PLAIN_LOOK, ...LITTLE };
 }
 
 /** Simulates user input: drags an object, drops another, blows and steers. */

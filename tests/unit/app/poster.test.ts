@@ -1,7 +1,9 @@
 import { readdirSync, statSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { posterOf } from '../../../src/app/poster.ts';
-import { defaultPreset, presets } from '../../../src/preset/presets.ts';
+import { linkOf, posterOf } from '../../../src/app/poster.ts';
+import { decode } from '../../../src/preset/codec.ts';
+import { VERSION } from '../../../src/preset/migrations.ts';
+import { defaultPreset, findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
 
 const FOLDER = 'src/app/posters';
 
@@ -12,14 +14,29 @@ test('each preset has a small poster for wide and for tall windows, and none is 
 });
 
 test('a link shows the poster of its preset', () => {
-  expect(posterOf('', '')).toBe(defaultPreset.name);
-  expect(posterOf('?t=2&paused=1', '#v=1&preset=wisp-matcha')).toBe('wisp-matcha');
-  expect(posterOf('', '#v=1&preset=train&seed=4&emission.rate=40&simulation.maxParticles=500')).toBe('train');
+  expect(posterOf('', `#v=${VERSION}&seed=3`)).toBe(defaultPreset.name);
+  expect(posterOf('?t=2&paused=1', '#v=2&preset=wisp-matcha')).toBe('wisp-matcha');
+  expect(posterOf('', '#v=2&preset=train&seed=4&emission.rate=40&simulation.maxParticles=500')).toBe('train');
+});
+
+test('an address without a link shows the first look, which is a preset', async () => {
+  for (const hash of ['', '#']) {
+    const { state, notices } = await decode(linkOf(hash));
+    expect(notices).toEqual([]);
+    expect(state.values).toEqual(presetValues(findPreset(state.preset)!));
+    expect(posterOf('?t=2', hash)).toBe(state.preset);
+  }
+  expect(linkOf('#seed=3')).toBe('#seed=3');
+});
+
+test('a link of an older version, or without one, has no poster', () => {
+  for (const link of ['#v=1&preset=lamp', '#v=0&preset=lamp', '#preset=lamp'])
+    expect(posterOf('', link), link).toBeUndefined();
 });
 
 test('a link that may look different has no poster', () => {
   for (const change of ['style.ink=0', 'light.azimuth=3', 'camera.distance=2', 'puff.form=billboards', 'scene=wisp'])
-    expect(posterOf('', `#v=1&preset=lamp&${change}`), change).toBeUndefined();
-  expect(posterOf('', '#v=1&z=abc')).toBeUndefined();
-  expect(posterOf('?view=depth', '#v=1&preset=lamp')).toBeUndefined();
+    expect(posterOf('', `#v=2&preset=lamp&${change}`), change).toBeUndefined();
+  expect(posterOf('', '#v=2&z=abc')).toBeUndefined();
+  expect(posterOf('?view=depth', '#v=2&preset=lamp')).toBeUndefined();
 });

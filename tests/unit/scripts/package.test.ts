@@ -8,6 +8,7 @@ import { rolldown, type Plugin } from 'rolldown';
 import { beforeAll, expect, it } from 'vitest';
 import { names } from '../../../src/element/attributes/names.ts';
 import { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
+import { presets } from '../../../src/preset/presets.ts';
 import { table } from '../../../src/preset/table.ts';
 import * as emitterOptions from '../../../src/three/emitterOptions.ts';
 import { hiddenTypes } from './signatures.ts';
@@ -143,6 +144,17 @@ it('has the same ranges and defaults without labels and texts', async () => {
     expect(values(options)).toEqual(whole.kind === 'choice' ? values(whole.options) : undefined);
     expect(row).not.toHaveProperty('text');
   }
+});
+
+it('has the same values of presets without names and sentences in scripts for CDNs', async () => {
+  const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
+  const { withoutPresetWords } = (await import(script)) as { withoutPresetWords(): Plugin };
+  const build = await rolldown({ input: join(ROOT, 'src/preset/presets.ts'), plugins: [withoutPresetWords()] });
+  const { output } = await build.generate();
+  await build.close();
+  const module = `data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`;
+  const bare = (await import(module)) as Pick<typeof import('../../../src/preset/presets.ts'), 'presets'>;
+  expect(bare.presets).toEqual(presets.map(({ name, values }) => ({ name, values })));
 });
 
 it('lists the bundled packages and linked crates with their licences', () => {

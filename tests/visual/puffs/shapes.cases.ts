@@ -11,9 +11,10 @@ import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 import { inputOf, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
-const VALUES: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 400 };
+const VALUES: Values = { ...presetValues(defaultPreset), ...PLAIN_LOOK, 'simulation.maxParticles': 400 };
 
 /** A ring of balls: unlike a puff it has a hole, and parts far behind its centre are visible. */
 export const RING: PuffShape = {

@@ -9,6 +9,7 @@ import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { RenderBench } from '../../bench/render/bench.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 /** Differences between two pictures of the same moment, and the number of rows that each one draws. */
 export interface Comparison {
@@ -36,7 +37,7 @@ export async function compareScene(
   const comparisons: Comparison[] = [];
   const { prepare } = SmokeRenderer.prototype;
   const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
-    values: { ...presetValues(presetNamed(preset)), ...values },
+    values: { ...presetValues(presetNamed(preset)), ...PLAIN_LOOK, ...values },
     width: WIDTH,
     height: HEIGHT,
     pixelRatio: 1,

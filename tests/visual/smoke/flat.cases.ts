@@ -6,6 +6,7 @@ import { createStage } from '../../../src/stage/stage.ts';
 import { PLAIN_STYLE, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
 import { box, ground } from '../solids.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
 
@@ -184,7 +185,12 @@ export function coincident(count: number): { shadowed: number; lit: number } {
 export async function flatStage(): Promise<{ writesDepth: boolean; ink: number; smoke: number; shadowed: number }> {
   const pictures = await Promise.all(
     [1, 0].map(async (shadows) => {
-      const values = { ...presetValues(defaultPreset), 'style.shadows': shadows, 'simulation.maxParticles': 800 };
+      const values = {
+        ...presetValues(defaultPreset),
+        ...PLAIN_LOOK,
+        'style.shadows': shadows,
+        'simulation.maxParticles': 800,
+      };
       const canvas = new OffscreenCanvas(WIDTH, HEIGHT);
       const stage = await createStage(canvas, { values, width: WIDTH, height: HEIGHT, failsSelfTest: true });
       stage.step(180);

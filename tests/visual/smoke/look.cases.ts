@@ -39,7 +39,13 @@ export interface ToneMeasures {
 
 /** Pictures as PNG in base64: moments by cameras, and neighbouring frames. */
 export async function sheets(preset: string): Promise<{ sheet: string; strip: string }> {
-  const lab = await SceneLab.create(preset, { width: WIDTH, height: HEIGHT, smoothEdges: true, values: FULL });
+  const lab = await SceneLab.create(preset, {
+    width: WIDTH,
+    height: HEIGHT,
+    smoothEdges: true,
+    ownLook: true,
+    values: FULL,
+  });
   const sheet = new Sheet(AZIMUTHS.length, MOMENTS.length);
   const strip = new Sheet(4, FRAMES / 4);
   const { azimuth } = lab.scene.camera;
@@ -62,7 +68,8 @@ export async function sheets(preset: string): Promise<{ sheet: string; strip: st
 /** @param values override those of the preset */
 export async function measureTones(preset: string, values: Values = {}): Promise<ToneMeasures> {
   const plain: Values = { 'style.outlines': 0, 'style.gradient': 'none' };
-  const lab = await SceneLab.create(preset, { width: WIDTH, height: HEIGHT, values: { ...FULL, ...plain, ...values } });
+  const choice = { width: WIDTH, height: HEIGHT, ownLook: true, values: { ...FULL, ...plain, ...values } };
+  const lab = await SceneLab.create(preset, choice);
   const sums: ToneMeasures = { regions: 0, small: 0, flips: 0, births: 0, lit: 0, border: 0 };
   for (let moment = 0; moment < MEASURED; moment++) {
     lab.step(MEASURED_STEPS);

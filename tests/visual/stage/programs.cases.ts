@@ -1,6 +1,7 @@
 /** Which programs a stage compiles, and when. */
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 /** The shaders of programs in link order. */
 export interface LinkedPrograms {
@@ -14,7 +15,12 @@ export interface LinkedPrograms {
 export async function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
   const linked: string[] = [];
   const stop = listenToLinks((shaders) => linked.push(shaders));
-  const values = { ...presetValues(findPreset('wisp')!), 'simulation.maxParticles': 100, 'puff.lobes': lobes };
+  const values = {
+    ...presetValues(findPreset('wisp')!),
+    ...PLAIN_LOOK,
+    'simulation.maxParticles': 100,
+    'puff.lobes': lobes,
+  };
   const stage = await createStage(new OffscreenCanvas(64, 48), { values, visible: false });
   const ahead = linked.splice(0);
   stage.visible = true;

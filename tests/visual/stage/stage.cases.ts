@@ -3,11 +3,12 @@ import { createDevice, type Device } from '../../../src/device/device.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 
 export const [WIDTH, HEIGHT] = [320, 240];
 
 /** Few enough particles for a software renderer. */
-export const SMALL: Values = { ...presetValues(defaultPreset), 'simulation.maxParticles': 800 };
+export const SMALL: Values = { ...presetValues(defaultPreset), ...PLAIN_LOOK, 'simulation.maxParticles': 800 };
 
 export async function lampStage(canvas: OffscreenCanvas | HTMLCanvasElement, device?: Device): Promise<Stage> {
   return createStage(canvas, { values: SMALL, width: WIDTH, height: HEIGHT, pixelRatio: 1, device });
@@ -31,7 +32,7 @@ export async function census(picture: Blob): Promise<{ colors: number; commonest
 
 /** Metres per CSS pixel of the open-air scene at several device pixel ratios, before and after another scene. */
 export async function airPerPixel(): Promise<number[]> {
-  const values = { ...presetValues(findPreset('air')!), 'simulation.maxParticles': 100 };
+  const values = { ...presetValues(findPreset('air')!), ...PLAIN_LOOK, 'simulation.maxParticles': 100 };
   const metres: number[] = [];
   for (const pixelRatio of [0.5, 1, 2]) {
     const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), {
