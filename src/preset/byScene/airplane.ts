@@ -14,7 +14,6 @@ const smoke: Values = {
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
   'style.simplify': 5.5,
-  'style.strokes': 0.4,
 };
 
 export const airplanePresets: readonly Preset[] = [
@@ -49,6 +48,7 @@ export const airplanePresets: readonly Preset[] = [
       'style.outlineWidth': 1.8,
       'style.inkSwell': 0.8,
       'style.innerLine': 0.3,
+      'style.strokes': 0.4,
       'style.backdrop': '0:f4d8b4,1:23508a',
       'style.wash': 0.3,
       'style.washColor': '#f0dcb8',

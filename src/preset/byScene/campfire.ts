@@ -28,7 +28,6 @@ export const campfirePresets: readonly Preset[] = [
       'puff.stretch': 1.4,
       'puff.billow': 0.4,
       'style.simplify': 3,
-      'style.strokes': 0.3,
     },
   },
 ];

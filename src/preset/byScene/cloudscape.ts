@@ -33,7 +33,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.inkColor': '#2b2740',
       'light.azimuth': 0,
       'light.elevation': 62,
-      'style.strokes': 0.4,
     },
   },
   {

@@ -23,7 +23,6 @@ export const dustPresets: readonly Preset[] = [
       'puff.stretch': 1.4,
       'puff.billow': 0.5,
       'style.simplify': 4,
-      'style.strokes': 0.4,
     },
   },
 ];

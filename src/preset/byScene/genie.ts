@@ -28,7 +28,6 @@ export const geniePresets: readonly Preset[] = [
       'style.innerLine': 0.42,
       'light.azimuth': 38,
       'light.elevation': 46,
-      'style.strokes': 0.25,
     },
   },
   {

@@ -25,7 +25,6 @@ export const lampPresets: readonly Preset[] = [
     text: 'White smoke in two tones that rises from the spout and curls.',
     values: {
       ...curl,
-      'style.strokes': 0.4,
     },
   },
   {
@@ -62,7 +61,6 @@ export const lampPresets: readonly Preset[] = [
       'style.rimColor': '#ffe6a8',
       'light.azimuth': 62,
       'light.elevation': 20,
-      'style.strokes': 0.3,
     },
   },
   {
@@ -95,7 +93,6 @@ export const lampPresets: readonly Preset[] = [
       'buoyancy.coolingTime': 2.2,
       'buoyancy.acceleration': 1.7,
       'style.simplify': 3,
-      'style.strokes': 0.3,
     },
   },
   {
@@ -114,7 +111,6 @@ export const lampPresets: readonly Preset[] = [
       'turbulence.octaves': 3,
       'turbulence.evolution': 0.8,
       'vortices.0.circulation': 1.5,
-      'style.strokes': 0.5,
     },
   },
   {
@@ -167,7 +163,6 @@ export const lampPresets: readonly Preset[] = [
       'style.wash': 0.35,
       'style.washColor': '#ffc2dc',
       'light.elevation': 42,
-      'style.strokes': 0.3,
     },
   },
   {

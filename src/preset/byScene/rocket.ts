@@ -24,7 +24,6 @@ export const rocketPresets: readonly Preset[] = [
       'puff.stretch': 1.3,
       'puff.billow': 0.5,
       'style.simplify': 4,
-      'style.strokes': 0.4,
     },
   },
 ];

@@ -14,7 +14,6 @@ const smoke: Values = {
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
   'style.simplify': 4.5,
-  'style.strokes': 0.4,
 };
 
 export const trainPresets: readonly Preset[] = [
@@ -63,7 +62,6 @@ export const trainPresets: readonly Preset[] = [
       'puff.lumpiness': 0.55,
       'puff.seed': 7,
       'style.simplify': 3,
-      'style.strokes': 0,
       'style.ramp': '0:bdb6a6,.22:fbf6e8',
       'style.inkColor': '#15110d',
       'style.creases': 0,
@@ -103,7 +101,6 @@ export const trainPresets: readonly Preset[] = [
       'puff.flatness': 0.7,
       'puff.lumpiness': 0.6,
       'style.simplify': 6,
-      'style.strokes': 0,
       'style.outlines': 0,
       'style.ramp': '0:7678b8,.34:a8e0bc',
       'style.gradient': 'height',
