@@ -85,7 +85,8 @@ test.describe('in forced colours', () => {
     await expect(handles).toHaveAttribute('aria-pressed', 'true');
     await expect.poll(() => background(handles)).not.toBe(off);
     const cards = page.locator('.gallery-card');
-    await expect.poll(() => background(cards.first())).not.toBe(await background(cards.last()));
+    const chosen = page.locator('.gallery-card:has(:checked)');
+    await expect.poll(() => background(chosen)).not.toBe(await background(cards.last()));
     const line = page.getByRole('slider').first();
     expect(await line.evaluate((element) => getComputedStyle(element).backgroundImage)).toContain('gradient');
     await page.keyboard.press('s');

@@ -95,7 +95,7 @@ test('mouse and keys use the timeline and the presets', async ({ page }) => {
     await page.keyboard.press('Control+z');
     await chosen('Lamp');
     await page.getByRole('radio', { name: 'Noir' }).check();
-    await page.getByRole('radio', { name: 'Ghost' }).check();
+    await page.getByRole('radio', { name: 'Ghost', exact: true }).check();
     await page.keyboard.press('Control+z');
     await chosen('Noir');
   });

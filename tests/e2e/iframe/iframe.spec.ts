@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { ConsoleMessage } from '@playwright/test';
 import { expect, test } from '../../support/fixtures.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 import { script } from '../../support/server.ts';
 
 interface ServeScript {
@@ -20,7 +21,11 @@ type Cases = typeof import('../remote/stage.cases.ts');
 type FrameCases = typeof import('./iframe.cases.ts');
 const FRAMES = '/tests/e2e/iframe/iframe.cases.ts';
 const SANDBOX = 'allow-scripts';
-const WISP = '?paused=1#v=2&preset=wisp&puff.variations=1&simulation.maxParticles=300';
+const SMALL = 'puff.variations=1&simulation.maxParticles=300';
+const PLAIN = Object.entries(PLAIN_LOOK)
+  .map(([key, value]) => `&${key}=${String(value)}`)
+  .join('');
+const WISP = `?paused=1#v=2&preset=wisp&${SMALL}${PLAIN}`;
 
 test('a frame without an origin needs only scripts, and shows the same picture as a stage on this page', async ({
   load,
