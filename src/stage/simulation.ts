@@ -4,7 +4,7 @@ import { findParameter } from '../preset/table.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
-import { POSE_FLOATS } from '../sim/layout.ts';
+import { ATTRIBUTE_WORDS, POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
@@ -214,7 +214,10 @@ export class Simulation {
   variationsAlive(): number {
     const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
     let variations = 0;
-    for (let row = 0; row < count; row++) variations = Math.max(variations, 1 + (attributes[2 * row + 1] & 0xff));
+    for (let row = 0; row < count; row++) {
+      // The lowest byte of the second word, without the table of all fields, which the core does not need.
+      variations = Math.max(variations, 1 + (attributes[ATTRIBUTE_WORDS * row + 1] & 0xff));
+    }
     return variations;
   }
 
