@@ -15,17 +15,18 @@ const fewPixels = { deviceScaleFactor: 0.25 };
 const halfThePixels = { deviceScaleFactor: 0.5 };
 // For text, boxes and pixel readback, the CPU rasterizer is faster than SwiftShader. WebGL content is not affected.
 const plainCanvases = ['--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'];
-// Pages live for seconds, in which optimised JavaScript does not repay its compilation: a quarter of the renderer's CPU
-// time.
-const briefly = '--js-flags=--no-opt --single-threaded';
+// Pages live for seconds, in which optimised code does not repay its compilation: for WASM a tenth of all CPU time, for
+// JavaScript a quarter of the renderer's.
+const unoptimisedWasm = '--liftoff-only';
+const unoptimised = `--no-opt --single-threaded ${unoptimisedWasm}`;
 // Otherwise each worker would build a missing site or package.
 const builtFirst = { dependencies: ['built'] };
 
 const { port, browser, flags } = await demandTestServer();
-const launched = (...others: string[]) => ({
-  launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases, ...others] },
+const launched = (scriptFlags: string) => ({
+  launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases, `--js-flags=${scriptFlags}`] },
 });
-const brief = launched(briefly);
+const brief = launched(unoptimised);
 
 /**
  * Tests in a browser: source modules on a separate development server, and pages as published, all rendered by
@@ -63,7 +64,7 @@ export default defineConfig<object, WorkerOptions>({
     baseURL: `http://localhost:${port}`,
     viewport: { width: 640, height: 360 },
     deviceScaleFactor: 1,
-    ...launched(),
+    ...launched(unoptimisedWasm),
   },
   webServer: {
     command: `node node_modules/vite/bin/vite.js --config tests/support/vite.config.ts --port ${port} --strictPort`,
