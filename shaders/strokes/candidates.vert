@@ -10,7 +10,7 @@ flat out int arc;
 
 // A stroke covers more samples than lie between two of these, and stands before other smoke at more taps than are left out.
 const int SAMPLE_STRIDE = 2;
-const int TAP_STRIDE = 2;
+const int TAP_STRIDE = 4;
 
 bool isInPicture() {
   vec4 middle = clipFromView * vec4(centre + vec3(viewPoint(lobe.xy) * radius, 0.0), 1.0);

@@ -15,7 +15,7 @@ const vec2 COVERS = vec2(0.0, 0.1);
 // Distances of the samples from the outline, CSS pixels, and their rounding to pixel centres, pixels.
 const vec2 BESIDE = vec2(1.75, 5.0);
 const float ROUNDING = 0.75;
-const int TAPS = 5;
+const int TAPS = 9;
 
 // Whether a point is outside all lobes of the puff.
 bool isOutside(vec2 point) {

@@ -26,9 +26,6 @@ out vec4 coverage;
 
 // Height of smoke before the lobe, in its radii, that hides a stroke.
 const float COVER = 0.04;
-// Width of a stroke that begins or ends, as a share. It fades below.
-const float THINNEST = 0.5;
-
 // Share of a place in the length of a stroke, or -1 outside, and the opacity of the stroke.
 vec2 shareAt(float along, int number) {
   vec3 stroke = vec3(texelFetch(strokes, texelOf(arc, number), 0).rgb) / 65535.0;
@@ -56,15 +53,15 @@ void main() {
   distance /= length(gradient);
   normal = normalize(gradient);
 #endif
-  float opacity = found.y;
   float width = line.x * swelling(normal, vec3(line.zw, 0.0), inkSwell) * boiling(normal, line.y, boil);
-  width *= 4.0 * found.x * (1.0 - found.x) * mix(THINNEST, 1.0, opacity);
-  // A stroke thinner than a pixel would break up into dots.
-  if (abs(distance) > 0.5 * max(1.0, width)) discard;
-  opacity *= min(1.0, width);
+  // A weak stroke is thin, not pale.
+  width *= 4.0 * found.x * (1.0 - found.x) * found.y * (1.5 - 0.5 * found.y);
+  // The part of the pixel that the stroke covers. The edge filter would break up lines of about a pixel.
+  float covered = min(distance + 0.5, 0.5 * width) - max(distance - 0.5, -0.5 * width);
+  if (covered <= 0.0) discard;
 
   float z = smokeZ(clipFromView, gl_FragCoord.xy);
   float top = besideAndZ.z + bulgeAndSqueeze.x * (sqrt(max(0.0, 1.0 - reach * reach)) + COVER);
   if (z < NO_SMOKE || z > top) discard;
-  coverage = vec4(opacity);
+  coverage = vec4(min(1.0, covered));
 }

@@ -1,12 +1,12 @@
 import {
   BufferGeometry,
   CustomBlending,
+  DstAlphaFactor,
   MaxEquation,
   OneFactor,
   OneMinusSrcAlphaFactor,
   RedFormat,
   RGBAIntegerFormat,
-  SrcAlphaFactor,
   UnsignedShortType,
   Vector2,
   ZeroFactor,
@@ -72,7 +72,7 @@ export class StrokesPass {
       { ...eye.uniforms, coverage: { value: coverage.texture } },
       {
         blending: CustomBlending,
-        blendSrc: SrcAlphaFactor,
+        blendSrc: DstAlphaFactor,
         blendDst: OneMinusSrcAlphaFactor,
         blendSrcAlpha: ZeroFactor,
         blendDstAlpha: OneFactor,
@@ -113,7 +113,7 @@ export class StrokesPass {
     renderer.setRenderTarget(targets.renderTarget);
   }
 
-  /** Draws the ink of the strokes over the bound target of tones, which are not premultiplied. */
+  /** Draws the ink of the strokes over the bound picture, which is premultiplied. */
   compose(renderer: WebGLRenderer): void {
     this.ink.draw(renderer);
   }

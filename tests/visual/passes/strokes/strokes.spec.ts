@@ -105,6 +105,9 @@ test('what smoke in front leaves of a stroke is as long, or nothing', async ({ l
     expect.soft(lengths[0]).toBe(0);
     expect.soft(lengths.at(-1)).toBeGreaterThan(20);
     expect.soft(Math.min(...lengths.filter((length) => length > 0))).toBeGreaterThan(12);
+    // A weak stroke is thin, not pale.
+    for (const ink of left.filter(({ length }) => length > 0))
+      expect.soft(Math.max(...ink.map(({ opacity }) => opacity))).toBeGreaterThan(0.95);
     amounts.push(left.map((ink) => ink.reduce((all, { opacity }) => all + opacity, 0) / pixelRatio ** 2));
   }
   for (const [index, amount] of amounts[0].entries()) expect.soft(Math.abs(amount - amounts[1][index])).toBeLessThan(8);
