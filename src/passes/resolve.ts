@@ -66,12 +66,7 @@ export class ResolvePass {
    * @param output render target, or null for the canvas
    * @param choose chooses the tones instead, not premultiplied
    */
-  draw(
-    renderer: WebGLRenderer,
-    sources: ResolveSources,
-    output: WebGLRenderTarget | null,
-    choose?: ChooseTones,
-  ): void {
+  draw(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null, choose?: ChooseTones): void {
     this.drawPicture(renderer, sources, output, choose);
     this.overlay?.compose(renderer);
   }
