@@ -2,6 +2,7 @@ import { expect, test } from '../../../support/fixtures.ts';
 import type { InkPixel } from './strokes.cases.ts';
 
 type Cases = typeof import('./strokes.cases.ts');
+type Seek = typeof import('./seek.cases.ts');
 type Steadiness = typeof import('./steadiness.cases.ts');
 const CASES = '/tests/visual/passes/strokes/strokes.cases.ts';
 /** Width of lines, CSS pixels. */
@@ -176,4 +177,11 @@ test('the opacity of a stroke changes by at most 1/6 in 1/60 s', async ({ load }
   expect.soft(changes.length).toBeGreaterThan(100);
   expect.soft(Math.max(...changes)).toBeGreaterThan(0.02);
   expect.soft(Math.max(...changes)).toBeLessThan(1 / 6);
+});
+
+test('a stroke that is reached by a seek equals that of playback to the bit', async ({ load }) => {
+  const cases = await load<Seek>('/tests/visual/passes/strokes/seek.cases.ts');
+  const { ink, ...differing } = await cases.evaluate((module) => module.seekToStrokes());
+  expect.soft(ink).toBeGreaterThan(20);
+  expect.soft(differing).toEqual({ back: 0, direct: 0 });
 });
