@@ -9,14 +9,15 @@ layout(location = 0) out uvec4 stroke;
 
 uniform sampler2D standings;
 
-#include arc.glsl
+#include tile.glsl
 
-// Reach of the average about the middle of a stroke, at least in CSS pixels and as a share of its arc, and the averages at
-// which a stroke begins and is complete. A row of samples of length l gives 1 - (1 - l / (2 reach))^2, so that a stroke has
-// at least 12 CSS pixels, and is no straight dash.
-const float REACH = 40.0;
-const float REACH_OF_ARC = 0.35;
+// Averages at which a stroke begins and is complete. A row of samples of length l gives 1 - (1 - l / (2 reach))^2, so that a
+// stroke has at least 12 CSS pixels, and is no straight dash.
 const vec2 AVERAGES = vec2(0.34, 0.85);
+
+float texelAt(int number) {
+  return texelFetch(standings, texelOf(arc, number), 0).r;
+}
 
 // The standing about a sample. The average closes narrow gaps, such as where a line of smoke behind meets the outline.
 float standing(int number) {
@@ -24,18 +25,18 @@ float standing(int number) {
   float sum = 0.0;
   for (int i = -TAPS; i <= TAPS; i++) {
     float weight = float(TAPS + 1 - abs(i));
-    sum += weight * texelFetch(standings, texelOf(arc, clamp(number + i, 0, LAST)), 0).r;
+    sum += weight * texelAt(clamp(number + i, 0, LAST));
   }
   return sum / float((TAPS + 1) * (TAPS + 1));
 }
 
 // The average standing about a place on the arc. The arc is as long as 2 in `along`.
 float averageStanding(float along) {
-  float reach = 2.0 * max(REACH / arcLength, REACH_OF_ARC);
+  float reach = 2.0 * REACH_OF_ARC / texelAt(REACH_TEXEL);
   float sum = 0.0;
   for (int i = 0; i <= LAST; i++) {
     float weight = max(0.0, 1.0 - abs(alongOf(i) - along) / reach);
-    sum += weight * texelFetch(standings, texelOf(arc, i), 0).r;
+    sum += weight * texelAt(i);
   }
   return sum * 2.0 / (float(LAST) * reach);
 }
@@ -57,11 +58,9 @@ void main() {
   int number = numberOf(arc, gl_FragCoord.xy);
   stroke = uvec4(0u);
   if (number > LAST || standing(number) < 0.5) return;
-  fetchArc(arc);
-  float opacity = findArc();
   vec2 ends = vec2(endFrom(number, -1), endFrom(number, 1));
   // Not a smoothstep, which is steeper.
   float average = averageStanding(0.5 * (ends.x + ends.y));
-  opacity *= clamp((average - AVERAGES.x) / (AVERAGES.y - AVERAGES.x), 0.0, 1.0);
+  float opacity = texelAt(OPACITY_TEXEL) * clamp((average - AVERAGES.x) / (AVERAGES.y - AVERAGES.x), 0.0, 1.0);
   stroke = uvec4(round(65535.0 * vec4(0.5 + 0.5 * ends, opacity, 0.0)));
 }
