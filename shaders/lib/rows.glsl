@@ -1,21 +1,9 @@
-// Rows of the simulator: src/device/drawnRows.ts. Call readRow or fetchRow first.
-uniform highp sampler2D rowPlaces;
-uniform highp usampler2D rowAttributes;
+// The row and the corner of a vertex. Call readRow or fetchRow first.
+#include fetchRow.glsl
 uniform int rowVertices;
 
-// World position and radius.
-vec4 place;
-// See attributes.glsl.
-uvec4 attributes;
 // Corner of the quad, components -1 or 1.
 vec2 corner;
-
-void fetchRow(int row) {
-  int perLine = textureSize(rowPlaces, 0).x;
-  ivec2 texel = ivec2(row % perLine, row / perLine);
-  place = texelFetch(rowPlaces, texel, 0);
-  attributes = texelFetch(rowAttributes, texel, 0);
-}
 
 void findCorner() {
   int number = gl_VertexID % 4;

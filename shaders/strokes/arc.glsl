@@ -1,6 +1,5 @@
 // The arc of a stroke, on the outline of a lobe. It is centred away from the light and leans to a direction that is fixed to
-// the lobe. Lobes and points are in puff radii about the centre. Needs rows.glsl, pixel.glsl, light.glsl, attributes.glsl and
-// orientation.glsl.
+// the lobe. Lobes and points are in puff radii about the centre.
 // DEFORMED: lobes and points are those of stretch.glsl, except in names with `view`.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -11,14 +10,15 @@ uniform float near;
 uniform float pixelRatio;
 // One row for each variation, see lobes.vert.
 uniform sampler2D lobeTable;
-// Size of the texture with a texel for each sample of each arc, in reading order.
-uniform ivec2 standingsSize;
-// Size of the texture with a texel for each arc, in reading order.
-uniform ivec2 candidatesSize;
-#ifndef CANDIDATES
-// 1 where the arc has samples.
-uniform sampler2D candidates;
-#endif
+// Numbers of row and lobe, four arcs in a texel: see src/passes/strokes/strokeArcs.ts.
+uniform highp usampler2D arcs;
+
+#include ../lib/fetchRow.glsl
+#include ../lib/pixel.glsl
+#include ../lib/light.glsl
+#include ../lib/attributes.glsl
+#include ../lib/orientation.glsl
+#include tile.glsl
 
 // Half angle of the arc, radians.
 const vec2 HALF_ANGLES = vec2(1.1, 1.7);
@@ -30,8 +30,7 @@ const vec2 LENGTHS = vec2(14.0, 36.0);
 // Age and remaining life, as a fraction of the lifetime, in which a stroke fades.
 const float FADE = 0.25;
 
-const int LAST = SEGMENTS;
-
+int lobeNumber;
 vec3 centre;
 float radius;
 float pixel;
@@ -107,10 +106,6 @@ vec2 pixelAt(vec2 beside) {
   return (0.5 + 0.5 * clip.xy / clip.w) * viewport;
 }
 
-float alongOf(int number) {
-  return 2.0 * float(number) / float(LAST) - 1.0;
-}
-
 // Place on the outline, in view units beside the centre.
 vec2 placeAt(float along) {
   return viewPoint(lobe.xy + lobe.w * outwardAt(along)) * radius;
@@ -120,23 +115,15 @@ float outlineZAt(float along) {
   return centre.z + viewHeight(lobe.z, lobe.xy + lobe.w * outwardAt(along)) * radius;
 }
 
-ivec2 texelOf(int stroke, int number) {
-  int at = stroke * (LAST + 1) + number;
-  return ivec2(at % standingsSize.x, at / standingsSize.x);
+// Reads the row and the lobe of an arc.
+void fetchArc(int arc) {
+  int perLine = 4 * textureSize(arcs, 0).x;
+  uint word = texelFetch(arcs, ivec2((arc % perLine) / 4, arc / perLine), 0)[arc % 4];
+  fetchRow(int(word & 0xffffffu));
+  lobeNumber = int(word >> 24u);
 }
 
-ivec2 candidateTexelOf(int stroke) {
-  return ivec2(stroke % candidatesSize.x, stroke / candidatesSize.x);
-}
-
-#ifndef CANDIDATES
-// Whether a sample of the arc can stand before other smoke.
-bool isCandidate(int stroke) {
-  return texelFetch(candidates, candidateTexelOf(stroke), 0).r > 0.0;
-}
-#endif
-
-// Finds the arc of the row. Returns its opacity as far as it does not depend on other smoke.
+// Finds the arc that was read. Returns its opacity as far as it does not depend on other smoke.
 float findArc() {
   centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
@@ -149,12 +136,11 @@ float findArc() {
 #endif
   pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
-  int index = tintOf(attributes);
-  lobe = texelFetch(lobeTable, ivec2(index, variation), 0);
-  vec4 random = randomOf(seedOf(attributes), variation, index);
+  lobe = texelFetch(lobeTable, ivec2(lobeNumber, variation), 0);
+  vec4 random = randomOf(seedOf(attributes), variation, lobeNumber);
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(attributes);
 #ifdef DEFORMED
-  lobe.xyz *= unfolded(index, ageOf(attributes));
+  lobe.xyz *= unfolded(lobeNumber, ageOf(attributes));
 #endif
   lobe.xyz = viewFromPuff * lobe.xyz;
   vec2 leaning = LEAN * (viewFromPuff * unitVector(random.xy)).xy - towardsLightFrom(lightInView, centre).xy;

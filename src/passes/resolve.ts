@@ -14,8 +14,8 @@ import type { Targets } from './targets.ts';
 /** The colours to resolve, and their size in pixels. */
 export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
 
-/** Draws ink over the bound target of tones. */
-export interface ToneOverlay {
+/** Draws ink over the bound picture. */
+export interface InkOverlay {
   compose(renderer: WebGLRenderer): void;
 }
 
@@ -29,8 +29,8 @@ export type ChooseTones = (output: WebGLRenderTarget) => void;
  */
 export class ResolvePass {
   smoothEdges = true;
-  /** Ink that is drawn over the chosen tones, before edges are smoothed. */
-  overlay: ToneOverlay | undefined;
+  /** Ink that is drawn over the picture. */
+  overlay: InkOverlay | undefined;
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
@@ -66,7 +66,22 @@ export class ResolvePass {
    * @param output render target, or null for the canvas
    * @param choose chooses the tones instead, not premultiplied
    */
-  draw(
+  draw(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null, choose?: ChooseTones): void {
+    this.drawPicture(renderer, sources, output, choose);
+    this.overlay?.compose(renderer);
+  }
+
+  /** Releases the render targets until the next draw. */
+  rest(): void {
+    for (const target of [this.chosen, this.marks]) target.dispose();
+  }
+
+  dispose(): void {
+    for (const part of [this.tones, this.tiles, this.copy, this.edges]) part.dispose();
+    this.rest();
+  }
+
+  private drawPicture(
     renderer: WebGLRenderer,
     { unlit, lit, width, height }: ResolveSources,
     output: WebGLRenderTarget | null,
@@ -74,7 +89,7 @@ export class ResolvePass {
   ): void {
     this.uniforms.unlit.value = unlit;
     this.uniforms.lit.value = lit;
-    this.uniforms.isLast.value = !this.smoothEdges && !choose && !this.overlay;
+    this.uniforms.isLast.value = !this.smoothEdges && !choose;
     if (this.uniforms.isLast.value) {
       renderer.setRenderTarget(output);
       this.tones.draw(renderer);
@@ -87,7 +102,6 @@ export class ResolvePass {
       renderer.setRenderTarget(this.chosen);
       this.tones.draw(renderer);
     }
-    this.overlay?.compose(renderer);
     if (!this.smoothEdges) {
       renderer.setRenderTarget(output);
       this.copy.draw(renderer);
@@ -100,15 +114,5 @@ export class ResolvePass {
     renderer.setRenderTarget(output);
     this.copy.draw(renderer);
     this.edges.draw(renderer, columns * rows);
-  }
-
-  /** Releases the render targets until the next draw. */
-  rest(): void {
-    for (const target of [this.chosen, this.marks]) target.dispose();
-  }
-
-  dispose(): void {
-    for (const part of [this.tones, this.tiles, this.copy, this.edges]) part.dispose();
-    this.rest();
   }
 }

@@ -66,7 +66,7 @@ const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters 
 export function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
   if (!hasStrokes(style)) return;
   const { renderer, targets, body, extras } = passes;
-  extras.strokes!.draw(renderer, targets, bodies.geometry, body.drawing, surfaceDepth);
+  extras.strokes!.draw(renderer, targets, bodies.geometry.rows, body.drawing, surfaceDepth);
 }
 
 /**

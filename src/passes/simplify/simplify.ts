@@ -1,6 +1,8 @@
 import { NearestFilter, NoColorSpace, RedFormat, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
 import acrossShader from '../../../shaders/simplify/across.frag';
 import fieldsShader from '../../../shaders/simplify/fields.frag';
+import flatShader from '../../../shaders/simplify/flat.frag';
+import tilesShader from '../../../shaders/simplify/tiles.frag';
 import tonesShader from '../../../shaders/simplify/tones.frag';
 import type { FrameView } from '../../device/frameView.ts';
 import { FullScreen } from '../../device/fullScreen.ts';
@@ -10,12 +12,14 @@ import type { Targets } from '../targets.ts';
 
 /** Distance that is averaged, in standard deviations. */
 const REACH = 2;
+/** Side of a tile of shaders/lib/flatTiles.glsl, pixels. */
+const FLAT_TILE = 8;
 
 /**
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
  * cut into tones, so that regions grow and shrink continuously. The average stops at ink and at gaps in depth: a
  * separable approximation of the cross-bilateral filter of Eisemann and Durand, 'Flash Photography Enhancement via
- * Intrinsic Relighting' (2004).
+ * Intrinsic Relighting' (2004). Tiles with the same light everywhere within reach are not averaged.
  */
 export class SimplifyPass {
   private readonly uniforms = {
@@ -30,14 +34,19 @@ export class SimplifyPass {
   };
 
   private readonly fields = fieldTarget();
+  private readonly tiles = pictureTarget();
+  private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
-  private readonly passes: readonly [fields: FullScreen, across: FullScreen, tones: FullScreen];
+  private readonly passes: readonly FullScreen[];
 
   constructor(eye: FrameView, ramps: RampTexture) {
     const [fields, links] = this.fields.textures.map((value) => ({ value }));
-    const common = { ...eye.uniforms, ...this.uniforms, links };
+    const [tiles, flatTiles] = [this.tiles, this.flatTiles].map(({ texture }) => ({ value: texture }));
+    const common = { ...eye.uniforms, ...this.uniforms, links, tiles, flatTiles };
     this.passes = [
       new FullScreen(fieldsShader, common),
+      new FullScreen(tilesShader, { ...common, fields }),
+      new FullScreen(flatShader, common),
       new FullScreen(acrossShader, { ...common, fields }),
       new FullScreen(tonesShader, {
         ...common,
@@ -65,14 +74,15 @@ export class SimplifyPass {
    * @param shading the shading that the bodies wrote
    */
   draw(renderer: WebGLRenderer, targets: Targets, shading: Texture, output: WebGLRenderTarget): void {
-    const { uniforms, fields, across, passes } = this;
+    const { uniforms, fields, tiles, flatTiles, across, passes } = this;
     const { unlit, lit, depth, width, height } = targets;
     Object.entries({ unlit, lit, shading, depth }).forEach(([name, texture]) => {
       uniforms[name as keyof typeof uniforms].value = texture;
     });
-    fields.setSize(width, height);
-    across.setSize(width, height);
-    [fields, across, output].forEach((target, index) => {
+    for (const target of [fields, across]) target.setSize(width, height);
+    for (const target of [tiles, flatTiles])
+      target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
+    [fields, tiles, flatTiles, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
       passes[index].draw(renderer);
     });
@@ -80,7 +90,7 @@ export class SimplifyPass {
 
   /** Releases the render targets until the next draw. */
   rest(): void {
-    for (const target of [this.fields, this.across]) target.dispose();
+    for (const target of [this.fields, this.tiles, this.flatTiles, this.across]) target.dispose();
   }
 
   dispose(): void {

@@ -1,24 +1,29 @@
 import {
+  BufferGeometry,
   CustomBlending,
+  DstAlphaFactor,
   MaxEquation,
   OneFactor,
   OneMinusSrcAlphaFactor,
   RedFormat,
-  SrcAlphaFactor,
+  RGBAIntegerFormat,
+  UnsignedShortType,
   Vector2,
   ZeroFactor,
-  type RawShaderMaterial,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import candidatesShader from '../../../shaders/strokes/candidates.vert';
 import composeShader from '../../../shaders/strokes/compose.frag';
-import standingFragmentShader from '../../../shaders/strokes/standing.frag';
-import standingVertexShader from '../../../shaders/strokes/standing.vert';
+import standingShader from '../../../shaders/strokes/standing.frag';
+import rangesFragmentShader from '../../../shaders/strokes/strokeRanges.frag';
+import rangesVertexShader from '../../../shaders/strokes/strokeRanges.vert';
 import fragmentShader from '../../../shaders/strokes/strokes.frag';
 import vertexShader from '../../../shaders/strokes/strokes.vert';
+import { DrawnMesh } from '../../device/drawnMesh.ts';
 import { DrawnPoints } from '../../device/drawnPoints.ts';
-import { DrawnRows, type RowGeometry } from '../../device/drawnRows.ts';
+import type { RowTextures } from '../../device/drawnRows.ts';
 import type { FrameView, ViewUniforms } from '../../device/frameView.ts';
 import { FullScreen, pictureMaterial } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
@@ -26,46 +31,48 @@ import type { PuffTextures } from '../../device/puffTextures.ts';
 import { DEFORMED } from '../../device/unroll.ts';
 import type { SurfaceDepth } from '../surfaceDepth.ts';
 import type { Targets } from '../targets.ts';
-import { SEGMENTS, StrokeRows } from './strokeRows.ts';
+import { StrokeArcs } from './strokeArcs.ts';
 
-/** Samples of an arc, and arcs in a row of texels. */
-const SAMPLES = SEGMENTS + 1;
-const ARCS_PER_LINE = 32;
-/** Arcs in a row of texels of the candidates. */
-const CANDIDATES_PER_LINE = 1024;
+/** Side of the tile of an arc in the targets of samples, texels. */
+const TILE = 5;
+/** Tiles in a row: as many as the narrowest targets of WebGL 2 have room for. */
+const TILES_PER_LINE = 400;
 
 /**
- * Draws strokes of ink inside the silhouette: arcs of the outlines of lobes that stand before other smoke. First the depth
- * of the picture is compared at some samples of all arcs, then at all samples of the few arcs that have any. Then the strokes are drawn into a target of their own, where the
- * greatest opacity counts, so that their order does not matter.
+ * Draws strokes of ink inside the silhouette: arcs of the outlines of lobes that stand before other smoke. Few arcs do. A
+ * vertex for each arc finds them by the depth of the picture, the samples of those are compared in a tile for each arc, and
+ * the strokes that the samples make are drawn into a target of their own, where the greatest opacity counts, so that their
+ * order does not matter.
  */
 export class StrokesPass {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
-  private readonly found = new StrokeRows();
-  private readonly candidates = opacityTarget();
-  private readonly standings = opacityTarget();
+  readonly arcs = new StrokeArcs();
+  /** How well the lobe stands before other smoke at each sample of each arc. */
+  readonly standings = opacityTarget();
+  /** The stroke at each sample of each arc: shaders/strokes/strokeRanges.frag. Valid where the arc has samples. */
+  readonly ranges = pictureTarget();
   private readonly coverage = opacityTarget();
   private readonly kinds: Readonly<Record<'plain' | 'deformed', StrokeShaders>>;
-  /** The draw call of the strokes. */
-  readonly strips: DrawnRows;
   private readonly ink: FullScreen;
   private strokes = 0;
 
   constructor(eye: FrameView, puffs: PuffTextures) {
+    const { standings, ranges, coverage } = this;
+    ranges.texture.format = RGBAIntegerFormat;
+    ranges.texture.type = UnsignedShortType;
     this.puffs = puffs;
-    this.uniforms = { ...eye.uniforms, ...strokeUniforms(this.candidates.texture, this.standings.texture) };
+    this.uniforms = { ...eye.uniforms, ...strokeUniforms(standings.texture, ranges.texture) };
     this.kinds = {
       plain: new StrokeShaders(this.uniforms, {}),
       deformed: new StrokeShaders(this.uniforms, DEFORMED),
     };
-    this.strips = new DrawnRows(this.kinds.plain.strips);
     this.ink = new FullScreen(
       composeShader,
-      { ...eye.uniforms, coverage: { value: this.coverage.texture } },
+      { ...eye.uniforms, coverage: { value: coverage.texture } },
       {
         blending: CustomBlending,
-        blendSrc: SrcAlphaFactor,
+        blendSrc: DstAlphaFactor,
         blendDst: OneMinusSrcAlphaFactor,
         blendSrcAlpha: ZeroFactor,
         blendDstAlpha: OneFactor,
@@ -81,83 +88,78 @@ export class StrokesPass {
     this.strokes = strokes;
     this.uniforms.pixelRatio.value = pixelRatio;
     this.uniforms.lobeTable.value = this.puffs.lobes.lobeTable;
-    this.strips.material = this.kind.strips;
   }
 
   /**
    * Draws the opacity of the strokes, after the bodies. Leaves the targets bound.
    * @param drawing index of the drawing, for the boil of lines
    */
-  draw(renderer: WebGLRenderer, targets: Targets, bodies: RowGeometry, drawing: number, surfaces?: SurfaceDepth): void {
-    const { uniforms, coverage, found } = this;
+  draw(renderer: WebGLRenderer, targets: Targets, bodies: RowTextures, drawing: number, surfaces?: SurfaceDepth): void {
+    const { uniforms, coverage, arcs, puffs } = this;
+    uniforms.rowPlaces.value = bodies.places;
+    uniforms.rowAttributes.value = bodies.attributes;
     uniforms.depth.value = targets.depth;
     uniforms.lit.value = targets.lit;
     uniforms.surfaceDepth.value = surfaces?.depth ?? null;
     uniforms.hasSurfaces.value = surfaces !== undefined;
     uniforms.drawing.value = drawing;
-    const strips = found.find(bodies.rows, this.puffs.lobes.puffs.lobeCount, this.strokes);
-    this.compare(renderer, strips);
+    arcs.find(bodies, puffs.lobes.puffs.lobeCount, this.strokes);
+    uniforms.arcs.value = arcs.texture;
     coverage.setSize(targets.width, targets.height);
-    renderer.setRenderTarget(coverage);
-    renderer.setClearColor(0x000000, 0);
-    renderer.clear(true, false, false);
-    this.strips.draw(renderer, strips);
+    const kind = this.kinds[puffs.isDeformed ? 'deformed' : 'plain'];
+    if (arcs.count > 0) this.compare(renderer, kind);
+    begin(renderer, coverage);
+    if (arcs.count > 0) kind.drawStrokes(renderer, arcs.count);
     renderer.setRenderTarget(targets.renderTarget);
   }
 
-  /** Draws the ink of the strokes over the bound target of tones, which are not premultiplied. */
+  /** Draws the ink of the strokes over the bound picture, which is premultiplied. */
   compose(renderer: WebGLRenderer): void {
     this.ink.draw(renderer);
   }
 
   /** Releases the render targets until the next draw. */
   rest(): void {
-    for (const target of [this.candidates, this.standings, this.coverage]) target.dispose();
+    for (const target of [this.standings, this.ranges, this.coverage]) target.dispose();
   }
 
   dispose(): void {
-    for (const part of [...Object.values(this.kinds), this.found, this.ink]) part.dispose();
+    for (const part of [...Object.values(this.kinds), this.arcs, this.ink]) part.dispose();
     this.rest();
   }
 
-  private get kind(): StrokeShaders {
-    return this.puffs.isDeformed ? this.kinds.deformed : this.kinds.plain;
-  }
-
-  /** Compares the depth at the samples. */
-  private compare(renderer: WebGLRenderer, strips: RowGeometry): void {
-    const { count } = strips.rows;
-    if (count === 0) return;
-    const { candidates, standings, uniforms, kind } = this;
-    strips.bind(kind.strips);
-    fit(candidates, uniforms.candidatesSize.value, CANDIDATES_PER_LINE, Math.ceil(count / CANDIDATES_PER_LINE));
-    renderer.setRenderTarget(candidates);
-    kind.candidates.draw(renderer, count);
-    fit(standings, uniforms.standingsSize.value, SAMPLES * ARCS_PER_LINE, Math.ceil(count / ARCS_PER_LINE));
-    renderer.setRenderTarget(standings);
-    kind.samples.draw(renderer, SAMPLES * count);
+  /** Compares the depth at the samples of the arcs. */
+  private compare(renderer: WebGLRenderer, kind: StrokeShaders): void {
+    const { standings, ranges, uniforms, arcs } = this;
+    const lines = TILE * Math.ceil(arcs.count / TILES_PER_LINE);
+    const size = uniforms.tilesSize.value.set(TILE * TILES_PER_LINE, Math.max(lines, standings.height));
+    standings.setSize(size.x, size.y);
+    ranges.setSize(size.x, size.y);
+    begin(renderer, standings);
+    kind.candidates.draw(renderer, arcs.count);
+    renderer.setRenderTarget(ranges);
+    kind.ranges.draw(renderer, arcs.count);
   }
 }
 
-/** Gives a target at least this size, and `size` the size that it has. */
-function fit(target: WebGLRenderTarget, size: Vector2, width: number, height: number): void {
-  target.setSize(width, Math.max(height, target.height));
-  size.set(target.width, target.height);
+/** Binds and clears a target. */
+function begin(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
+  renderer.setRenderTarget(target);
+  renderer.setClearColor(0x000000, 0);
+  renderer.clear(true, false, false);
 }
 
 /** The programs for puffs that do not turn, stretch or unfold, or for those that do. */
 class StrokeShaders {
-  readonly strips: RawShaderMaterial;
   readonly candidates: DrawnPoints;
-  readonly samples: DrawnPoints;
+  readonly ranges: DrawnPoints;
+  private readonly strokes: DrawnMesh;
 
   constructor(uniforms: ViewUniforms, kind: Record<string, string>) {
-    const defines = { SEGMENTS: String(SEGMENTS), ...kind };
-    const points = (more: Record<string, string>) =>
-      new DrawnPoints(standingVertexShader, standingFragmentShader, uniforms, { ...defines, ...more });
-    this.candidates = points({ CANDIDATES: '' });
-    this.samples = points({});
-    this.strips = pictureMaterial({
+    const defines = { TILE: String(TILE), ...kind };
+    this.candidates = new DrawnPoints(candidatesShader, standingShader, uniforms, defines);
+    this.ranges = new DrawnPoints(rangesVertexShader, rangesFragmentShader, uniforms, defines);
+    const material = pictureMaterial({
       vertexShader,
       fragmentShader,
       uniforms,
@@ -167,24 +169,31 @@ class StrokeShaders {
       blendSrc: OneFactor,
       blendDst: OneFactor,
     });
+    this.strokes = new DrawnMesh(material, new BufferGeometry());
+  }
+
+  drawStrokes(renderer: WebGLRenderer, arcs: number): void {
+    this.strokes.mesh.geometry.setDrawRange(0, 3 * arcs);
+    this.strokes.draw(renderer);
   }
 
   dispose(): void {
-    for (const part of [this.candidates, this.samples, this.strips]) part.dispose();
+    const { candidates, ranges, strokes } = this;
+    for (const part of [candidates, ranges, strokes.material, strokes.mesh.geometry]) part.dispose();
   }
 }
 
-function strokeUniforms(candidates: Texture, standings: Texture) {
+function strokeUniforms(standings: Texture, ranges: Texture) {
   return {
     depth: { value: null as Texture | null },
     lit: { value: null as Texture | null },
     surfaceDepth: { value: null as Texture | null },
     hasSurfaces: { value: false },
     lobeTable: { value: null as Texture | null },
-    candidates: { value: candidates },
-    candidatesSize: { value: new Vector2(1, 1) },
+    arcs: { value: null as Texture | null },
     standings: { value: standings },
-    standingsSize: { value: new Vector2(1, 1) },
+    strokes: { value: ranges },
+    tilesSize: { value: new Vector2(1, 1) },
     pixelRatio: { value: 1 },
     drawing: { value: 0 },
   };

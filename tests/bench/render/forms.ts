@@ -1,5 +1,5 @@
 /**
- * render.lobes, render.stretching, render.eroding, render.strokes, render.simplify: cost of bodies as lobes, as baked
+ * render.lobes, render.stretching, render.eroding, render.strokes.*, render.simplify: cost of bodies as lobes, as baked
  * billboards, as stretched lobes and as lobes with bites, and of strokes and large shapes of light, of the same particles,
  * in turns.
  */
@@ -17,6 +17,9 @@ const RATIO = 2;
 
 /** CSS px, as in most presets. */
 const SIMPLIFY = 3;
+
+/** As in presets with lines. */
+const SOME_STROKES = 0.4;
 
 /** Results of one form. */
 interface Side {
@@ -39,9 +42,10 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
   const rotated = look(bench, 'rotated', arranger.plain, deformed);
   const longer = look(bench, 'stretched', arranger.stretched, deformed);
   const drawn = look(bench, 'strokes', arranger.plain, { strokes: 1 });
+  const someDrawn = look(bench, 'some strokes', arranger.plain, { strokes: SOME_STROKES });
   const simplified = look(bench, 'simplified', arranger.plain, { simplify: SIMPLIFY });
   const bitten = look(bench, 'eroded', arranger.eroded, { isEroded: true });
-  const sides = [lobes, billboards, rotated, longer, drawn, bitten, simplified];
+  const sides = [lobes, billboards, rotated, longer, drawn, someDrawn, bitten, simplified];
   // Unculled, because the forms hide different numbers of bodies.
   const same = lobes.bodiesDrawn === billboards.bodiesDrawn;
   demand(same, `${lobes.bodiesDrawn} bodies of lobes and ${billboards.bodiesDrawn} billboards`);
@@ -97,6 +101,12 @@ export async function measureForms(quick: boolean): Promise<Figure[]> {
       'x',
       drawn.frames.map((time, round) => time / lobes.frames[round]),
       'frames with style.strokes=1 / with 0, the same particles',
+    ),
+    figure(
+      'render.strokes.some',
+      'x',
+      someDrawn.frames.map((time, round) => time / lobes.frames[round]),
+      `frames with style.strokes=${SOME_STROKES} / with 0, the same particles`,
     ),
     figure(
       'render.simplify',

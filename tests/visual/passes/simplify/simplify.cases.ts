@@ -32,6 +32,14 @@ export function shadowAreasOnWall(radii: readonly number[], deviation: number): 
   ).map(({ smooth, bare }) => differing(smooth, bare));
 }
 
+/** Pixels in shadow under a disc at these distances from the middle along the diagonal, CSS pixels. */
+export function shadowAreasAt(shifts: readonly number[], radius: number): { plain: number; smooth: number }[] {
+  const at = shifts.map((shift) => METRES_PER_PIXEL * shift);
+  return draws(at.map((x) => ({ puffs: [LARGE], casters: [disc(x, x, radius)], deviation: 8, pixelRatio: 1 }))).map(
+    ({ smooth, plain }) => ({ plain: darkPixels(plain), smooth: darkPixels(smooth) }),
+  );
+}
+
 /** What is beside a small ball in shadow, which touches a large ball in the light. */
 export const NEIGHBOURS = {
   same: [{ place: [0, 0, 0.69], radius: 0.06 }],

@@ -27,6 +27,21 @@ test('a patch of shade vanishes below the size that the Gaussian says, and grows
   }
 });
 
+test('a small patch of shade vanishes wherever it is in the tiles of the picture', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const radius of [3, 8]) {
+    const shifts = [0, 1, 2, 3, 4, 5, 6, 7];
+    const areas = await cases.evaluate((module, given) => module.shadowAreasAt(...given), [shifts, radius] as const);
+    expect.soft(Math.min(...areas.map(({ plain }) => plain))).toBeGreaterThan(2 * radius ** 2);
+    expect.soft(areas.map(({ smooth }) => smooth)).toEqual(areas.map(() => 0));
+  }
+  // On a surface all light is equal.
+  const inOneTile = (deviation: number) =>
+    cases.evaluate((module, given) => module.shadowAreasOnWall([3], given), deviation);
+  expect.soft((await inOneTile(0))[0]).toBeGreaterThan(18);
+  expect.soft(await inOneTile(8)).toEqual([0]);
+});
+
 test('large shapes keep their size, on smoke and on surfaces', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const onSmoke = await cases.evaluate((module) => module.shadowAreas([30], 4, 1));

@@ -1,14 +1,12 @@
-/** How fast strokes fade: the opacity that their vertices have in consecutive frames. */
-import { DrawnPoints } from '../../../../src/device/drawnPoints.ts';
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, type RowGeometry } from '../../../../src/device/drawnRows.ts';
-import { pictureTarget } from '../../../../src/device/pictureTarget.ts';
+/** How fast strokes fade: the opacity that they have in consecutive frames. */
+import { ATTRIBUTE_WORDS, PLACE_FLOATS } from '../../../../src/device/drawnRows.ts';
 import { SceneLab } from '../../sceneLab.ts';
 
 interface Stroke {
   /** Variation, seed and lobe. */
   key: number;
   place: readonly number[];
-  /** Greatest opacity of its vertices. */
+  /** Greatest opacity of its parts. */
   opacity: number;
 }
 
@@ -19,7 +17,9 @@ const CHOICE = {
 } as const;
 /** Farthest that a particle moves in a step, metres. */
 const FARTHEST = 0.15;
-const MAX_STROKES = 4096;
+/** Side of the tile of an arc, texels, and its samples. */
+const TILE = 5;
+const SAMPLES = 21;
 
 /**
  * The change of opacity between two frames of each stroke that one of them shows.
@@ -28,73 +28,52 @@ const MAX_STROKES = 4096;
 export async function changesOfOpacity(preset: string, starts: readonly number[], frames: number): Promise<number[]> {
   const lab = await SceneLab.create(preset, CHOICE);
   lab.step(starts[0]);
-  const watched = watch(lab);
   const changes: number[] = [];
   let [steps] = starts;
   for (const start of starts) {
     lab.step(start - steps);
     lab.draw();
+    let before = strokesOf(lab);
     for (let frame = 0; frame < frames; frame++) {
-      const before = watched.strokes;
       lab.step(1);
       lab.draw();
-      changes.push(...changesBetween(before, watched.strokes));
+      const after = strokesOf(lab);
+      changes.push(...changesBetween(before, after));
+      before = after;
     }
     steps = start + frames;
   }
-  watched.points.dispose();
   lab.dispose();
   return changes;
 }
 
-interface Watched {
-  strokes: Stroke[];
-  readonly points: DrawnPoints;
+/** The arcs of the latest picture that have samples. */
+function strokesOf({ context: gl, passes: { bodies, renderer, extras } }: SceneLab): Stroke[] {
+  const { arcs, standings, ranges } = extras.strokes!;
+  const { width, height } = ranges;
+  const samples = new Uint8Array(4 * width * height);
+  renderer.setRenderTarget(standings);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, samples);
+  const strokes = new Uint32Array(4 * width * height);
+  renderer.setRenderTarget(ranges);
+  gl.readPixels(0, 0, width, height, gl.RGBA_INTEGER, gl.UNSIGNED_INT, strokes);
+  renderer.setRenderTarget(null);
+  return [...arcs.words.subarray(0, arcs.count)].flatMap((word, arc) => {
+    const texels = texelsOf(arc, width);
+    if (samples[4 * texels.at(-1)!] === 0) return [];
+    const row = word & 0xffffff;
+    const look = bodies.attributeWords[ATTRIBUTE_WORDS * row + 1] & 0xffff;
+    const place = [...bodies.places.subarray(PLACE_FLOATS * row, PLACE_FLOATS * row + 3)];
+    const opacity = Math.max(...texels.slice(0, SAMPLES).map((texel) => strokes[4 * texel + 2])) / 65535;
+    return [{ key: look | (word & 0xff000000), place, opacity }];
+  });
 }
 
-/** Reads the strokes of each frame right after they are drawn, while the textures that they read are valid. */
-function watch(lab: SceneLab): Watched {
-  lab.draw();
-  const pass = lab.passes.extras.strokes!;
-  const { uniforms, vertexShader, defines } = pass.strips.material;
-  const geometry = () => pass.strips.mesh.geometry;
-  const { vertices } = geometry().layout;
-  // The vertex shader of the strokes, with a point of the target for each of its vertices.
-  const shader = `${vertexShader.replace('void main()', 'out float seen;\nvoid drawStroke()')}
-    void main() {
-      drawStroke();
-      seen = gl_Position.z > 1.0 ? 0.0 : opacity;
-      vec2 texel = vec2(gl_VertexID % ${vertices}, gl_VertexID / ${vertices}) + 0.5;
-      gl_Position = vec4(texel / vec2(${vertices}, ${MAX_STROKES}) * 2.0 - 1.0, 0.0, 1.0);
-      gl_PointSize = 1.0;
-    }`;
-  const fragment = 'precision highp float; in float seen; out vec4 pixel; void main() { pixel = vec4(seen); }';
-  const points = new DrawnPoints(shader, fragment, uniforms, defines as Record<string, string>);
-  const target = pictureTarget();
-  target.setSize(vertices, MAX_STROKES);
-  const watched: Watched = { strokes: [], points };
-  const draw = pass.draw.bind(pass);
-  pass.draw = (renderer, targets, ...others) => {
-    draw(renderer, targets, ...others);
-    renderer.setRenderTarget(target);
-    points.draw(renderer, vertices * geometry().rows.count);
-    watched.strokes = read(geometry(), (pixels, count) =>
-      renderer.readRenderTargetPixels(target, 0, 0, vertices, count, pixels),
-    );
-    renderer.setRenderTarget(targets.renderTarget);
-  };
-  return watched;
-}
-
-function read({ rows, layout }: RowGeometry, readPixels: (pixels: Uint8Array, count: number) => void): Stroke[] {
-  if (rows.count > MAX_STROKES) throw new Error(`${rows.count} strokes`);
-  const pixels = new Uint8Array(4 * layout.vertices * rows.count);
-  readPixels(pixels, rows.count);
-  return Array.from({ length: rows.count }, (_, stroke) => ({
-    key: rows.attributeWords[ATTRIBUTE_WORDS * stroke + 1] & 0xff00ffff,
-    place: [...rows.placeArray.subarray(PLACE_FLOATS * stroke, PLACE_FLOATS * stroke + 3)],
-    opacity: Math.max(...pixels.subarray(4 * layout.vertices * stroke, 4 * layout.vertices * (stroke + 1))) / 255,
-  }));
+/** The texels of the tile of an arc. */
+function texelsOf(arc: number, width: number): number[] {
+  const perLine = width / TILE;
+  const first = TILE * (arc % perLine) + TILE * width * Math.floor(arc / perLine);
+  return Array.from({ length: TILE ** 2 }, (_, at) => first + (at % TILE) + width * Math.floor(at / TILE));
 }
 
 function changesBetween(before: readonly Stroke[], after: readonly Stroke[]): number[] {

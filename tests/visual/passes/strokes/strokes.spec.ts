@@ -2,6 +2,7 @@ import { expect, test } from '../../../support/fixtures.ts';
 import type { InkPixel } from './strokes.cases.ts';
 
 type Cases = typeof import('./strokes.cases.ts');
+type Seek = typeof import('./seek.cases.ts');
 type Steadiness = typeof import('./steadiness.cases.ts');
 const CASES = '/tests/visual/passes/strokes/strokes.cases.ts';
 /** Width of lines, CSS pixels. */
@@ -105,6 +106,9 @@ test('what smoke in front leaves of a stroke is as long, or nothing', async ({ l
     expect.soft(lengths[0]).toBe(0);
     expect.soft(lengths.at(-1)).toBeGreaterThan(20);
     expect.soft(Math.min(...lengths.filter((length) => length > 0))).toBeGreaterThan(12);
+    // A weak stroke is thin, not pale.
+    for (const ink of left.filter(({ length }) => length > 0))
+      expect.soft(Math.max(...ink.map(({ opacity }) => opacity))).toBeGreaterThan(0.95);
     amounts.push(left.map((ink) => ink.reduce((all, { opacity }) => all + opacity, 0) / pixelRatio ** 2));
   }
   for (const [index, amount] of amounts[0].entries()) expect.soft(Math.abs(amount - amounts[1][index])).toBeLessThan(8);
@@ -173,4 +177,11 @@ test('the opacity of a stroke changes by at most 1/6 in 1/60 s', async ({ load }
   expect.soft(changes.length).toBeGreaterThan(100);
   expect.soft(Math.max(...changes)).toBeGreaterThan(0.02);
   expect.soft(Math.max(...changes)).toBeLessThan(1 / 6);
+});
+
+test('a stroke that is reached by a seek equals that of playback to the bit', async ({ load }) => {
+  const cases = await load<Seek>('/tests/visual/passes/strokes/seek.cases.ts');
+  const { ink, ...differing } = await cases.evaluate((module) => module.seekToStrokes());
+  expect.soft(ink).toBeGreaterThan(20);
+  expect.soft(differing).toEqual({ back: 0, direct: 0 });
 });

@@ -1,24 +1,12 @@
-precision highp float;
-precision highp int;
-
-// How well a lobe stands before other smoke at a sample of a stroke's arc: a point for each. The depth of the picture on both
-// sides of the outline says so, at several distances, so that the result changes gradually as other smoke moves past.
-// CANDIDATES: a point for each arc, which says whether the others have to be drawn.
+// How well a lobe stands before other smoke at a place on its arc. The depth of the picture on both sides of the outline says
+// so, at several distances, so that the result changes gradually as other smoke moves past. Needs arc.glsl.
 uniform float innerLine;
 uniform float innerTaper;
 uniform sampler2D lit;
 
-out float shown;
-
-#include ../lib/rows.glsl
-#include ../lib/pixel.glsl
 #include ../lib/depth.glsl
-#include ../lib/light.glsl
-#include ../lib/attributes.glsl
-#include ../lib/orientation.glsl
 #include ../lib/mask.glsl
 #include ../lib/smokeDepth.glsl
-#include arc.glsl
 
 // Depth between a lobe and what is behind it, in radii of the lobe, at which a stroke begins and is complete.
 const vec2 GAPS = vec2(0.0, 0.16);
@@ -27,7 +15,7 @@ const vec2 COVERS = vec2(0.0, 0.1);
 // Distances of the samples from the outline, CSS pixels, and their rounding to pixel centres, pixels.
 const vec2 BESIDE = vec2(1.75, 5.0);
 const float ROUNDING = 0.75;
-const int TAPS = 5;
+const int TAPS = 9;
 
 // Whether a point is outside all lobes of the puff.
 bool isOutside(vec2 point) {
@@ -55,10 +43,11 @@ bool isOwnLine(float gap, vec2 at, vec2 point) {
   return isInk(texelFetch(lit, texel, 0).a) && isOutside(point);
 }
 
-float standing(float along) {
+// The mean of some of the taps about a place on the arc: each with this stride.
+float standing(float along, int stride) {
   float size = lobe.w * radius;
   float sum = 0.0;
-  for (int i = 0; i < TAPS; i++) {
+  for (int i = 0; i < TAPS; i += stride) {
     float there = along + (float(i) + 0.5 - 0.5 * float(TAPS)) / float(TAPS) * 2.0 / float(LAST);
     vec2 place = placeAt(there);
     vec2 normal = viewNormal(outwardAt(there));
@@ -67,50 +56,15 @@ float standing(float along) {
     vec2 beside = place + normal * distance;
     vec2 at = pixelAt(beside);
     float outside = smokeZ(clipFromView, at);
-    if (outside < NO_SMOKE || isOwnLine((z - outside) / radius, at, unviewPoint(beside / radius))) continue;
+    float gap = z - outside;
+    if (outside < NO_SMOKE || gap <= GAPS.x * size) continue;
+    if (isOwnLine(gap / radius, at, unviewPoint(beside / radius))) continue;
     float inside = smokeZ(clipFromView, pixelAt(place - normal * distance));
     if (inside < z - GAPS.y * size) continue;
     float reach = min(1.0, (distance + ROUNDING * pixel) / size);
     float top = z + height * sqrt(reach * (2.0 - reach));
-    float before = smoothstep(GAPS.x, GAPS.y, (z - outside) / size);
+    float before = smoothstep(GAPS.x, GAPS.y, gap / size);
     sum += before * (1.0 - smoothstep(COVERS.x, COVERS.y, (inside - top) / size));
   }
   return sum / float(TAPS);
 }
-
-void placePoint(ivec2 texel, ivec2 size) {
-  gl_Position = vec4(2.0 * (vec2(texel) + 0.5) / vec2(size) - 1.0, 0.0, 1.0);
-  gl_PointSize = 1.0;
-}
-
-#ifdef CANDIDATES
-// Finds the arcs that can have a stroke: those with one of these samples before other smoke. A stroke covers more samples
-// than lie between two of them.
-const int STRIDE = 2;
-
-bool isCandidate() {
-  if (findArc() <= 0.0) return false;
-  for (int number = STRIDE - 1; number <= LAST; number += STRIDE) {
-    if (standing(alongOf(number)) > 0.0) return true;
-  }
-  return false;
-}
-
-void main() {
-  fetchRow(gl_VertexID);
-  shown = isCandidate() ? 1.0 : 0.0;
-  placePoint(candidateTexelOf(gl_VertexID), candidatesSize);
-}
-#else
-void main() {
-  int stroke = gl_VertexID / (LAST + 1);
-  gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
-  gl_PointSize = 1.0;
-  shown = 0.0;
-  if (!isCandidate(stroke)) return;
-  fetchRow(stroke);
-  int number = gl_VertexID % (LAST + 1);
-  if (findArc() > 0.0) shown = standing(alongOf(number));
-  placePoint(texelOf(stroke, number), standingsSize);
-}
-#endif
