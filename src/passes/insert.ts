@@ -9,7 +9,7 @@ import {
   SrcColorFactor,
   ZeroFactor,
   ZeroStencilOp,
-  type Mesh,
+  Mesh,
   type ShaderMaterialParameters,
   type Texture,
   type WebGLRenderer,
@@ -17,7 +17,7 @@ import {
 import darkenFragmentShader from '../../shaders/insert/darken.frag';
 import fragmentShader from '../../shaders/insert/insert.frag';
 import type { FrameView } from '../device/frameView.ts';
-import { FullScreen } from '../device/fullScreen.ts';
+import { FullScreen, triangle } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { SmokePictures } from './pictures.ts';
 
@@ -41,6 +41,8 @@ export class InsertPass {
   private readonly unlit = { value: null as Texture | null };
   private readonly deep = { value: null as Texture | null };
   private readonly factor = { value: new ThreeColor() };
+  /** A mesh that draws unlit smoke where the stencil is not zero, for the host's render list. */
+  readonly marker: Mesh;
 
   constructor(eye: FrameView) {
     const { viewportOrigin, clipFromView } = eye.uniforms;
@@ -59,18 +61,19 @@ export class InsertPass {
     this.darkenTriangle = new FullScreen(darkenFragmentShader, { factor: this.factor }, DARKENS);
     // A scene.overrideMaterial must not replace this material.
     this.unlitTriangle.material.allowOverride = false;
-  }
-
-  /** The mesh that draws unlit smoke where the stencil is not zero. It can be part of the host's render list. */
-  get unlitMesh(): Mesh {
-    return this.unlitTriangle.mesh;
+    this.marker = new Mesh(triangle(), this.unlitTriangle.material);
+    this.marker.frustumCulled = false;
   }
 
   /**
    * @param depth depth texture of the smoke
    * @param isLinear whether the framebuffer holds linear colours instead of display-encoded ones
    */
-  setSmoke({ lit, unlit, deep }: SmokePictures, depth: Texture, isLinear: boolean): void {
+  setSmoke(
+    { lit, unlit, deep }: Pick<SmokePictures, 'lit' | 'unlit' | 'deep'>,
+    depth: Texture,
+    isLinear: boolean,
+  ): void {
     this.lit.value = lit;
     this.unlit.value = unlit;
     this.deep.value = deep;
@@ -86,22 +89,31 @@ export class InsertPass {
     this.litTriangle.draw(renderer);
   }
 
+  drawUnlit(renderer: WebGLRenderer): void {
+    this.unlitTriangle.draw(renderer);
+  }
+
   /**
-   * Darkens the scene where at least `depth` volumes contain it, then draws the smoke in deep shadow there.
+   * Darkens the scene where at least `depth` volumes contain it, and prepares `drawDeep`.
    * @param depth number of volumes that make deep shadow, 2..255
    * @param color factor on the colour of shadow where shadow is deep
    */
-  drawDeep(renderer: WebGLRenderer, depth: number, color: Color): void {
+  darken(renderer: WebGLRenderer, depth: number, color: Color): void {
     writeColor(color, this.factor);
     if (this.common.isLinear.value) this.factor.value.convertSRGBToLinear();
     for (const { material } of [this.darkenTriangle, this.deepTriangle]) material.stencilRef = Math.min(depth, 255);
     this.darkenTriangle.draw(renderer);
+  }
+
+  /** Draws the smoke in deep shadow, and clears the stencil there. */
+  drawDeep(renderer: WebGLRenderer): void {
     this.deepTriangle.draw(renderer);
   }
 
   dispose(): void {
     for (const triangle of [this.depthTriangle, this.litTriangle, this.unlitTriangle]) triangle.dispose();
     for (const triangle of [this.deepTriangle, this.darkenTriangle]) triangle.dispose();
+    this.marker.geometry.dispose();
   }
 }
 

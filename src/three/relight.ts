@@ -18,15 +18,23 @@ import { withoutBackground } from './rendererState.ts';
  * Based on the ambient pass of Heidmann's shadow volumes ('Real shadows, real time', 1991), in the opposite order.
  */
 export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, keyLight: Light): void {
-  const hidden = hideBlended(scene);
   const { intensity } = keyLight;
   keyLight.intensity = 0;
   lockStencil(renderer);
   try {
-    withoutBackground(scene, () => renderer.render(scene, camera));
+    drawAgain(renderer, scene, camera);
   } finally {
     renderer.state.buffers.stencil.setLocked(false);
     keyLight.intensity = intensity;
+  }
+}
+
+/** Draws the scene's opaque objects again, without its background. */
+export function drawAgain(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+  const hidden = hideBlended(scene);
+  try {
+    withoutBackground(scene, () => renderer.render(scene, camera));
+  } finally {
     for (const material of hidden) material.visible = true;
   }
 }

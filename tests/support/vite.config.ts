@@ -22,6 +22,14 @@ export default mergeConfig(site, {
   root: fileURLToPath(new URL('../..', import.meta.url)),
   plugins: [policies()],
   cacheDir: '.cache/vite-tests',
-  optimizeDeps: { include: ['react', '@react-three/fiber'] },
+  optimizeDeps: {
+    include: [
+      'react',
+      '@react-three/fiber',
+      'three/examples/jsm/postprocessing/EffectComposer.js',
+      'three/examples/jsm/postprocessing/OutputPass.js',
+      'three/examples/jsm/postprocessing/RenderPass.js',
+    ],
+  },
   server: { host: '127.0.0.1', hmr: false, watch: null },
 });

@@ -1,0 +1,45 @@
+/** Smoke in render targets without stencil. The recipes of docs/three.md are tests here. */
+import { expect, test } from '../../support/fixtures.ts';
+
+type Targets = typeof import('./targets.cases.ts');
+const TARGETS = '/tests/visual/three/targets.cases.ts';
+
+for (const samples of [0, 4]) {
+  test(`EffectComposer with ${samples} samples shows the picture of the canvas`, async ({ load }) => {
+    const cases = await load<Targets>(TARGETS);
+    const { census, difference, bare, distinct, errors } = await cases.evaluate(
+      (module, count) => module.byComposer(count),
+      samples,
+    );
+    expect(errors).toEqual([]);
+    expect(census.lit).toBeGreaterThan(20_000);
+    expect(census.dark).toBeGreaterThan(300);
+    // An edge of an object in the shadow mixes three colours where the target has samples.
+    expect(census.between).toBeLessThan(samples > 0 ? 80 : 1);
+    expect(census.wrong).toBeLessThan(samples > 0 ? 5 : 1);
+    // The edges of smoke are blended in linear light, but display-encoded on the canvas.
+    expect(difference - bare).toBeLessThan(0.0005);
+    expect(distinct).toBeLessThan(44);
+  });
+}
+
+test.describe('the code for targets without stencil', () => {
+  test.use({ ownPage: true, allowed: /ERR_FAILED/ });
+
+  test('that fails to load is one error event, and complete() retries', async ({ load, blank }) => {
+    const CODE = '**/src/three/target/ownStencil.ts*';
+    const cases = await load<Targets>(TARGETS);
+    await blank.route(CODE, (route) => route.abort());
+    const smoking = await cases.evaluateHandle((module) => module.smokeWithoutStencil());
+    const errors = () => smoking.evaluate((one) => one.errors);
+    await expect.poll(errors).toEqual([expect.stringMatching(/^LoadError: .*without stencil could not be fetched/)]);
+    const { dark, wrong } = await smoking.evaluate((one) => one.census());
+    expect([dark, wrong]).toEqual([0, 0]);
+    const thrown = await smoking.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
+    expect(thrown).toBe('LoadError');
+    expect((await errors()).length).toBe(1);
+    await blank.unroute(CODE);
+    await smoking.evaluate(({ smoke }) => smoke.complete());
+    expect((await smoking.evaluate((one) => one.census())).dark).toBeGreaterThan(300);
+  });
+});
