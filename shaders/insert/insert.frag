@@ -9,10 +9,14 @@ uniform sampler2D smokeDepth;
 uniform vec2 viewportOrigin;
 uniform bool isLinear;
 uniform mat4 clipFromView;
+// The projection of the smoke's depth, if that of the host has an oblique near plane.
+uniform mat4 smokeProjection;
+uniform bool isOblique;
 
 out vec4 pixel;
 
 #include ../lib/depth.glsl
+#include ../lib/oblique.glsl
 #include ../lib/srgb.glsl
 
 float depthAt(ivec2 at) {
@@ -37,4 +41,10 @@ void main() {
   if (color.a == 0.0) discard;
   pixel = isLinear ? vec4(linearFromDisplay(color.rgb / color.a) * color.a, color.a) : color;
   gl_FragDepth = nearestDepth(at);
+  if (isOblique) {
+    vec2 ndc = (vec2(at) + 0.5) / vec2(textureSize(smokeDepth, 0)) * 2.0 - 1.0;
+    gl_FragDepth = windowDepth(withoutSlant(clipFromView, ndc), viewZOf(smokeProjection, gl_FragDepth));
+    // In front of the near plane, for example behind a mirror.
+    if (gl_FragDepth < 0.0) discard;
+  }
 }

@@ -9,6 +9,7 @@ import {
   SrcColorFactor,
   ZeroFactor,
   ZeroStencilOp,
+  Matrix4,
   Mesh,
   type ShaderMaterialParameters,
   type Texture,
@@ -36,6 +37,8 @@ export class InsertPass {
   private readonly common = {
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },
+    isOblique: { value: false },
+    smokeProjection: { value: new Matrix4() },
   };
   private readonly lit = { value: null as Texture | null };
   private readonly unlit = { value: null as Texture | null };
@@ -79,6 +82,12 @@ export class InsertPass {
     this.deep.value = deep;
     this.common.smokeDepth.value = depth;
     this.common.isLinear.value = isLinear;
+  }
+
+  /** @param projection projection of the smoke's depth, if that of the view has an oblique near plane */
+  setOblique(projection: Matrix4 | undefined): void {
+    this.common.isOblique.value = projection !== undefined;
+    if (projection) this.common.smokeProjection.value.copy(projection);
   }
 
   drawDepth(renderer: WebGLRenderer): void {

@@ -34,7 +34,7 @@ import {
 import { receiversIn } from './casters.ts';
 import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
-import { requirementError, requireRenderer } from './requirements.ts';
+import { isOverridden, requirementError, requireRenderer } from './requirements.ts';
 import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
@@ -346,7 +346,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * reason.
    */
   private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
-    if (this.isDrawing || !this.device.isUsable) return false;
+    if (this.isDrawing || !this.device.isUsable || isOverridden(renderer, scene)) return false;
     const error = requirementError(renderer, camera);
     if (error) {
       this.error = error;

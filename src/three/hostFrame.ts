@@ -4,6 +4,7 @@ import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import type { HostPasses } from './hostPasses.ts';
 import { hasStencilBuffer } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
+import { straightened } from './target/straightCamera.ts';
 import { hasDeep, insertLit, insertSmoke, type HostView } from './target/insertion.ts';
 
 /**
@@ -27,18 +28,22 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
   const state = new RendererState(renderer);
   state.hold();
   try {
-    const { casters, ...arranged } = arrangeFrame(smoke.passes, smoke.prepare(input));
+    const { camera: straight, oblique } = straightened(camera);
+    const { casters, ...arranged } = arrangeFrame(smoke.passes, smoke.prepare({ ...input, camera: straight }));
     const size = new Vector2(input.width, input.height);
     const origin = own ? new Vector2() : view.origin;
     eye.uniforms.viewportOrigin.value.copy(origin);
     own?.begin(renderer, scene, camera, size, target!.samples);
     const surface = depth.take(renderer, origin, size, own !== undefined || (hasStencil && style.outlines));
-    const touched = style.outlines ? surface : undefined;
+    // The depth of an oblique projection is not that of the smoke.
+    const touched = style.outlines && !oblique ? surface : undefined;
     targets.begin(renderer);
     body.draw(renderer, arranged.bodies.geometry, touched);
     drawStrokes(smoke.passes, style, arranged.bodies, touched);
     pictures.take(renderer, targets, resolve, hasDeep(style));
 
+    passes.insert.setOblique(oblique && straight.projectionMatrix);
+    if (oblique) eye.uniforms.clipFromView.value.copy(oblique);
     const returnToTarget = () => state.returnToTarget();
     if (own) own.insert(passes, { ...view, returnToTarget }, style, casters, surface?.depth);
     else returnToTarget();

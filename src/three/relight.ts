@@ -29,12 +29,19 @@ export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, k
   }
 }
 
-/** Draws the scene's opaque objects again, without its background. */
+/**
+ * Draws the scene's opaque objects again, without its background. Objects that draw pictures before they are drawn, such
+ * as mirrors, keep their picture of this frame.
+ */
 export function drawAgain(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
   const hidden = hideBlended(scene);
+  const { render, clear } = renderer;
+  renderer.render = renderer.clear = () => {};
   try {
-    withoutBackground(scene, () => renderer.render(scene, camera));
+    withoutBackground(scene, () => render.call(renderer, scene, camera));
   } finally {
+    renderer.render = render;
+    renderer.clear = clear;
     for (const material of hidden) material.visible = true;
   }
 }

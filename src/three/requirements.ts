@@ -1,4 +1,11 @@
-import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import {
+  LinearSRGBColorSpace,
+  SRGBColorSpace,
+  type Camera,
+  type Scene,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import { ParameterError, UnsupportedError } from '../preset/errors.ts';
 
 /**
@@ -36,6 +43,14 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
 /** Whether shadow volumes can be counted in a target, or in the canvas (null), whose renderer was checked at creation. */
 export function hasStencilBuffer(target: WebGLRenderTarget | null): boolean {
   return target === null || (target.stencilBuffer && target.depthBuffer);
+}
+
+/**
+ * Whether a pass draws the scene with one material into the current target, as ambient occlusion does for normals and for
+ * depth. Smoke has neither, and its light would be darkened.
+ */
+export function isOverridden(renderer: WebGLRenderer, { overrideMaterial }: Scene): boolean {
+  return overrideMaterial !== null && renderer.getRenderTarget() !== null;
 }
 
 /** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */

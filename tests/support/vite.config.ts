@@ -26,9 +26,10 @@ export default mergeConfig(site, {
     include: [
       'react',
       '@react-three/fiber',
-      'three/examples/jsm/postprocessing/EffectComposer.js',
-      'three/examples/jsm/postprocessing/OutputPass.js',
-      'three/examples/jsm/postprocessing/RenderPass.js',
+      'three/examples/jsm/objects/Reflector.js',
+      ...['EffectComposer', 'GTAOPass', 'OutputPass', 'RenderPass', 'UnrealBloomPass'].map(
+        (name) => `three/examples/jsm/postprocessing/${name}.js`,
+      ),
     ],
   },
   server: { host: '127.0.0.1', hmr: false, watch: null },

@@ -62,6 +62,7 @@ export class OwnStencil {
       drawAgain(renderer, scene, camera);
     } finally {
       color.setLocked(false);
+      color.setMask(true);
       stencil.setLocked(false);
     }
   }

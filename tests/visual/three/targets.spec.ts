@@ -23,6 +23,40 @@ for (const samples of [0, 4]) {
   });
 }
 
+test('a mirror shows smoke and its shadow, and keeps its picture where it is in the shadow itself', async ({
+  load,
+}) => {
+  const cases = await load<Targets>(TARGETS);
+  const { difference, distinct, smoke, black } = await cases.evaluate((module) => module.byMirror());
+  expect(smoke).toBeGreaterThan(500);
+  expect(difference).toBeLessThan(0.0002);
+  expect(distinct).toBeLessThan(25);
+  expect(black).toBe(0);
+});
+
+test('a face of a CubeCamera shows smoke and its shadow', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { difference, distinct, smoke } = await cases.evaluate((module) => module.byCubeCamera());
+  expect(smoke).toBeGreaterThan(2000);
+  expect(difference).toBeLessThan(0.0006);
+  expect(distinct).toBeLessThan(90);
+});
+
+test('passes that draw the scene with one material do not show smoke, so that it is not occluded', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { normals, darkened, smoke } = await cases.evaluate((module) => module.byOcclusion());
+  expect(normals).toBe(0);
+  // What is near behind smoke is still darkened, as behind any transparent object.
+  expect(darkened / smoke).toBeLessThan(0.05);
+});
+
+test('bloom leaves white smoke as it is', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { smoke, lamp } = await cases.evaluate((module) => module.byBloom());
+  expect(smoke).toBe(0);
+  expect(lamp).toBeGreaterThan(500);
+});
+
 test.describe('the code for targets without stencil', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
