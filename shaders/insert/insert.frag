@@ -12,8 +12,14 @@ uniform mat4 clipFromView;
 // The projection of the smoke's depth, if that of the host has an oblique near plane.
 uniform mat4 smokeProjection;
 uniform bool isOblique;
+// The host's fog: its colour in the colour space of the framebuffer, and (near, far) or (density, 0), as three.js has them.
+uniform int fogKind;
+uniform vec3 fogColor;
+uniform vec2 fogRange;
 
 out vec4 pixel;
+
+const int LINEAR = 1;
 
 #include ../lib/depth.glsl
 #include ../lib/oblique.glsl
@@ -35,12 +41,22 @@ float nearestDepth(ivec2 at) {
   return order * min(order * nearer.x, order * nearer.y);
 }
 
+// Share of the fog's colour at a view depth.
+float fogAt(float depth) {
+  float thickness = fogRange.x * depth;
+  return fogKind == LINEAR ? smoothstep(fogRange.x, fogRange.y, depth) : 1.0 - exp(-thickness * thickness);
+}
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - viewportOrigin);
   vec4 color = texelFetch(picture, at, 0);
   if (color.a == 0.0) discard;
   pixel = isLinear ? vec4(linearFromDisplay(color.rgb / color.a) * color.a, color.a) : color;
   gl_FragDepth = nearestDepth(at);
+  if (fogKind != 0) {
+    float z = viewZOf(isOblique ? smokeProjection : clipFromView, gl_FragDepth);
+    pixel.rgb = mix(pixel.rgb, fogColor * pixel.a, fogAt(-z));
+  }
   if (isOblique) {
     vec2 ndc = (vec2(at) + 0.5) / vec2(textureSize(smokeDepth, 0)) * 2.0 - 1.0;
     gl_FragDepth = windowDepth(withoutSlant(clipFromView, ndc), viewZOf(smokeProjection, gl_FragDepth));

@@ -1,16 +1,21 @@
 import {
   Color as ThreeColor,
+  ColorManagement,
   CustomBlending,
   EqualStencilFunc,
   LessEqualStencilFunc,
   NotEqualStencilFunc,
   OneFactor,
   OneMinusSrcAlphaFactor,
+  SRGBColorSpace,
   SrcColorFactor,
+  Vector2,
   ZeroFactor,
   ZeroStencilOp,
   Matrix4,
   Mesh,
+  type Fog,
+  type FogExp2,
   type ShaderMaterialParameters,
   type Texture,
   type WebGLRenderer,
@@ -21,6 +26,11 @@ import type { FrameView } from '../device/frameView.ts';
 import { FullScreen, triangle } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 import type { SmokePictures } from './pictures.ts';
+
+/** Values of `fogKind` in shaders/insert/insert.frag. */
+const NO_FOG = 0;
+const LINEAR_FOG = 1;
+const EXPONENTIAL_FOG = 2;
 
 /**
  * Composites smoke from its own targets into the host's framebuffer, which has depth and stencil. The depth comes
@@ -39,6 +49,9 @@ export class InsertPass {
     isLinear: { value: false },
     isOblique: { value: false },
     smokeProjection: { value: new Matrix4() },
+    fogKind: { value: NO_FOG },
+    fogColor: { value: new ThreeColor() },
+    fogRange: { value: new Vector2() },
   };
   private readonly lit = { value: null as Texture | null };
   private readonly unlit = { value: null as Texture | null };
@@ -82,6 +95,17 @@ export class InsertPass {
     this.deep.value = deep;
     this.common.smokeDepth.value = depth;
     this.common.isLinear.value = isLinear;
+  }
+
+  /** @param fog fog of the host's scene, which acts on what is drawn after this call; call `setSmoke` before */
+  setFog(fog: Fog | FogExp2 | null): void {
+    const { fogKind, fogColor, fogRange, isLinear } = this.common;
+    fogKind.value = fog ? ('density' in fog ? EXPONENTIAL_FOG : LINEAR_FOG) : NO_FOG;
+    if (!fog) return;
+    // three.js, too, adds fog to display-encoded colours if the framebuffer holds them.
+    fog.color.getRGB(fogColor.value, isLinear.value ? ColorManagement.workingColorSpace : SRGBColorSpace);
+    if ('density' in fog) fogRange.value.set(fog.density, 0);
+    else fogRange.value.set(fog.near, fog.far);
   }
 
   /** @param projection projection of the smoke's depth, if that of the view has an oblique near plane */

@@ -48,7 +48,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
     if (own) own.insert(passes, { ...view, returnToTarget }, style, casters, surface?.depth);
     else returnToTarget();
     if (hasStencil) insertSmoke(passes, view, style, casters);
-    else if (!own) insertLit(passes, renderer);
+    else if (!own) insertLit(passes, view);
     return reportOf({ ...arranged, casters });
   } finally {
     state.restore();

@@ -63,6 +63,7 @@ export function insertSmoke(
   const { insert, pictures, smoke } = passes;
   const { renderer } = view;
   insert.setSmoke(pictures, smoke.passes.targets.depth, isLinearPicture(renderer));
+  insert.setFog(view.scene.fog);
   countShadows(passes, view, casters);
   insert.drawLit(renderer);
   if (casters) drawShadow(view);
@@ -72,8 +73,9 @@ export function insertSmoke(
 }
 
 /** Inserts lit smoke into the bound framebuffer without stencil buffer, except its colour, which the marker draws. */
-export function insertLit({ insert, pictures, smoke }: InsertionPasses, renderer: WebGLRenderer): void {
+export function insertLit({ insert, pictures, smoke }: InsertionPasses, { renderer, scene }: HostView): void {
   const { lit } = pictures;
   insert.setSmoke({ lit, unlit: lit, deep: lit }, smoke.passes.targets.depth, isLinearPicture(renderer));
+  insert.setFog(scene.fog);
   insert.drawDepth(renderer);
 }

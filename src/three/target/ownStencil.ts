@@ -98,6 +98,7 @@ export class OwnStencil {
     // The host's target tests the depth of each sample, so that here all samples of a pixel have its smoke.
     this.clear(renderer, this.target.samples > 0);
     insert.setSmoke(pictures, targets.depth, false);
+    insert.setFog(null);
     insert.drawLit(renderer);
     if (hasDeep(style)) insert.drawDeep(renderer);
     insert.drawUnlit(renderer);
@@ -106,6 +107,7 @@ export class OwnStencil {
     viewportOrigin.value.copy(origin);
     const { texture } = this.target;
     insert.setSmoke({ lit: texture, unlit: texture, deep: texture }, targets.depth, true);
+    insert.setFog(view.scene.fog);
     insert.drawDepth(renderer);
   }
 

@@ -57,6 +57,25 @@ test('bloom leaves white smoke as it is', async ({ load }) => {
   expect(lamp).toBeGreaterThan(500);
 });
 
+for (const [kind, isComposed] of [
+  ['linear', false],
+  ['exponential', false],
+  ['linear', true],
+] as const) {
+  test(`${kind} fog takes smoke as far as its depth says, ${isComposed ? 'in a target' : 'on the canvas'}`, async ({
+    load,
+  }) => {
+    const cases = await load<Targets>(TARGETS);
+    const { smoke, wrong, changed } = await cases.evaluate((module, [a, b]) => module.inFog(a, b), [
+      kind,
+      isComposed,
+    ] as const);
+    expect(smoke).toBeGreaterThan(900);
+    expect(changed).toBe(smoke);
+    expect(wrong).toBe(0);
+  });
+}
+
 test.describe('the code for targets without stencil', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
