@@ -21,8 +21,8 @@ flat in float squeeze;
 #endif
 
 #include ../lib/depth.glsl
-#include ../lib/oblique.glsl
 #include ../lib/pixel.glsl
+#include ../lib/oblique.glsl
 
 const float FAR = 1e20;
 
@@ -81,6 +81,6 @@ void main() {
   float leave = min(depths.y, max(ends.x, ends.y));
   if (enter >= leave || leave <= near) discard;
   float depth = gl_FrontFacing ? max(enter, near) : leave;
-  mat4 straight = withoutSlant(clipFromView, (gl_FragCoord.xy - viewportOrigin) / viewport * 2.0 - 1.0);
+  mat4 straight = withoutSlant(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport);
   gl_FragDepth = clamp(windowDepth(straight, -depth), 0.0, 1.0);
 }

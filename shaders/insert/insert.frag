@@ -22,6 +22,7 @@ out vec4 pixel;
 const int LINEAR = 1;
 
 #include ../lib/depth.glsl
+#include ../lib/pixel.glsl
 #include ../lib/oblique.glsl
 #include ../lib/srgb.glsl
 
@@ -58,8 +59,8 @@ void main() {
     pixel.rgb = mix(pixel.rgb, fogColor * pixel.a, fogAt(-z));
   }
   if (isOblique) {
-    vec2 ndc = (vec2(at) + 0.5) / vec2(textureSize(smokeDepth, 0)) * 2.0 - 1.0;
-    gl_FragDepth = windowDepth(withoutSlant(clipFromView, ndc), viewZOf(smokeProjection, gl_FragDepth));
+    mat4 straight = withoutSlant(gl_FragCoord.xy - viewportOrigin, clipFromView, vec2(textureSize(smokeDepth, 0)));
+    gl_FragDepth = windowDepth(straight, viewZOf(smokeProjection, gl_FragDepth));
     // In front of the near plane, for example behind a mirror.
     if (gl_FragDepth < 0.0) discard;
   }

@@ -144,8 +144,8 @@ export class InsertPass {
   }
 
   dispose(): void {
-    for (const triangle of [this.depthTriangle, this.litTriangle, this.unlitTriangle]) triangle.dispose();
-    for (const triangle of [this.deepTriangle, this.darkenTriangle]) triangle.dispose();
+    for (const each of [this.depthTriangle, this.litTriangle, this.unlitTriangle]) each.dispose();
+    for (const each of [this.deepTriangle, this.darkenTriangle]) each.dispose();
     this.marker.geometry.dispose();
   }
 }

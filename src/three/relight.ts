@@ -35,15 +35,20 @@ export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, k
  */
 export function drawAgain(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
   const hidden = hideBlended(scene);
-  const { render, clear } = renderer;
-  renderer.render = renderer.clear = () => {};
+  const methods: DrawingMethods = renderer;
+  const { render, clear } = methods;
+  methods.render = methods.clear = () => {};
   try {
     withoutBackground(scene, () => render.call(renderer, scene, camera));
   } finally {
-    renderer.render = render;
-    renderer.clear = clear;
+    Object.assign(methods, { render, clear });
     for (const material of hidden) material.visible = true;
   }
+}
+
+interface DrawingMethods {
+  render: (scene: Scene, camera: Camera) => void;
+  clear: () => void;
 }
 
 /** Locks the stencil test to 'not equal 0', regardless of the materials' settings. */

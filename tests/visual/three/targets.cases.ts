@@ -2,8 +2,6 @@
 import {
   Color,
   CubeCamera,
-  Fog,
-  FogExp2,
   HalfFloatType,
   Mesh,
   MeshBasicMaterial,
@@ -30,7 +28,6 @@ import {
   differences,
   dispose,
   draw,
-  emptyHost,
   furnishedHost,
   HANGING,
   HEIGHT,
@@ -51,7 +48,7 @@ function plainHost(samples: number): Host {
 }
 
 /** Draws by the default composer, or by one whose target has samples. */
-function composed({ renderer, scene, camera }: Host, samples: number, ...passes: readonly Pass[]): () => Pixels {
+export function composed({ renderer, scene, camera }: Host, samples: number, ...passes: readonly Pass[]): () => Pixels {
   const target = new WebGLRenderTarget(WIDTH, HEIGHT, { type: HalfFloatType, samples });
   const composer = new EffectComposer(renderer, samples > 0 ? target : undefined);
   for (const pass of [new RenderPass(scene, camera), ...passes, new OutputPass()]) composer.addPass(pass);
@@ -224,65 +221,6 @@ export async function byBloom(): Promise<{ smoke: number; lamp: number }> {
   return { smoke: bySmoke, lamp: byLamp };
 }
 
-const FOG = '#406080';
-const SMOKE = '#ffe0a0';
-/** Distances from the camera of the middle of the smoke, of its front and of its silhouette, metres. */
-const [AWAY, FRONT, SIDE] = [5, 4.2, 5.3];
-
-/**
- * Smoke of one colour in fog, on the canvas or by a composer: its pixels, those whose colour is not that of fog of a
- * distance within the smoke, and those that differ from smoke without fog.
- */
-export async function inFog(kind: 'linear' | 'exponential', isComposed: boolean) {
-  const host = emptyHost();
-  host.camera.position.set(0, 1.2, AWAY);
-  host.camera.lookAt(0, 1.2, 0);
-  const smoke = await smokeIn(host, { ...HANGING, ...FLAT, 'style.smokeColor': SMOKE });
-  const picture = isComposed ? composed(host, 0) : () => draw(host);
-  picture();
-  await smoke.complete();
-  const clear = picture();
-  const [near, far, density] = [3.5, 14, 0.15];
-  host.scene.fog = kind === 'linear' ? new Fog(FOG, near, far) : new FogExp2(FOG, density);
-  const shareAt = (depth: number) =>
-    kind === 'linear' ? smoothstep((depth - near) / (far - near)) : 1 - Math.exp(-((density * depth) ** 2));
-  const [least, most] = [FRONT, SIDE].map((depth) => colorIn(shareAt(depth), isComposed));
-  const foggy = picture();
-  const isBetween = (pixel: number) =>
-    [0, 1, 2].every((channel) => {
-      const value = foggy[4 * pixel + channel];
-      const [low, high] = [least[channel], most[channel]].toSorted((a, b) => a - b);
-      return value >= low - 1 && value <= high + 1;
-    });
-  const counts = { smoke: 0, wrong: 0, changed: 0 };
-  const plain = colorIn(0, false);
-  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
-    // Without the smoothed edges.
-    if (plain.some((value, channel) => Math.abs(clear[4 * pixel + channel] - value) > 1)) continue;
-    ++counts.smoke;
-    if (!isBetween(pixel)) ++counts.wrong;
-    if (foggy[4 * pixel] !== clear[4 * pixel]) ++counts.changed;
-  }
-  dispose(smoke, host.renderer);
-  return counts;
-}
-
-const FLAT = { 'style.shading': 0, 'style.outlines': 0, 'style.shadows': 0 };
-
-function smoothstep(share: number): number {
-  const x = Math.min(1, Math.max(0, share));
-  return x * x * (3 - 2 * x);
-}
-
-/** Smoke of one colour in fog as bytes. Fog is mixed in linear light in targets, and in display-encoded colour on the canvas. */
-function colorIn(share: number, isLinear: boolean): number[] {
-  const [smoke, fog] = [SMOKE, FOG].map((color) => new Color(color));
-  if (!isLinear) for (const color of [smoke, fog]) color.convertLinearToSRGB();
-  smoke.lerp(fog, share);
-  if (isLinear) smoke.convertLinearToSRGB();
-  return smoke.toArray().map((value) => Math.round(255 * value));
-}
-
 /** A face of a CubeCamera that shows smoke and its shadow, compared with a camera on the canvas. */
 export async function byCubeCamera(): Promise<Seen> {
   const host = plainHost(0);
@@ -305,11 +243,11 @@ export async function byCubeCamera(): Promise<Seen> {
   host.scene.remove(smoke);
   const empty = draw({ ...host, camera });
   dispose(smoke, host.renderer);
-  return seenIn(turned(encoded(halves)), direct, empty);
+  return seenIn(upright(encoded(halves)), direct, empty);
 }
 
-/** A picture turned by 180 degrees. */
-function turned(pixels: Pixels): Pixels {
+/** A picture that was drawn upside down. */
+function upright(pixels: Pixels): Pixels {
   const { length } = pixels;
   return pixels.map((_, at) => pixels[length - 4 - at + 2 * (at % 4)]);
 }

@@ -2,6 +2,8 @@
 import { expect, test } from '../../support/fixtures.ts';
 
 type Targets = typeof import('./targets.cases.ts');
+type FogCases = typeof import('./fog.cases.ts');
+const FOG = '/tests/visual/three/fog.cases.ts';
 const TARGETS = '/tests/visual/three/targets.cases.ts';
 
 for (const samples of [0, 4]) {
@@ -65,7 +67,7 @@ for (const [kind, isComposed] of [
   test(`${kind} fog takes smoke as far as its depth says, ${isComposed ? 'in a target' : 'on the canvas'}`, async ({
     load,
   }) => {
-    const cases = await load<Targets>(TARGETS);
+    const cases = await load<FogCases>(FOG);
     const { smoke, wrong, changed } = await cases.evaluate((module, [a, b]) => module.inFog(a, b), [
       kind,
       isComposed,
