@@ -22,6 +22,7 @@ flat in float squeeze;
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
+#include ../lib/oblique.glsl
 
 const float FAR = 1e20;
 
@@ -80,5 +81,6 @@ void main() {
   float leave = min(depths.y, max(ends.x, ends.y));
   if (enter >= leave || leave <= near) discard;
   float depth = gl_FrontFacing ? max(enter, near) : leave;
-  gl_FragDepth = clamp(windowDepth(clipFromView, -depth), 0.0, 1.0);
+  mat4 straight = withoutSlant(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport);
+  gl_FragDepth = clamp(windowDepth(straight, -depth), 0.0, 1.0);
 }

@@ -9,10 +9,21 @@ uniform sampler2D smokeDepth;
 uniform vec2 viewportOrigin;
 uniform bool isLinear;
 uniform mat4 clipFromView;
+// The projection of the smoke's depth, if that of the host has an oblique near plane.
+uniform mat4 smokeProjection;
+uniform bool isOblique;
+// The host's fog: its colour in the colour space of the framebuffer, and (near, far) or (density, 0), as three.js has them.
+uniform int fogKind;
+uniform vec3 fogColor;
+uniform vec2 fogRange;
 
 out vec4 pixel;
 
+const int LINEAR = 1;
+
 #include ../lib/depth.glsl
+#include ../lib/pixel.glsl
+#include ../lib/oblique.glsl
 #include ../lib/srgb.glsl
 
 float depthAt(ivec2 at) {
@@ -31,10 +42,26 @@ float nearestDepth(ivec2 at) {
   return order * min(order * nearer.x, order * nearer.y);
 }
 
+// Share of the fog's colour at a view depth.
+float fogAt(float depth) {
+  float thickness = fogRange.x * depth;
+  return fogKind == LINEAR ? smoothstep(fogRange.x, fogRange.y, depth) : 1.0 - exp(-thickness * thickness);
+}
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - viewportOrigin);
   vec4 color = texelFetch(picture, at, 0);
   if (color.a == 0.0) discard;
   pixel = isLinear ? vec4(linearFromDisplay(color.rgb / color.a) * color.a, color.a) : color;
   gl_FragDepth = nearestDepth(at);
+  if (fogKind != 0) {
+    float z = viewZOf(isOblique ? smokeProjection : clipFromView, gl_FragDepth);
+    pixel.rgb = mix(pixel.rgb, fogColor * pixel.a, fogAt(-z));
+  }
+  if (isOblique) {
+    mat4 straight = withoutSlant(gl_FragCoord.xy - viewportOrigin, clipFromView, vec2(textureSize(smokeDepth, 0)));
+    gl_FragDepth = windowDepth(straight, viewZOf(smokeProjection, gl_FragDepth));
+    // In front of the near plane, for example behind a mirror.
+    if (gl_FragDepth < 0.0) discard;
+  }
 }

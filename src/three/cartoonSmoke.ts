@@ -1,7 +1,7 @@
 import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
-import { SimulatorError, SmokeError, UnsupportedError } from '../preset/errors.ts';
+import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
@@ -34,7 +34,7 @@ import {
 import { receiversIn } from './casters.ts';
 import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
-import { requirementError, requireRenderer } from './requirements.ts';
+import { isOverridden, requirementError, requireRenderer } from './requirements.ts';
 import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
@@ -130,22 +130,23 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.emitters = new EmitterPool(simulator, this.riders);
     this.overrides = new Overrides(simulator, (key) => this.numberOf(key));
     this.handles = new Handles(this.owner());
-    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number);
+    const miss = (error: LoadError) => this.isDisposed || this.report(error);
+    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number, miss);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
     this.completion = completionOf(
       () => this.style,
       () => {},
-      (error) => this.isDisposed || this.dispatchEvent({ type: 'error', error }),
+      miss,
     );
     this.stopListening = this.device.onContext((event) => {
       if (event !== 'lost') return;
       this.passes.release();
       this.hasDrawn = false;
     });
-    const { unlitMesh } = this.passes.insert;
-    markWith(unlitMesh, (renderer, scene, camera) => this.draw(renderer, scene, camera));
-    this.add(unlitMesh);
+    const { marker } = this.passes.insert;
+    markWith(marker, (renderer, scene, camera) => this.draw(renderer, scene, camera));
+    this.add(marker);
   }
 
   /**
@@ -275,7 +276,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    */
   async complete(): Promise<void> {
     this.requireAlive();
-    await this.completion.wait();
+    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait()]);
   }
 
   /** All current values. */
@@ -345,7 +346,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * reason.
    */
   private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
-    if (this.isDrawing || !this.device.isUsable) return false;
+    if (this.isDrawing || !this.device.isUsable || isOverridden(renderer, scene)) return false;
     const error = requirementError(renderer, camera);
     if (error) {
       this.error = error;
@@ -371,7 +372,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   /** Hides the marker while there is nothing to draw, so that a frame costs nothing. */
   private markVisible(): void {
     const isVisible = !this.hasDrawn || this.simulator.alive > 0 || !this.passes.casters.isEmpty;
-    this.passes.insert.unlitMesh.visible = isVisible;
+    this.passes.insert.marker.visible = isVisible;
     if (!isVisible) this.drawn = NOTHING;
   }
 

@@ -2,22 +2,10 @@ import { Vector2, type Camera, type Scene, type WebGLRenderer, NoBlending, type 
 import { arrangeFrame, drawStrokes, reportOf } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import type { HostPasses } from './hostPasses.ts';
-import type { KeyLight } from './keyLight.ts';
-import { relight } from './relight.ts';
-import { isLinearPicture } from './requirements.ts';
+import { hasStencilBuffer } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
-
-/** The host's view that smoke is drawn into. */
-export interface HostView {
-  renderer: WebGLRenderer;
-  scene: Scene;
-  camera: Camera;
-  keyLight: KeyLight;
-  /** Origin of the viewport in its render target, in pixels. */
-  origin: Vector2;
-  /** Called before and after the scene is drawn again in shadow. */
-  onRelight: (isInShadow: boolean) => void;
-}
+import { straightened } from './target/straightCamera.ts';
+import { hasDeep, insertLit, insertSmoke, type HostView } from './target/insertion.ts';
 
 /**
  * Draws smoke in the middle of the host's frame, between its opaque and its blended objects:
@@ -25,44 +13,43 @@ export interface HostView {
  * -> write their depth to the host's depth buffer -> volumes into the stencil -> lit smoke where the stencil is 0
  * -> elsewhere, the scene without its key light -> deep shadow where the stencil count is high enough.
  * Unlit smoke follows, as the first blended object.
+ *
+ * Without a stencil buffer, the steps after the resolve draw into a target with one; see {@link OwnStencil}. Until its code
+ * is loaded, smoke is drawn without shadow.
  */
 export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInput): FrameReport {
-  const { smoke, pictures, insert, depth } = passes;
-  const { renderer } = view;
-  const { body, eye, mask, resolve, targets, extras } = smoke.passes;
+  const { smoke, pictures, depth } = passes;
+  const { renderer, scene, camera } = view;
+  const { body, eye, resolve, targets } = smoke.passes;
   const { style } = input;
-  const hasDeep = style.shadows && style.shadowSteps === 2;
-  const isLinear = isLinearPicture(renderer);
+  const target = renderer.getRenderTarget();
+  const hasStencil = hasStencilBuffer(target);
+  const own = hasStencil ? undefined : passes.ownStencil.take();
   const state = new RendererState(renderer);
   state.hold();
   try {
-    const arranged = arrangeFrame(smoke.passes, smoke.prepare(input));
-    const { bodies, casters } = arranged;
+    const { camera: straight, oblique } = straightened(camera);
+    const { casters, ...arranged } = arrangeFrame(smoke.passes, smoke.prepare({ ...input, camera: straight }));
     const size = new Vector2(input.width, input.height);
-    eye.uniforms.viewportOrigin.value.copy(view.origin);
-    const hostDepth = depth.take(renderer, view.origin, size, style.outlines);
+    const origin = own ? new Vector2() : view.origin;
+    eye.uniforms.viewportOrigin.value.copy(origin);
+    own?.begin(renderer, scene, camera, size, target!.samples);
+    const surface = depth.take(renderer, origin, size, own !== undefined || (hasStencil && style.outlines));
+    // The depth of an oblique projection is not that of the smoke.
+    const touched = style.outlines && !oblique ? surface : undefined;
     targets.begin(renderer);
-    body.draw(renderer, bodies.geometry, hostDepth);
-    drawStrokes(smoke.passes, style, bodies, hostDepth);
-    pictures.take(renderer, targets, resolve, hasDeep);
+    body.draw(renderer, arranged.bodies.geometry, touched);
+    drawStrokes(smoke.passes, style, arranged.bodies, touched);
+    pictures.take(renderer, targets, resolve, hasDeep(style));
 
-    state.returnToTarget();
-    renderer.clearStencil();
-    insert.setSmoke(pictures, targets.depth, isLinear);
-    insert.drawDepth(renderer);
-    if (casters) {
-      passes.casters.draw(renderer, view.scene);
-      mask.countOnce(renderer);
-      extras.countedVolumes?.draw(renderer, casters.geometry);
-    }
-    insert.drawLit(renderer);
-    if (casters) {
-      view.onRelight(true);
-      relight(renderer, view.scene, view.camera, view.keyLight);
-      view.onRelight(false);
-    }
-    if (hasDeep) insert.drawDeep(renderer, style.shadowDepth, style.deepShadow);
-    return reportOf(arranged);
+    passes.insert.setOblique(oblique && straight.projectionMatrix);
+    if (oblique) eye.uniforms.clipFromView.value.copy(oblique);
+    const returnToTarget = () => state.returnToTarget();
+    if (own) own.insert(passes, { ...view, returnToTarget }, style, casters, surface?.depth);
+    else returnToTarget();
+    if (hasStencil) insertSmoke(passes, view, style, casters);
+    else if (!own) insertLit(passes, view);
+    return reportOf({ ...arranged, casters });
   } finally {
     state.restore();
   }

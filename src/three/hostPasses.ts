@@ -4,6 +4,8 @@ import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
 import { HostDepth } from './hostDepth.ts';
+import { LateStencil } from './target/lateStencil.ts';
+import type { LoadError } from '../preset/errors.ts';
 import type { WebGLRenderer } from 'three';
 
 /** Passes for a frame in the host's scene. */
@@ -14,12 +16,18 @@ export class HostPasses {
   readonly pictures = new SmokePictures();
   readonly depth = new HostDepth();
 
-  /** @param capacity maximum number of particles */
-  constructor(device: Device, capacity: number) {
+  readonly ownStencil: LateStencil;
+
+  /**
+   * @param capacity maximum number of particles
+   * @param miss called with the error, if the code for targets without stencil cannot be loaded
+   */
+  constructor(device: Device, capacity: number, miss: (error: LoadError) => void) {
     this.smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
     const { eye } = this.smoke.passes;
     this.casters = new HostCasters(device, eye);
     this.insert = new InsertPass(eye);
+    this.ownStencil = new LateStencil(eye, miss);
   }
 
   /** Frees the GPU resources. The next draw recreates them. */
@@ -27,6 +35,7 @@ export class HostPasses {
     this.insert.dispose();
     this.pictures.dispose();
     this.depth.dispose();
+    this.ownStencil.dispose();
     this.casters.release();
   }
 

@@ -18,17 +18,37 @@ import { withoutBackground } from './rendererState.ts';
  * Based on the ambient pass of Heidmann's shadow volumes ('Real shadows, real time', 1991), in the opposite order.
  */
 export function relight(renderer: WebGLRenderer, scene: Scene, camera: Camera, keyLight: Light): void {
-  const hidden = hideBlended(scene);
   const { intensity } = keyLight;
   keyLight.intensity = 0;
   lockStencil(renderer);
   try {
-    withoutBackground(scene, () => renderer.render(scene, camera));
+    drawAgain(renderer, scene, camera);
   } finally {
     renderer.state.buffers.stencil.setLocked(false);
     keyLight.intensity = intensity;
+  }
+}
+
+/**
+ * Draws the scene's opaque objects again, without its background. Objects that draw pictures before they are drawn, such
+ * as mirrors, keep their picture of this frame.
+ */
+export function drawAgain(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+  const hidden = hideBlended(scene);
+  const methods: DrawingMethods = renderer;
+  const { render, clear } = methods;
+  methods.render = methods.clear = () => {};
+  try {
+    withoutBackground(scene, () => render.call(renderer, scene, camera));
+  } finally {
+    Object.assign(methods, { render, clear });
     for (const material of hidden) material.visible = true;
   }
+}
+
+interface DrawingMethods {
+  render: (scene: Scene, camera: Camera) => void;
+  clear: () => void;
 }
 
 /** Locks the stencil test to 'not equal 0', regardless of the materials' settings. */

@@ -1,4 +1,11 @@
-import { LinearSRGBColorSpace, SRGBColorSpace, type Camera, type WebGLRenderer } from 'three';
+import {
+  LinearSRGBColorSpace,
+  SRGBColorSpace,
+  type Camera,
+  type Scene,
+  type WebGLRenderer,
+  type WebGLRenderTarget,
+} from 'three';
 import { ParameterError, UnsupportedError } from '../preset/errors.ts';
 
 /**
@@ -16,20 +23,13 @@ export function requireRenderer(renderer: WebGLRenderer): void {
   throw new UnsupportedError('Smoke needs stencil and depth: create the renderer with { stencil: true, depth: true }.');
 }
 
-/**
- * Why smoke cannot be drawn into the renderer's current target; undefined when it can.
- * Render targets have the same requirements as the canvas, because the renderer may switch to another target.
- */
+/** Why smoke cannot be drawn into the renderer's current target; undefined when it can. */
 export function requirementError(renderer: WebGLRenderer, camera: Camera): UnsupportedError | undefined {
   const target = renderer.getRenderTarget();
   if (renderer.xr.isPresenting) return new UnsupportedError('Smoke cannot be drawn in an XR session.');
   // The cameras of an ArrayCamera have their own viewports, which a draw in between would lose.
   if ('viewport' in camera && camera.viewport)
     return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
-  if (target && !(target.stencilBuffer && target.depthBuffer))
-    return new UnsupportedError(
-      'Smoke needs stencil and depth: create the render target with { stencilBuffer: true }, or hide smoke from its camera with layers.',
-    );
   if (target && target.textures.length > 1)
     return new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
   const { outputColorSpace } = renderer;
@@ -38,6 +38,19 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
       `renderer.outputColorSpace cannot be ${outputColorSpace}: smoke needs SRGBColorSpace or LinearSRGBColorSpace.`,
     );
   return undefined;
+}
+
+/** Whether shadow volumes can be counted in a target, or in the canvas (null), whose renderer was checked at creation. */
+export function hasStencilBuffer(target: WebGLRenderTarget | null): boolean {
+  return target === null || (target.stencilBuffer && target.depthBuffer);
+}
+
+/**
+ * Whether a pass draws the scene with one material into the current target, as ambient occlusion does for normals and for
+ * depth. Smoke has neither, and its light would be darkened.
+ */
+export function isOverridden(renderer: WebGLRenderer, { overrideMaterial }: Scene): boolean {
+  return overrideMaterial !== null && renderer.getRenderTarget() !== null;
 }
 
 /** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */

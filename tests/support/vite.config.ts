@@ -22,6 +22,15 @@ export default mergeConfig(site, {
   root: fileURLToPath(new URL('../..', import.meta.url)),
   plugins: [policies()],
   cacheDir: '.cache/vite-tests',
-  optimizeDeps: { include: ['react', '@react-three/fiber'] },
+  optimizeDeps: {
+    include: [
+      'react',
+      '@react-three/fiber',
+      'three/examples/jsm/objects/Reflector.js',
+      ...['EffectComposer', 'GTAOPass', 'OutputPass', 'RenderPass', 'UnrealBloomPass'].map(
+        (name) => `three/examples/jsm/postprocessing/${name}.js`,
+      ),
+    ],
+  },
   server: { host: '127.0.0.1', hmr: false, watch: null },
 });

@@ -177,10 +177,12 @@ test.describe('errors', () => {
     expect(said.fraction).toMatch(/^ParameterError: count cannot be 1.5: it takes a whole number from 0/);
     expect(said.afterwards).toBe('nothing');
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
-    expect(said.target).toMatch(/^UnsupportedError: .*stencilBuffer: true/);
+    expect(said.target).toMatch(/^UnsupportedError: .*several textures/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
     expect(said.repeated).toBe('nothing');
     expect(said.again).toBe('nothing');
+    expect(said.session).toMatch(/^UnsupportedError: .*XR session/);
+    expect(said.sessionAgain).toBe('nothing');
     expect(said.call).toMatch(/^SimulatorError: .*disposed/);
     expect(said.disposed).toMatch(/^SimulatorError: .*disposed/);
   });

@@ -60,7 +60,7 @@ export async function errors(): Promise<Record<string, string>> {
     host.renderer.render(host.scene, host.camera);
   });
   await attempt('physics', () => smoke.collide(new Mesh(new SphereGeometry())));
-  const target = new WebGLRenderTarget(32, 32);
+  const target = new WebGLRenderTarget(32, 32, { count: 2 });
   host.renderer.setRenderTarget(target);
   host.renderer.render(host.scene, host.camera);
   update('target', 0);
@@ -72,6 +72,12 @@ export async function errors(): Promise<Record<string, string>> {
   host.renderer.render(host.scene, array);
   update('array', 0);
   update('again', 0);
+  host.renderer.xr.isPresenting = true;
+  host.renderer.render(host.scene, host.camera);
+  update('session', 0);
+  host.renderer.render(host.scene, host.camera);
+  update('sessionAgain', 0);
+  host.renderer.xr.isPresenting = false;
   smoke.dispose();
   smoke.dispose();
   update('disposed', 0);

@@ -138,7 +138,8 @@ export async function otherRenderer(kind: keyof typeof RENDERERS): Promise<numbe
   return changedPixels(pictures[0], pictures[1], 2);
 }
 
-function encoded(halves: Uint16Array): Pixels {
+/** Linear half floats as display-encoded bytes. */
+export function encoded(halves: Uint16Array): Pixels {
   const view = new DataView(new ArrayBuffer(2));
   return Uint8Array.from(halves, (half, at) => {
     view.setUint16(0, half);

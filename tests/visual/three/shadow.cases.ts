@@ -56,7 +56,8 @@ export async function lightAndShadow(parameters: WebGLRendererParameters, toneMa
   return census;
 }
 
-function censusOf(before: Pixels, unlit: Pixels, after: Pixels, isSmoke: readonly boolean[]): Census {
+/** Compares a picture with those without smoke and without the key light. @param isSmoke pixels to leave out */
+export function censusOf(before: Pixels, unlit: Pixels, after: Pixels, isSmoke: readonly boolean[]): Census {
   const census = { lit: 0, dark: 0, between: 0, wrong: 0 };
   const [toBefore, toUnlit] = [differences(after, before), differences(after, unlit)];
   isSmoke.forEach((smoke, pixel) => {
@@ -77,7 +78,7 @@ function isBetween(value: Pixels, a: Pixels, b: Pixels, pixel: number): boolean 
 }
 
 /** Pixels of smoke and their neighbours. */
-function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
+export function maskOf(host: Host, smoke: CartoonSmoke): boolean[] {
   const isSmoke = smokePixels(host, smoke);
   return isSmoke.map((_, pixel) => [0, 1, -1, WIDTH, -WIDTH].some((step) => isSmoke[pixel + step]));
 }

@@ -1,0 +1,100 @@
+/** Smoke in render targets without stencil. The recipes of docs/three.md are tests here. */
+import { expect, test } from '../../support/fixtures.ts';
+
+type Targets = typeof import('./targets.cases.ts');
+type FogCases = typeof import('./fog.cases.ts');
+const FOG = '/tests/visual/three/fog.cases.ts';
+const TARGETS = '/tests/visual/three/targets.cases.ts';
+
+for (const samples of [0, 4]) {
+  test(`EffectComposer with ${samples} samples shows the picture of the canvas`, async ({ load }) => {
+    const cases = await load<Targets>(TARGETS);
+    const { census, difference, bare, distinct, errors } = await cases.evaluate(
+      (module, count) => module.byComposer(count),
+      samples,
+    );
+    expect(errors).toEqual([]);
+    expect(census.lit).toBeGreaterThan(20_000);
+    expect(census.dark).toBeGreaterThan(300);
+    // An edge of an object in the shadow mixes three colours where the target has samples.
+    expect(census.between).toBeLessThan(samples > 0 ? 80 : 1);
+    expect(census.wrong).toBeLessThan(samples > 0 ? 5 : 1);
+    // The edges of smoke are blended in linear light, but display-encoded on the canvas.
+    expect(difference - bare).toBeLessThan(0.0005);
+    expect(distinct).toBeLessThan(44);
+  });
+}
+
+test('a mirror shows smoke and its shadow, and keeps its picture where it is in the shadow itself', async ({
+  load,
+}) => {
+  const cases = await load<Targets>(TARGETS);
+  const { difference, distinct, smoke, black } = await cases.evaluate((module) => module.byMirror());
+  expect(smoke).toBeGreaterThan(500);
+  expect(difference).toBeLessThan(0.0002);
+  expect(distinct).toBeLessThan(25);
+  expect(black).toBe(0);
+});
+
+test('a face of a CubeCamera shows smoke and its shadow', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { difference, distinct, smoke } = await cases.evaluate((module) => module.byCubeCamera());
+  expect(smoke).toBeGreaterThan(2000);
+  expect(difference).toBeLessThan(0.0006);
+  expect(distinct).toBeLessThan(90);
+});
+
+test('passes that draw the scene with one material do not show smoke, so that it is not occluded', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { normals, darkened, smoke } = await cases.evaluate((module) => module.byOcclusion());
+  expect(normals).toBe(0);
+  // What is near behind smoke is still darkened, as behind any transparent object.
+  expect(darkened / smoke).toBeLessThan(0.05);
+});
+
+test('bloom leaves white smoke as it is', async ({ load }) => {
+  const cases = await load<Targets>(TARGETS);
+  const { smoke, lamp } = await cases.evaluate((module) => module.byBloom());
+  expect(smoke).toBe(0);
+  expect(lamp).toBeGreaterThan(500);
+});
+
+for (const [kind, isComposed] of [
+  ['linear', false],
+  ['exponential', false],
+  ['linear', true],
+] as const) {
+  test(`${kind} fog takes smoke as far as its depth says, ${isComposed ? 'in a target' : 'on the canvas'}`, async ({
+    load,
+  }) => {
+    const cases = await load<FogCases>(FOG);
+    const { smoke, wrong, changed } = await cases.evaluate((module, [a, b]) => module.inFog(a, b), [
+      kind,
+      isComposed,
+    ] as const);
+    expect(smoke).toBeGreaterThan(900);
+    expect(changed).toBe(smoke);
+    expect(wrong).toBe(0);
+  });
+}
+
+test.describe('the code for targets without stencil', () => {
+  test.use({ ownPage: true, allowed: /ERR_FAILED/ });
+
+  test('that fails to load is one error event, and complete() retries', async ({ load, blank }) => {
+    const CODE = '**/src/three/target/ownStencil.ts*';
+    const cases = await load<Targets>(TARGETS);
+    await blank.route(CODE, (route) => route.abort());
+    const smoking = await cases.evaluateHandle((module) => module.smokeWithoutStencil());
+    const errors = () => smoking.evaluate((one) => one.errors);
+    await expect.poll(errors).toEqual([expect.stringMatching(/^LoadError: .*without stencil could not be fetched/)]);
+    const { dark, wrong } = await smoking.evaluate((one) => one.census());
+    expect([dark, wrong]).toEqual([0, 0]);
+    const thrown = await smoking.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
+    expect(thrown).toBe('LoadError');
+    expect((await errors()).length).toBe(1);
+    await blank.unroute(CODE);
+    await smoking.evaluate(({ smoke }) => smoke.complete());
+    expect((await smoking.evaluate((one) => one.census())).dark).toBeGreaterThan(300);
+  });
+});
