@@ -3,6 +3,7 @@ import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
+import type { SmokeFrame } from './frame.ts';
 import { HostDepth } from './hostDepth.ts';
 import type { WebGLRenderer } from 'three';
 
@@ -15,10 +16,10 @@ export class HostPasses {
   readonly depth = new HostDepth();
 
   /** @param capacity maximum number of particles */
-  constructor(device: Device, capacity: number) {
+  constructor(device: Device, capacity: number, frame: SmokeFrame) {
     this.smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
     const { eye } = this.smoke.passes;
-    this.casters = new HostCasters(device, eye);
+    this.casters = new HostCasters(device, eye, frame);
     this.insert = new InsertPass(eye);
   }
 
