@@ -41,18 +41,22 @@ export class Carrier {
 
   /** Reads the transform of the object for the next steps. @throws ParameterError for an invalid one, see SmokeFrame.look */
   look(object: Object3D, steps: number, isFirst = false): void {
-    const { frame, riders } = this.context;
-    frame.look(object, steps, isFirst);
-    if (frame.space === 'local' || !frame.isMoved) return;
-    if (!this.rider) this.rider = this.start(isFirst);
-    else for (let times = isFirst ? 2 : 1; times > 0; times--) riders.follow(this.rider, frame.object);
-    this.carry();
+    const { frame } = this.context;
+    try {
+      frame.look(object, steps, isFirst);
+    } finally {
+      // The last valid transform, which ends the motion of before, if this one is not.
+      if (frame.space === 'world' && frame.isMoved) this.carry(isFirst);
+    }
   }
 
-  /** Sets what the transform changes again, after values have changed. */
-  carry(): void {
-    if (!this.rider) return;
-    const { simulator, overrides, values } = this.context;
+  /** Sets what the transform changes. Values may have changed, too. */
+  private carry(isFirst: boolean): void {
+    const { simulator, riders, overrides, frame, values } = this.context;
+    // Until it moved, the object was at the origin.
+    this.rider ??= riders.add(newPose());
+    riders.follow(this.rider, frame.object);
+    if (isFirst) riders.follow(this.rider, frame.object);
     const items = new Set(Object.keys(values()).flatMap((key) => /^\w+\.\d+(?=\.)/.exec(key) ?? []));
     const numbers: Record<string, number> = {};
     for (const item of items) {
@@ -76,7 +80,6 @@ export class Carrier {
   /** Gives an item a place of its own. */
   release(item: string): void {
     this.free.add(item);
-    this.carry();
   }
 
   /** The simulator's number for a key of the table, without overrides. */
@@ -84,14 +87,6 @@ export class Carrier {
     const number = simulatorValues({ [key]: this.context.values()[key] ?? findParameter(key)!.default })[key];
     const isCarried = this.rider && key.endsWith('.rigid') && !this.free.has(key.slice(0, -'.rigid'.length));
     return isCarried && number === NOWHERE ? this.rider!.number : number;
-  }
-
-  private start(isFirst: boolean): Rider {
-    const { frame, riders } = this.context;
-    // Until now the object was at the origin.
-    const rider = riders.add(isFirst || frame.hasJumped ? frame.object : newPose());
-    riders.follow(rider, frame.object);
-    return rider;
   }
 
   /** Numbers of an obstacle, which cannot ride. */

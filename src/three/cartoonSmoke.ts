@@ -277,7 +277,6 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     const { form } = this.style;
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.values = { ...this.values, ...values };
-    this.carrier.carry();
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
     if (this.style.form !== form) this.completion.begin();

@@ -65,7 +65,6 @@ export class HandledSmoke {
   set(values: Values): void {
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.values = { ...this.values, ...values };
-    this.carrier.carry();
   }
 
   /** Adds an object to the scene. */
@@ -102,9 +101,13 @@ export class HandledSmoke {
     if (this.simulator.steps === 0) this.carrier.look(this.object, 1, true);
   }
 
-  /** One frame of `count` steps. */
+  /** One frame of `count` steps. An invalid transform is an error of {@link errors}. */
   frame(count = 1): void {
-    this.carrier.look(this.object, count, this.simulator.steps === 0);
+    try {
+      this.carrier.look(this.object, count, this.simulator.steps === 0);
+    } catch (error) {
+      this.errors.push(error);
+    }
     this.handles.look();
     for (let step = 0; step < count; step++) {
       this.handles.move(step / count, (step + 1) / count);
