@@ -33,7 +33,7 @@ export class Carrier {
   private rider: Rider | undefined;
   /** Items with places of their own. */
   private readonly free = new Set<string>();
-  private isWindTurned = false;
+  private isWindRotated = false;
 
   constructor(context: CarrierContext) {
     this.context = context;
@@ -71,10 +71,10 @@ export class Carrier {
     const { simulator, frame } = this.context;
     if (frame.space === 'world') return;
     const wind = this.vectorOf(WIND);
-    const turned = wind.lengthSq() > 0 ? frame.turned(wind, share) : undefined;
-    if (!turned && !this.isWindTurned) return;
-    this.isWindTurned = turned !== undefined;
-    simulator.set(directionNumbers(WIND, turned ?? wind));
+    const rotated = wind.lengthSq() > 0 ? frame.rotated(wind, share) : undefined;
+    if (!rotated && !this.isWindRotated) return;
+    this.isWindRotated = rotated !== undefined;
+    simulator.set(directionNumbers(WIND, rotated ?? wind));
   }
 
   /** Gives an item a place of its own. */

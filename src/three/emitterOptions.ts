@@ -142,12 +142,12 @@ export function burstNumbers(options: BurstOptions, frame?: SmokeFrame): Float64
 function placedIn(options: BurstOptions, frame: SmokeFrame): BurstOptions {
   const { position, direction } = options;
   const moved = { ...options };
-  if (isVector(position)) moved.position = frame.toSmoke({ ...newPose(), position: copyOf(position) }).position;
-  if (isVector(direction)) moved.direction = frame.turn(copyOf(direction));
+  if (isObject(position)) moved.position = frame.toSmoke({ ...newPose(), position: copyOf(position) }).position;
+  if (isObject(direction)) moved.direction = frame.rotate(copyOf(direction));
   return moved;
 }
 
-function isVector(given: unknown): given is Vector3Like {
+function isObject(given: unknown): given is Vector3Like {
   return typeof given === 'object' && given !== null;
 }
 

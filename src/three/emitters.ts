@@ -188,7 +188,7 @@ export class TableEmitter extends Handle implements EmitterHandle {
     const { frame } = this.context;
     const { position } = frame.toSmoke(worldPose(object, pose));
     direction.set(0, 1, 0).transformDirection(object.matrixWorld);
-    if (frame.isMoved) frame.turn(direction);
+    if (frame.isMoved) frame.rotate(direction);
     const key = `emitters.${emitter}`;
     this.context.simulator.set({
       ...vectorValues(`${key}.position`, position),

@@ -86,7 +86,7 @@ export class SmokeFrame {
   }
 
   /** Turns a direction of the world to the space of the smoke. */
-  turn(direction: Vector3): Vector3 {
+  rotate(direction: Vector3): Vector3 {
     return direction.applyQuaternion(inverse.copy(this.now.rotation).invert());
   }
 
@@ -94,15 +94,15 @@ export class SmokeFrame {
    * A direction of the world in the space of the smoke between the last two looks; undefined while that is upright.
    * @param share 0 is the look before, 1 the latest
    */
-  turned(direction: Vector3, share: number): Vector3 | undefined {
+  rotated(direction: Vector3, share: number): Vector3 | undefined {
     const [from, to] = [this.before.rotation, this.now.rotation];
     if (from.w === 1 && to.w === 1) return undefined;
     return direction.clone().applyQuaternion(inverse.slerpQuaternions(from, to, share).invert());
   }
 
-  /** The direction of the world's up, see {@link turned}. */
+  /** The direction of the world's up, see {@link rotated}. */
   up(share: number): Vector3 | undefined {
-    const up = this.turned(UP, share);
+    const up = this.rotated(UP, share);
     return up?.y === 1 ? undefined : up;
   }
 

@@ -125,8 +125,8 @@ const place = newPose();
 
 /** Whether two poses differ by rounding only. */
 function isNear(one: Pose, other: Pose): boolean {
-  const turn = Math.abs(one.rotation.dot(other.rotation));
-  return one.position.distanceTo(other.position) <= ROUNDING && turn >= 1 - ROUNDING;
+  const alignment = Math.abs(one.rotation.dot(other.rotation));
+  return one.position.distanceTo(other.position) <= ROUNDING && alignment >= 1 - ROUNDING;
 }
 
 /** A sheet of triangles has no mass. */

@@ -159,13 +159,13 @@ test('local smoke is the same wherever its object goes', () => {
     }
     return smoke.simulator.hash();
   };
-  const [still, turning, jumping, large] = runs(
+  const [still, spinning, jumping, large] = runs(
     () => run(() => {}),
     () => run((object, frame) => object.rotation.set(0.1 * frame, 0.2, 0.05 * frame)),
     () => run((object, frame) => object.position.set(7 * frame, -3 * frame, 1e4)),
     () => run((object) => object.scale.setScalar(4)),
   );
-  expect([turning, jumping, large]).toEqual([still, still, still]);
+  expect([spinning, jumping, large]).toEqual([still, still, still]);
   // With gravity: as long as up is up.
   const heavy = { 'gravity.acceleration': 1, 'buoyancy.acceleration': 0.5 };
   const [upright, yawing, tilted] = runs(
@@ -234,14 +234,14 @@ function swept(space: SmokeSpace, isBoxMoving: boolean): [string, number] {
 }
 
 test('an object at rest is a moving obstacle of moving local smoke', () => {
-  const [[hash, least], [moved, leastMoved], [, untouched]] = runs(
+  const [[hash, least], [moved, minMoved], [, untouched]] = runs(
     () => swept('local', false),
     () => swept('local', true),
     () => swept('world', false),
   );
   expect(hash).toBe(moved);
-  expect(leastMoved).toBeGreaterThan(0.4);
-  expect(least).toBe(leastMoved);
+  expect(minMoved).toBeGreaterThan(0.4);
+  expect(least).toBe(minMoved);
   // Smoke in the world does not come nearer.
   expect(untouched).toBeLessThan(0);
 });

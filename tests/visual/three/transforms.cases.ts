@@ -4,6 +4,7 @@ import {
   Group,
   Mesh,
   MeshStandardMaterial,
+  Object3D,
   OrthographicCamera,
   PlaneGeometry,
   Vector3,
@@ -46,7 +47,7 @@ export async function together(kind: 'perspective' | 'orthographic'): Promise<Re
   return {
     moved: changed(moved.smoke),
     large: changed(large.smoke),
-    turned: changed(first.turned),
+    rotated: changed(first.rotated),
     without: changed(first.without),
   };
 }
@@ -65,19 +66,22 @@ async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCame
   const box = new Mesh(new BoxGeometry(0.4, 0.4, 0.4), new MeshStandardMaterial({ color: '#30a060' }));
   box.position.set(0.55, 1.9, 0.5);
   host.scene.add(rig);
-  rig.add(floor, box, host.keyLight, host.keyLight.target, host.camera);
+  const anchor = new Object3D();
+  anchor.position.set(-0.7, 1.9, 0.5);
+  rig.add(floor, box, anchor, host.keyLight, host.keyLight.target, host.camera);
   const smoke = await smokeIn(host, { ...HANGING, 'style.gradient': 'height' }, { space: 'local' });
   rig.add(smoke);
   smoke.cast(box);
+  smoke.cast(anchor, { proxies: [{ follows: anchor, radius: 0.2 }] });
   move(rig, host.camera);
   smoke.step(4);
   const shown = draw(host);
   smoke.rotation.y = 0.3;
-  const turned = draw(host);
+  const rotated = draw(host);
   smoke.visible = false;
   const without = draw(host);
   dispose(smoke, host.renderer);
-  return { smoke: shown, turned, without };
+  return { smoke: shown, rotated, without };
 }
 
 /** Doubles the lengths of a projection. The view has no scale in three.js. */
@@ -118,10 +122,10 @@ export async function places(): Promise<{ smoke: number; shadow: number }[]> {
   host.scene.add(floor);
   const bare = draw(host);
   const smoke = await smokeIn(host, { ...HANGING, 'emitters.0.position.y': 0 }, { space: 'local' });
-  const seen = [new Vector3(-1.5, 1.6, 0), new Vector3(1.8, 2, -1)].map((place, turn) => {
+  const seen = [new Vector3(-1.5, 1.6, 0), new Vector3(1.8, 2, -1)].map((place, index) => {
     // Moved after the step: a picture shows the smoke where its object is.
     smoke.position.copy(place);
-    smoke.rotation.set(turn, 2 * turn, 0);
+    smoke.rotation.set(index, 2 * index, 0);
     const changed = differences(draw(host), bare).map((difference) => difference > 8);
     const isSmoke = smokePixels(host, smoke);
     const shadow = place.clone().addScaledVector(host.keyLight.position, -place.y / host.keyLight.position.y);

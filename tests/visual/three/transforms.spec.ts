@@ -8,7 +8,7 @@ for (const kind of ['perspective', 'orthographic'] as const) {
     const cases = await load<Transforms>(TRANSFORMS);
     const seen = await cases.evaluate((module, given) => module.together(given), kind);
     expect(seen.without).toBeGreaterThan(2000);
-    expect(seen.turned).toBeGreaterThan(300);
+    expect(seen.rotated).toBeGreaterThan(300);
     // Of 28,000 pixels: an edge may fall to the other side of a sample.
     for (const same of [seen.moved, seen.large]) expect(same).toBeLessThan(10);
   });

@@ -240,11 +240,19 @@ fn what_is_vertical_follows_the_direction_of_up() {
             let run = |is_turned: bool| {
                 let integrators = [("simulation.integrator", integrator)];
                 let mut simulator = simulator(20, 1, &[STILL, &integrators, settings]);
-                simulator.set("forces.wind.x", if is_turned { 0.0 } else { 0.5 }).unwrap();
-                simulator.set("forces.wind.z", if is_turned { 0.5 } else { 0.0 }).unwrap();
+                simulator
+                    .set("forces.wind.x", if is_turned { 0.0 } else { 0.5 })
+                    .unwrap();
+                simulator
+                    .set("forces.wind.z", if is_turned { 0.5 } else { 0.0 })
+                    .unwrap();
                 if settings[0].0.starts_with("winds") {
-                    simulator.set("winds.0.velocity.x", if is_turned { 0.0 } else { 0.4 }).unwrap();
-                    simulator.set("winds.0.velocity.z", if is_turned { 0.4 } else { 0.0 }).unwrap();
+                    simulator
+                        .set("winds.0.velocity.x", if is_turned { 0.0 } else { 0.4 })
+                        .unwrap();
+                    simulator
+                        .set("winds.0.velocity.z", if is_turned { 0.4 } else { 0.0 })
+                        .unwrap();
                 }
                 for i in 0..6 {
                     let place = [0.1 * i as f32, 0.3 * i as f32 - 0.5, 0.2];
