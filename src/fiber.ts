@@ -9,5 +9,5 @@ export {
   type EmitterProps,
   type HandleProps,
 } from './fiber/handles.ts';
-export type { Target } from './fiber/hooks.ts';
+export type { PlacementProps, Target } from './fiber/hooks.ts';
 export { Smoke, useSmoke, type SmokeProps } from './fiber/smoke.ts';

@@ -33,6 +33,7 @@ export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOp
 export type { CollideOptions } from './three/colliders.ts';
 export type { BurstOptions, EmitterOptions, PuffOptions } from './three/emitterOptions.ts';
 export type { EmitterHandle } from './three/emitters.ts';
+export type { SmokeSpace } from './three/frame.ts';
 export type { SmokeHandle } from './three/handle.ts';
 export type { KeyLight } from './three/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';

@@ -1,4 +1,3 @@
-import type { ThreeElements } from '@react-three/fiber';
 import {
   createElement,
   useCallback,
@@ -17,16 +16,11 @@ import type { EmitterOptions } from '../three/emitterOptions.ts';
 import type { EmitterHandle } from '../three/emitters.ts';
 import type { SmokeHandle } from '../three/handle.ts';
 import type { CastOptions } from '../three/options.ts';
-import { give, targetOf, useLatest, useStable, type Target } from './hooks.ts';
+import { give, placementIn, targetOf, useLatest, useStable, type PlacementProps, type Target } from './hooks.ts';
 import { SmokeContext } from './smoke.ts';
 
-const PLACEMENT = ['name', 'position', 'quaternion', 'rotation', 'scale', 'visible'] as const;
-
 /** Props of all handles, besides their options. */
-export interface HandleProps<Kind extends SmokeHandle> extends Pick<
-  ThreeElements['group'],
-  (typeof PLACEMENT)[number]
-> {
+export interface HandleProps<Kind extends SmokeHandle> extends PlacementProps {
   /** The object of the handle, or a reference to it. Default: a group of this component with its children. */
   object?: Target<Object3D>;
   /** Whether it has an effect. Default true. */
@@ -97,12 +91,8 @@ function useParts<Kind extends SmokeHandle, Options extends object>({
   ...others
 }: HandleProps<Kind> & Options): Parts<Kind> & { readonly options: Options } {
   const group = useRef<Group>(null);
-  const entries = Object.entries(others);
-  const isPlacement = ([key]: [string, unknown]) => (PLACEMENT as readonly string[]).includes(key);
-  const options = useStable(Object.fromEntries(entries.filter((entry) => !isPlacement(entry))) as Options);
-  const placement = Object.fromEntries(
-    entries.filter(([key, value]) => isPlacement([key, value]) && value !== undefined),
-  );
+  const [placement, rest] = placementIn(others);
+  const options = useStable(rest as Options);
   return { object, ref, children, isEnabled: enabled, group, placement, options };
 }
 

@@ -1,4 +1,18 @@
+import type { ThreeElements } from '@react-three/fiber';
 import { useLayoutEffect, useRef, useState, type Ref, type RefObject } from 'react';
+
+const PLACEMENT = ['name', 'position', 'quaternion', 'rotation', 'scale', 'visible'] as const;
+
+/** Props of a group. */
+export type PlacementProps = Pick<ThreeElements['group'], (typeof PLACEMENT)[number]>;
+
+/** The props of a group that are given, and the other props. */
+export function placementIn(props: object): [object, object] {
+  const entries = Object.entries(props);
+  const isPlacement = (key: string) => (PLACEMENT as readonly string[]).includes(key);
+  const placement = entries.filter(([key, value]) => isPlacement(key) && value !== undefined);
+  return [Object.fromEntries(placement), Object.fromEntries(entries.filter(([key]) => !isPlacement(key)))];
+}
 
 /** An object, or a reference to one that exists when effects run. */
 export type Target<Kind> = Kind | RefObject<Kind | null>;

@@ -19,10 +19,13 @@ import { findParameter } from '../preset/table.ts';
 import { CartoonSmoke } from '../three/cartoonSmoke.ts';
 import type { KeyLight } from '../three/keyLight.ts';
 import { AT_CREATION, startValues, type CartoonSmokeOptions } from '../three/options.ts';
-import { targetOf, useLatest, type Target } from './hooks.ts';
+import { placementIn, targetOf, useLatest, type PlacementProps, type Target } from './hooks.ts';
 
-/** Props of `<Smoke>`. A change of `values` sets them; a change of another option creates the smoke again. */
-export interface SmokeProps extends Omit<CartoonSmokeOptions, 'renderer' | 'keyLight'> {
+/**
+ * Props of `<Smoke>`. A change of `values` sets them, a change of the placement moves the smoke with its children, and a
+ * change of another option creates the smoke again.
+ */
+export interface SmokeProps extends Omit<CartoonSmokeOptions, 'renderer' | 'keyLight'>, PlacementProps {
   /** The light that shades smoke and that smoke blocks, or a reference to it. */
   keyLight: Target<KeyLight>;
   /** Called when the smoke is in the scene, with the handles of its children. */
@@ -71,18 +74,23 @@ export function Smoke({ children, ref, ...props }: SmokeProps): ReactNode {
     if (smoke) latest.current.onReady?.(smoke);
   }, [smoke, latest]);
   if (failure) throw failure.error;
+  const group = createElement(
+    'group',
+    placementIn(props)[0],
+    children,
+    smoke && createElement('primitive', { key: 'smoke', object: smoke, ref }),
+  );
   return createElement(
     SmokeContext.Provider,
     { value: context },
-    children,
-    smoke && createElement('primitive', { key: 'smoke', object: smoke, ref }),
+    group,
     smoke && createElement(Updated, { key: 'updated', smoke }),
   );
 }
 
 /** Creates a smoke, sets changed values and disposes it. */
 function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error: unknown) => void) {
-  const { keyLight, preset, physics, values } = props;
+  const { keyLight, preset, physics, space, values } = props;
   const renderer = useThree(({ gl }) => gl);
   const latest = useLatest(props);
   const applied = useRef<Values>({});
@@ -95,7 +103,7 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
     const create = async () => {
       const { values: given = {} } = latest.current;
       const onRelight = (isInShadow: boolean) => latest.current.onRelight?.(isInShadow);
-      const options = { renderer, preset, physics, values: given, onRelight };
+      const options = { renderer, preset, physics, space, values: given, onRelight };
       const created = await CartoonSmoke.create({ ...options, keyLight: targetOf(keyLight) });
       if (!isWanted) return created.dispose();
       live.current = created;
@@ -114,7 +122,7 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
       live.current = undefined;
       setSmoke(undefined);
     };
-  }, [renderer, keyLight, preset, physics, latest, report, ...AT_CREATION.map((key) => values?.[key])]);
+  }, [renderer, keyLight, preset, physics, space, latest, report, ...AT_CREATION.map((key) => values?.[key])]);
 
   useEffect(() => {
     if (!smoke || live.current !== smoke) return;

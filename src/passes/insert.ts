@@ -97,15 +97,18 @@ export class InsertPass {
     this.common.isLinear.value = isLinear;
   }
 
-  /** @param fog fog of the host's scene, which acts on what is drawn after this call; call `setSmoke` before */
-  setFog(fog: Fog | FogExp2 | null): void {
+  /**
+   * @param fog fog of the host's scene, which acts on what is drawn after this call; call `setSmoke` before
+   * @param scale metres of the scene in a metre of the smoke
+   */
+  setFog(fog: Fog | FogExp2 | null, scale = 1): void {
     const { fogKind, fogColor, fogRange, isLinear } = this.common;
     fogKind.value = fog ? ('density' in fog ? EXPONENTIAL_FOG : LINEAR_FOG) : NO_FOG;
     if (!fog) return;
     // three.js, too, adds fog to display-encoded colours if the framebuffer holds them.
     fog.color.getRGB(fogColor.value, isLinear.value ? ColorManagement.workingColorSpace : SRGBColorSpace);
-    if ('density' in fog) fogRange.value.set(fog.density, 0);
-    else fogRange.value.set(fog.near, fog.far);
+    if ('density' in fog) fogRange.value.set(fog.density * scale, 0);
+    else fogRange.value.set(fog.near / scale, fog.far / scale);
   }
 
   /** @param projection projection of the smoke's depth, if that of the view has an oblique near plane */

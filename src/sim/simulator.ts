@@ -164,7 +164,7 @@ export class Simulator {
    *
    * @param numbers All parts at the start of the step, at most 64, then all parts at its end. Each part has eight
    * numbers: the index of its parent rigid or -1, then its pose in that rigid's space: x, y, z in metres and the unit
-   * quaternion x, y, z, w.
+   * quaternion x, y, z, w. Three more numbers are the unit vector against which gravity acts in that step; y without them.
    */
   placeParts(numbers: readonly number[]): void {
     this.#attempt(() => this.#handle.placeParts(Float32Array.from(numbers)));

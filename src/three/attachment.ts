@@ -1,10 +1,10 @@
-import { Quaternion, Vector3, type Object3D } from 'three';
+import type { Object3D } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { findParameter } from '../preset/table.ts';
 import { Handle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
-import { followObject, worldPose, type Rider, type Riders } from './riders.ts';
-import type { Pose } from './shapes.ts';
+import { worldPose, type Rider, type Riders } from './riders.ts';
+import { newPose } from './shapes.ts';
 
 /** What an attachment needs of its smoke. */
 export interface AttachmentContext {
@@ -26,7 +26,7 @@ export class Attachment extends Handle {
     requireItem(item);
     if (context.attached.has(item))
       throw new ParameterError('attach', item, 'an item that is not attached yet; remove its handle first');
-    this.requireSound(worldPose(object, pose));
+    this.requireSound(context.riders.frame.toSmoke(worldPose(object, pose)));
     this.context = context;
     this.item = item;
     context.attached.add(item);
@@ -34,14 +34,16 @@ export class Attachment extends Handle {
 
   protected start(): void {
     const { context, item, object } = this;
-    this.requireSound(worldPose(object, pose));
+    this.requireSound(context.riders.frame.toSmoke(worldPose(object, pose)));
     this.rider = context.riders.add(pose);
     context.overrides.put(`${item}.rigid`, this.rider.number);
     context.overrides.unmute(item);
   }
 
   protected override follow(): void {
-    this.requireSound(followObject(this.rider!, this.object));
+    const { riders } = this.context;
+    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
+    riders.follow(this.rider!, pose);
   }
 
   protected stop(): void {
@@ -58,7 +60,7 @@ export class Attachment extends Handle {
   }
 }
 
-const pose: Pose = { position: new Vector3(), rotation: new Quaternion() };
+const pose = newPose();
 
 function requireItem(item: string): void {
   const isItem = ['rigid', 'envelope.duration'].every((key) => findParameter(`${item}.${key}`));

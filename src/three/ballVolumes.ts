@@ -10,8 +10,9 @@ import type { PuffShape } from '../puffs/shapes.ts';
 import { ATTRIBUTE_WORDS, NO_END } from '../sim/layout.ts';
 import type { Rows } from '../sim/rows.ts';
 import { bakedPuffs } from '../smoke/bakedPuffs.ts';
+import { toSmoke, type Placement } from './frame.ts';
 import type { BallAt } from './proxies.ts';
-import { isShown } from './shown.ts';
+import { newPose } from './shapes.ts';
 
 /** Maximum number of proxy balls for deforming or open objects. */
 const MAX_BALLS = 512;
@@ -63,11 +64,14 @@ export class BallVolumes {
     if (this.groups.delete(group)) this.count -= group.balls.length;
   }
 
-  /** @param scene the rendered scene; objects that are hidden or outside it cast no shadow */
-  draw(renderer: WebGLRenderer, scene: Object3D): void {
+  /**
+   * @param scene the rendered scene; objects that are hidden or outside it cast no shadow
+   * @param placement of the smoke in the world
+   */
+  draw(renderer: WebGLRenderer, scene: Object3D, placement: Placement): void {
     const balls = [...this.groups].flatMap((group) => (isShown(group.object, scene) ? group.balls : []));
     if (balls.length === 0) return;
-    this.rows.fill(this.rowsOf(balls));
+    this.rows.fill(this.rowsOf(balls, placement));
     this.volumes.draw(renderer, this.rows.geometry);
   }
 
@@ -82,13 +86,22 @@ export class BallVolumes {
     this.puffs.dispose();
   }
 
-  private rowsOf(balls: readonly BallAt[]): Rows {
+  private rowsOf(balls: readonly BallAt[], placement: Placement): Rows {
     const { place, attributes } = this;
     balls.forEach((ballAt, index) => {
       const { center, radius } = ballAt();
-      center.toArray(place, 4 * index);
-      place[4 * index + 3] = radius;
+      ball.position.copy(center);
+      toSmoke(ball, placement).position.toArray(place, 4 * index);
+      place[4 * index + 3] = radius / placement.scale;
     });
     return { count: balls.length, place, attributes };
   }
+}
+
+const ball = newPose();
+
+/** Whether an object is drawn with a scene: it is a descendant, and neither it nor an ancestor is hidden. */
+export function isShown(object: Object3D, scene: Object3D): boolean {
+  for (let at: Object3D | null = object; at?.visible; at = at.parent) if (at === scene) return true;
+  return false;
 }

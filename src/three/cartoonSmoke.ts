@@ -3,7 +3,6 @@ import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
@@ -14,10 +13,12 @@ import { fetchExtras } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import type { Style } from '../smoke/style.ts';
 import { Attachment } from './attachment.ts';
+import { Carrier } from './carrier.ts';
 import { Caster } from './caster.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
 import type { BurstOptions, EmitterOptions } from './emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, type EmitterHandle } from './emitters.ts';
+import { SmokeFrame, type SmokeSpace } from './frame.ts';
 import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost, markWith } from './hostFrame.ts';
@@ -25,6 +26,7 @@ import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
   hostStyle,
   requireChangeable,
+  requireSpace,
   startValues,
   type CartoonSmokeEvents,
   type CartoonSmokeOptions,
@@ -55,10 +57,13 @@ const FIRST = -1e9;
  * renderer.setAnimationLoop(() => { smoke.update(clock.getDelta()); renderer.render(scene, camera); });
  * ```
  *
- * Smoke is simulated in world space: the transform of this object has no effect. The event `error` reports what fails in
- * the render loop, which never throws. See {@link CartoonSmokeEvents}.
+ * The transform of this object carries the emitters, forces and obstacles of the parameter table. Puffs that exist stay in
+ * the world, or travel with the object if its {@link space} is `local`. A uniform scale enlarges the smoke. The event
+ * `error` reports what fails in the render loop, which never throws. See {@link CartoonSmokeEvents}.
  */
 export class CartoonSmoke extends Group<CartoonSmokeEvents> {
+  /** What its transform does to puffs that exist, as given to `create`. */
+  readonly space: SmokeSpace;
   private readonly device: Device;
   private readonly keyLight: KeyLight;
   private readonly onRelight: (isInShadow: boolean) => void;
@@ -68,6 +73,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly riders: Riders;
   private readonly emitters: EmitterPool;
   private readonly overrides: Overrides;
+  private readonly frame: SmokeFrame;
+  private readonly carrier: Carrier;
   private readonly attached = new Set<string>();
   /** Messages of the errors that were reported, each of which is reported once. */
   private readonly reported = new Set<string>();
@@ -84,6 +91,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private isDrawing = false;
   /** Whether its programs exist. The first frame compiles them, so that the first puff does not wait. */
   private hasDrawn = false;
+  private isPlaced = true;
   private isDisposed = false;
   private error: unknown;
   private drawn = NOTHING;
@@ -96,6 +104,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
     requireRenderer(options.renderer);
     requireKeyLight(options.keyLight);
+    requireSpace(options.space ?? 'world');
     const values = startValues(options);
     const device = borrowDevice(options.renderer);
     try {
@@ -126,12 +135,16 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.simulator = simulator;
     this.values = values;
     this.style = hostStyle(values);
-    this.riders = new Riders(simulator);
+    this.space = options.space ?? 'world';
+    this.frame = new SmokeFrame(this.space);
+    this.riders = new Riders(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.riders);
-    this.overrides = new Overrides(simulator, (key) => this.numberOf(key));
+    this.overrides = new Overrides(simulator, (key) => this.carrier.numberOf(key));
+    const { riders, overrides, frame } = this;
+    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
     this.handles = new Handles(this.owner());
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
-    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number, miss);
+    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number, frame, miss);
     this.puffs = new LivePuffs(values);
     this.showPuffs(this.puffs.finish());
     this.completion = completionOf(
@@ -154,12 +167,12 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * @throws ParameterError for an invalid option, or when the object contains no mesh
    */
   collide(object: Object3D, options: CollideOptions = {}): SmokeHandle {
-    this.requireAlive();
+    this.requirePlaced();
     if (!this.hasPhysics)
       throw new UnsupportedError('collide() does not work with physics: false. Remove that option.');
     requireCollideOptions(options);
     const Kind = options.feelsSmoke ? PushedObject : Collider;
-    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
+    return this.handles.add<Handle>(new Kind(this.simulator, this.frame, object, options));
   }
 
   /**
@@ -169,8 +182,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * @throws ParameterError when the object contains no mesh, or an open mesh without proxies
    */
   cast(object: Object3D, options: CastOptions = {}): SmokeHandle {
-    this.requireAlive();
-    const caster = this.handles.add(new Caster(this.passes.casters, object, options));
+    this.requirePlaced();
+    const caster = this.handles.add(new Caster(this.passes.casters, this.frame, object, options));
     this.markVisible();
     return caster;
   }
@@ -182,10 +195,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * @throws ParameterError for any other index, an unknown option or an invalid value
    */
   emitFrom(object: Object3D, emitter: EmitterOptions | number = 0): EmitterHandle {
-    this.requireAlive();
+    this.requirePlaced();
     if (typeof emitter === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, emitter));
-    const { simulator, overrides } = this;
-    const context = { simulator, overrides, set: (values: Values) => this.set(values) };
+    const { simulator, overrides, frame } = this;
+    const release = (item: string) => this.carrier.release(item);
+    const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
     return this.handles.add(new TableEmitter(context, object, emitter));
   }
 
@@ -195,7 +209,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    * @throws ParameterError for an unknown option or an invalid value
    */
   burst(options: BurstOptions): void {
-    this.requireAlive();
+    this.requirePlaced();
     this.emitters.burst(options);
   }
 
@@ -211,7 +225,7 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   override attach(object: Object3D): this;
   override attach(item: string | Object3D, object?: Object3D): SmokeHandle | this {
     if (typeof item === 'object' && object === undefined) return super.attach(item);
-    this.requireAlive();
+    this.requirePlaced();
     const { riders, overrides, attached } = this;
     return this.handles.add(new Attachment({ riders, overrides, attached }, item as string, object!));
   }
@@ -336,11 +350,6 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     };
   }
 
-  /** The simulator's number for a key of the table, without overrides. */
-  private numberOf(key: string): number {
-    return simulatorValues({ [key]: this.values[key] ?? findParameter(key)!.default })[key];
-  }
-
   /**
    * Draws everything except the marker mesh. Returns false where smoke cannot be drawn; the next `update` reports the
    * reason.
@@ -354,11 +363,12 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     }
     this.isDrawing = true;
     try {
-      const { origin, ...input } = this.lookFrom(renderer, camera);
+      const { origin, ...input } = this.lookFrom(renderer);
       const { keyLight, onRelight } = this;
-      const view = { renderer, scene, camera, keyLight, origin, onRelight };
-      receiversIn(scene, this.receivers);
-      this.drawn = drawIntoHost(this.passes, view, { ...input, receivers: this.receivers });
+      const placed = this.frame.view(this, camera, lightFrom(keyLight), receiversIn(scene, this.receivers));
+      const { scale } = this.frame.drawn;
+      const view = { renderer, scene, camera, keyLight, scale, origin, onRelight };
+      this.drawn = drawIntoHost(this.passes, view, { ...input, ...placed });
       this.hasDrawn = true;
       return true;
     } catch (failure) {
@@ -376,12 +386,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     if (!isVisible) this.drawn = NOTHING;
   }
 
-  private lookFrom(renderer: WebGLRenderer, camera: Camera) {
+  private lookFrom(renderer: WebGLRenderer) {
     const { x, y, z: width, w: height } = renderer.getCurrentViewport(this.viewport);
     return {
       simulator: this.simulator,
-      camera,
-      light: lightFrom(this.keyLight),
       style: this.style,
       blend: this.clock.blend,
       time: this.simulator.steps * STEP_SECONDS,
@@ -397,12 +405,25 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   private advance(steps: number): void {
     if (steps === 0) return;
+    this.place(steps);
     this.handles.look();
     for (let taken = 0; taken < steps; ++taken) {
       const [from, to] = [taken / steps, (taken + 1) / steps];
       this.handles.move(from, to);
+      this.carrier.place((from + to) / 2);
       this.riders.place(from, to);
       this.simulator.step();
+    }
+  }
+
+  /** Reads the transform of this object. Reports errors once, until it is sound again. */
+  private place(steps: number): void {
+    try {
+      this.carrier.look(this, steps, this.simulator.steps === 0);
+      this.isPlaced = true;
+    } catch (error) {
+      if (this.isPlaced) this.report(error);
+      this.isPlaced = false;
     }
   }
 
@@ -427,5 +448,11 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   private requireAlive(): void {
     if (this.isDisposed) throw new SimulatorError('This smoke was disposed; create a new one.');
+  }
+
+  /** Before the first step, calls place objects in the space that the smoke has now. */
+  private requirePlaced(): void {
+    this.requireAlive();
+    if (this.simulator.steps === 0) this.place(1);
   }
 }

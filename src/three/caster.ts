@@ -1,34 +1,43 @@
-import { Quaternion, Vector3, type Object3D } from 'three';
+import type { Object3D } from 'three';
 import type { HostCaster, HostCasters } from './casters.ts';
+import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import type { CastOptions } from './options.ts';
 import { requireProxies } from './proxies.ts';
 import { requireKnown } from './requirements.ts';
 import { worldPose } from './riders.ts';
-import type { Pose } from './shapes.ts';
+import { newPose } from './shapes.ts';
 
 /** An object of the host's scene that casts shadow volumes. */
 export class Caster extends Handle {
   private readonly casters: HostCasters;
+  private readonly frame: SmokeFrame;
   private readonly options: CastOptions;
   private added: readonly HostCaster[] = [];
+  /** Scale of the smoke for which its volumes were made. */
+  private scale = 1;
 
   /** @throws ParameterError for an unknown option or a proxy without a radius */
-  constructor(casters: HostCasters, object: Object3D, options: CastOptions) {
+  constructor(casters: HostCasters, frame: SmokeFrame, object: Object3D, options: CastOptions) {
     super('cast', object);
     requireKnown('cast', options, ['proxies']);
     requireProxies('cast', options.proxies);
     this.casters = casters;
+    this.frame = frame;
     this.options = options;
   }
 
   protected start(): void {
-    this.follow();
+    this.requireSound(worldPose(this.object, pose));
+    this.scale = this.frame.now.scale;
     this.added = this.casters.add(this.object, this.options.proxies);
   }
 
   protected override follow(): void {
     this.requireSound(worldPose(this.object, pose));
+    if (this.frame.now.scale === this.scale) return;
+    this.stop();
+    this.start();
   }
 
   protected stop(): void {
@@ -36,4 +45,4 @@ export class Caster extends Handle {
   }
 }
 
-const pose: Pose = { position: new Vector3(), rotation: new Quaternion() };
+const pose = newPose();

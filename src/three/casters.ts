@@ -1,6 +1,5 @@
 import {
   Matrix4,
-  Quaternion,
   Vector3,
   type Mesh,
   type Object3D,
@@ -14,10 +13,10 @@ import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
-import { BallVolumes, type BallsOf } from './ballVolumes.ts';
+import { BallVolumes, isShown, type BallsOf } from './ballVolumes.ts';
+import { toSmoke, type SmokeFrame } from './frame.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
-import { poseOf, requireGeometry, scaleOf, trianglesOf, type Pose } from './shapes.ts';
-import { isShown } from './shown.ts';
+import { newPose, poseOf, requireGeometry, scaleOf, trianglesOf } from './shapes.ts';
 import { isBlended, materialsOf } from './materials.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
@@ -38,11 +37,14 @@ export type HostCaster = MeshCaster | BallsOf;
  */
 export class HostCasters {
   private readonly eye: FrameView;
+  private readonly frame: SmokeFrame;
   private readonly meshes = new Set<MeshCaster>();
   private readonly balls: BallVolumes;
 
-  constructor(device: Device, eye: FrameView) {
+  /** @param eye the view in the space of the smoke, which `frame` has */
+  constructor(device: Device, eye: FrameView, frame: SmokeFrame) {
     this.eye = eye;
+    this.frame = frame;
     this.balls = new BallVolumes(device, eye);
   }
 
@@ -84,14 +86,14 @@ export class HostCasters {
    * Draws mesh volumes first, whose stencil operations wrap. Ball volumes follow and clamp, like those of particles.
    */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
-    const pose: Pose = poseScratch;
+    const { drawn } = this.frame;
     for (const { mesh, transforms, volume } of this.meshes) {
       if (!isShown(mesh, scene)) continue;
-      poseOf(mesh.matrixWorld, pose);
+      toSmoke(poseOf(mesh.matrixWorld, pose), drawn);
       transforms.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
       volume.draw(renderer);
     }
-    this.balls.draw(renderer, scene);
+    this.balls.draw(renderer, scene, drawn);
   }
 
   /** Frees the GPU resources. The next draw recreates them. */
@@ -109,7 +111,8 @@ export class HostCasters {
     requireGeometry('cast', mesh);
     const balls = ballsOf(mesh);
     if (balls.length > 0) return this.balls.add(balls, mesh);
-    const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld));
+    const scale = scaleOf(mesh.matrixWorld).divideScalar(this.frame.now.scale);
+    const triangles = trianglesOf(mesh.geometry, scale);
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
       const transforms = new SurfaceTransforms(1);
@@ -124,7 +127,7 @@ export class HostCasters {
 }
 
 const world = new Matrix4();
-const poseScratch: Pose = { position: new Vector3(), rotation: new Quaternion() };
+const pose = newPose();
 
 function openMesh({ name, type }: Mesh): ParameterError {
   return new ParameterError(

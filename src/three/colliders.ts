@@ -1,12 +1,13 @@
-import { Matrix4, Quaternion, Vector3, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
+import { Matrix4, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh, type Vector3 } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
+import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import { boneBalls, follow, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
 import { requireKnown } from './requirements.ts';
 import { worldPose } from './riders.ts';
-import { poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.ts';
+import { newPose, poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Options for collisions with an object. */
 export interface CollideOptions extends RigidSurface {
@@ -37,12 +38,16 @@ interface Follower {
  */
 export class Collider extends Handle {
   private readonly simulator: Simulator;
+  private readonly frame: SmokeFrame;
   private readonly options: CollideOptions;
   private followers: Follower[] = [];
+  /** Scale of the smoke for which its shapes were made. */
+  private scale = 1;
 
-  constructor(simulator: Simulator, object: Object3D, options: CollideOptions) {
+  constructor(simulator: Simulator, frame: SmokeFrame, object: Object3D, options: CollideOptions) {
     super('collide', object);
     this.simulator = simulator;
+    this.frame = frame;
     this.options = { ...options };
   }
 
@@ -65,6 +70,7 @@ export class Collider extends Handle {
     const { object } = this;
     const { proxies, feelsSmoke: _push, ...surface } = this.options;
     object.updateWorldMatrix(true, true);
+    this.scale = this.frame.now.scale;
     try {
       if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
       else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
@@ -77,9 +83,14 @@ export class Collider extends Handle {
   }
 
   protected override follow(): void {
+    if (this.frame.hasJumped || this.frame.now.scale !== this.scale) {
+      // A rigid that moves there would sweep the smoke along, and its shape has the scale of the smoke.
+      this.stop();
+      return this.start();
+    }
     for (const follower of this.followers) {
       [follower.before, follower.now] = [follower.now, follower.before];
-      this.requireSound(follower.locate(follower.now));
+      this.requireSound(this.frame.toSmoke(follower.locate(follower.now)));
     }
   }
 
@@ -95,7 +106,7 @@ export class Collider extends Handle {
     } else if ('isInstancedMesh' in mesh) {
       this.addInstances(mesh as InstancedMesh, surface);
     } else {
-      const shape = shapeOf(mesh.geometry, scaleOf(mesh.matrixWorld));
+      const shape = shapeOf(mesh.geometry, this.scaleIn(mesh.matrixWorld));
       this.addRigid(shape, (into) => worldPose(mesh, into), surface);
     }
   }
@@ -108,7 +119,7 @@ export class Collider extends Handle {
       return world.premultiply(mesh.matrixWorld);
     };
     for (let index = 0; index < mesh.count; ++index) {
-      const shape = shapeOf(mesh.geometry, scaleOf(worldOf(index)));
+      const shape = shapeOf(mesh.geometry, this.scaleIn(worldOf(index)));
       this.addRigid(shape, (into) => poseOf(worldOf(index), into), surface);
     }
   }
@@ -117,13 +128,18 @@ export class Collider extends Handle {
     const locate = (into: Pose) => {
       follows.updateWorldMatrix(true, false);
       into.position.copy(ballAt().center);
+      into.rotation.identity();
       return into;
     };
-    this.addRigid({ type: 'ball', radius: ballAt().radius }, locate, surface);
+    this.addRigid({ type: 'ball', radius: ballAt().radius / this.frame.now.scale }, locate, surface);
+  }
+
+  private scaleIn(world: Matrix4): Vector3 {
+    return scaleOf(world).divideScalar(this.frame.now.scale);
   }
 
   private addRigid(shape: SingleShape, locate: Follower['locate'], surface: RigidSurface): void {
-    const now = locate(newPose());
+    const now = this.frame.toSmoke(locate(newPose()));
     this.requireSound(now);
     const position = now.position.toArray();
     const rotation = now.rotation.toArray();
@@ -133,10 +149,6 @@ export class Collider extends Handle {
 }
 
 const between = newPose();
-
-function newPose(): Pose {
-  return { position: new Vector3(), rotation: new Quaternion() };
-}
 
 /** @throws ParameterError for an unknown option, a proxy without a radius or an invalid strength of the push */
 export function requireCollideOptions(options: CollideOptions): void {

@@ -1,8 +1,10 @@
-import type { Vector3Like } from 'three';
+import { Vector3, type Vector3Like } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { accepted, type ChoiceParameter, type NumberParameter } from '../preset/parameter.ts';
 import { table } from '../preset/table.ts';
 import { isAccepted } from '../preset/values.ts';
+import type { SmokeFrame } from './frame.ts';
+import { newPose } from './shapes.ts';
 
 /** How an emitter emits. Lengths are in metres; see `emitters.#` in the parameter table for each value and its range. */
 export interface PuffOptions {
@@ -68,8 +70,7 @@ const PUFF_KEYS =
   'shape radius inner extent speed speedVariation spread size sizeVariation lifetime lifetimeVariation temperature tint'.split(
     ' ',
   );
-/** Largest length of a direction's component. */
-const AXES = ['x', 'y', 'z'] as const;
+export const AXES = ['x', 'y', 'z'] as const;
 const MAX_COUNT = 20_000;
 const ALL_DIRECTIONS = Math.PI;
 
@@ -124,16 +125,34 @@ const burst = BURST_NUMBERS.slice();
 
 /**
  * Numbers of the emitter of a burst, in an array that the next call overwrites.
+ * @param frame where the position and the direction are in the world
  * @throws ParameterError for an unknown option or an invalid value
  */
-export function burstNumbers(options: BurstOptions): Float64Array {
+export function burstNumbers(options: BurstOptions, frame?: SmokeFrame): Float64Array {
   burst.set(BURST_NUMBERS);
-  write('burst', options, BURST_FIELDS, burst, 'count');
+  write('burst', frame?.isMoved ? placedIn(options, frame) : options, BURST_FIELDS, burst, 'count');
   requireCount('burst', options.count);
   if (options.position === undefined)
     throw new ParameterError('burst.position', undefined, 'a vector x, y, z in metres');
   if (options.direction === undefined && options.spread === undefined) burst[SPREAD] = ALL_DIRECTIONS;
   return burst;
+}
+
+/** The options in the space of the smoke. Invalid vectors stay as they are. */
+function placedIn(options: BurstOptions, frame: SmokeFrame): BurstOptions {
+  const { position, direction } = options;
+  const moved = { ...options };
+  if (isObject(position)) moved.position = frame.toSmoke({ ...newPose(), position: copyOf(position) }).position;
+  if (isObject(direction)) moved.direction = frame.rotate(copyOf(direction));
+  return moved;
+}
+
+function isObject(given: unknown): given is Vector3Like {
+  return typeof given === 'object' && given !== null;
+}
+
+function copyOf({ x, y, z }: Vector3Like): Vector3 {
+  return new Vector3(x, y, z);
 }
 
 /** @throws ParameterError unless `count` is a number of puffs */

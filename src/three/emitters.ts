@@ -1,4 +1,4 @@
-import { Quaternion, Vector3, type Object3D } from 'three';
+import { Vector3, type Object3D } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { LIST_LIMIT } from '../preset/lists.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -14,8 +14,9 @@ import {
 } from './emitterOptions.ts';
 import { Handle, type SmokeHandle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
-import { followObject, worldPose, type Rider, type Riders } from './riders.ts';
-import type { Pose } from './shapes.ts';
+import type { SmokeFrame } from './frame.ts';
+import { worldPose, type Rider, type Riders } from './riders.ts';
+import { newPose } from './shapes.ts';
 
 /** What `emitFrom` returns. */
 export interface EmitterHandle extends SmokeHandle {
@@ -64,7 +65,7 @@ export class EmitterPool {
 
   /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
   burst(options: BurstOptions): void {
-    const numbers = burstNumbers(options);
+    const numbers = burstNumbers(options, this.riders.frame);
     const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
     this.simulator.setEmitter(index, numbers, options.count);
   }
@@ -80,7 +81,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   constructor(pool: EmitterPool, object: Object3D, options: EmitterOptions) {
     super('emitFrom', object);
     this.numbers = emitterNumbers('emitFrom', options);
-    this.requireSound(worldPose(object, pose));
+    this.requireSound(pool.riders.frame.toSmoke(worldPose(object, pose)));
     this.pool = pool;
     this.index = pool.take();
   }
@@ -98,14 +99,17 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   }
 
   protected start(): void {
-    this.requireSound(worldPose(this.object, pose));
-    this.rider = this.pool.riders.add(pose);
+    const { riders } = this.pool;
+    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
+    this.rider = riders.add(pose);
     this.numbers[RIGID] = this.rider.number;
     this.write();
   }
 
   protected override follow(): void {
-    this.requireSound(followObject(this.rider!, this.object));
+    const { riders } = this.pool;
+    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
+    riders.follow(this.rider!, pose);
   }
 
   protected stop(): void {
@@ -127,6 +131,9 @@ export class PooledEmitter extends Handle implements EmitterHandle {
 export interface TableContext {
   readonly simulator: Simulator;
   readonly overrides: Overrides;
+  readonly frame: SmokeFrame;
+  /** Takes an item of the table from what carries it. */
+  release(item: string): void;
   /** Changes values of the parameter table. */
   set(values: Values): void;
 }
@@ -135,7 +142,6 @@ export interface TableContext {
 export class TableEmitter extends Handle implements EmitterHandle {
   private readonly context: TableContext;
   private readonly emitter: number;
-  private readonly position = new Vector3();
   private readonly direction = new Vector3();
 
   /** @param emitter index from 0 to 7 */
@@ -165,11 +171,12 @@ export class TableEmitter extends Handle implements EmitterHandle {
 
   protected start(): void {
     this.follow();
+    this.context.release(`emitters.${this.emitter}`);
     this.context.overrides.unmute(`emitters.${this.emitter}`);
   }
 
   protected override follow(): void {
-    this.requireSound(worldPose(this.object, pose), MAX_PLACE);
+    this.requireSound(this.context.frame.toSmoke(worldPose(this.object, pose)), MAX_PLACE);
   }
 
   protected stop(): void {
@@ -177,10 +184,11 @@ export class TableEmitter extends Handle implements EmitterHandle {
   }
 
   private write(): void {
-    const { object, emitter, position, direction } = this;
-    object.updateWorldMatrix(true, false);
-    position.setFromMatrixPosition(object.matrixWorld);
+    const { object, emitter, direction } = this;
+    const { frame } = this.context;
+    const { position } = frame.toSmoke(worldPose(object, pose));
     direction.set(0, 1, 0).transformDirection(object.matrixWorld);
+    if (frame.isMoved) frame.rotate(direction);
     const key = `emitters.${emitter}`;
     this.context.simulator.set({
       ...vectorValues(`${key}.position`, position),
@@ -189,7 +197,7 @@ export class TableEmitter extends Handle implements EmitterHandle {
   }
 }
 
-const pose: Pose = { position: new Vector3(), rotation: new Quaternion() };
+const pose = newPose();
 
 /** @throws ParameterError when there is no emitter with this index */
 function requireEmitter(emitter: number): void {

@@ -28,7 +28,7 @@ export function drawIntoHost(passes: HostPasses, view: HostView, input: FrameInp
   const state = new RendererState(renderer);
   state.hold();
   try {
-    const { camera: straight, oblique } = straightened(camera);
+    const { camera: straight, oblique } = straightened(input.camera);
     const { casters, ...arranged } = arrangeFrame(smoke.passes, smoke.prepare({ ...input, camera: straight }));
     const size = new Vector2(input.width, input.height);
     const origin = own ? new Vector2() : view.origin;

@@ -3,6 +3,7 @@ import { InsertPass } from '../passes/insert.ts';
 import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
+import type { SmokeFrame } from './frame.ts';
 import { HostDepth } from './hostDepth.ts';
 import { LateStencil } from './target/lateStencil.ts';
 import type { LoadError } from '../preset/errors.ts';
@@ -20,12 +21,13 @@ export class HostPasses {
 
   /**
    * @param capacity maximum number of particles
+   * @param frame the space of the smoke
    * @param miss called with the error, if the code for targets without stencil cannot be loaded
    */
-  constructor(device: Device, capacity: number, miss: (error: LoadError) => void) {
+  constructor(device: Device, capacity: number, frame: SmokeFrame, miss: (error: LoadError) => void) {
     this.smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
     const { eye } = this.smoke.passes;
-    this.casters = new HostCasters(device, eye);
+    this.casters = new HostCasters(device, eye, frame);
     this.insert = new InsertPass(eye);
     this.ownStencil = new LateStencil(eye, miss);
   }

@@ -4,6 +4,7 @@ import type { Values } from '../preset/parameter.ts';
 import { findPreset, presets } from '../preset/presets.ts';
 import { defaults, validate } from '../preset/values.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
+import type { SmokeSpace } from './frame.ts';
 import type { KeyLight } from './keyLight.ts';
 import type { ProxyBall } from './proxies.ts';
 
@@ -19,6 +20,11 @@ export interface CartoonSmokeOptions {
   values?: Values;
   /** Whether objects can collide with smoke, which loads the larger simulator. Default true. */
   physics?: boolean;
+  /**
+   * What the transform of the smoke object does to puffs that exist: in `world` (default) they stay where they are, in
+   * `local` they travel with it.
+   */
+  space?: SmokeSpace;
   /** Called before and after the opaque objects are drawn again in shadow, for shaders with custom lighting. */
   onRelight?: (isInShadow: boolean) => void;
 }
@@ -28,8 +34,8 @@ export interface CartoonSmokeEvents extends Object3DEventMap {
   /**
    * Something failed that no caller can catch, and smoke continues without it. LoadError: a resource could not be
    * fetched; emitted once each time that values start to require it. UnsupportedError: smoke cannot be drawn into a view;
-   * once for each reason. ParameterError: a handle pauses, because its object has a transform that is not finite; once
-   * until the object is sound again. SimulatorError: the simulator has stopped.
+   * once for each reason. ParameterError: the transform of the smoke is invalid, which keeps the last valid one, or a handle
+   * pauses, because its object has a transform that is not finite; once until the object is sound again. SimulatorError: the simulator has stopped.
    */
   error: { readonly error: SmokeError };
 }
@@ -54,6 +60,13 @@ export interface CartoonSmokeStats {
 
 /** Without other values the first emitter is a small disc at the origin that emits upwards. */
 const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
+const SPACES = ['world', 'local'];
+
+/** @throws ParameterError for an unknown space */
+export function requireSpace(space: SmokeSpace): void {
+  if (!SPACES.includes(space)) throw new ParameterError('space', space, SPACES.join(' or '));
+}
+
 /** Keys that only `create` takes. */
 export const AT_CREATION = ['seed', 'simulation.maxParticles'];
 

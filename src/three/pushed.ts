@@ -1,15 +1,18 @@
-import { Matrix4, Quaternion, Vector3, type Mesh, type Object3D } from 'three';
+import { Matrix4, Vector3, type Mesh, type Object3D } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { POSE_FLOATS } from '../sim/layout.ts';
 import type { RigidPart, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { errorOfOption, type CollideOptions } from './colliders.ts';
+import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import { worldPose } from './riders.ts';
-import { poseOf, requireGeometry, shapeOf, type Pose } from './shapes.ts';
+import { newPose, poseOf, requireGeometry, shapeOf, type Pose } from './shapes.ts';
 
 /** Density of light things such as paper lanterns, kg/m3. */
 const LIGHT = 3;
+/** Largest distance, in metres and in the components of a quaternion, that is rounding. */
+const ROUNDING = 1e-5;
 
 /**
  * A light object that falls, collides and is pushed by smoke. The simulator moves it. Its meshes together are one rigid;
@@ -17,39 +20,48 @@ const LIGHT = 3;
  */
 export class PushedObject extends Handle {
   private readonly simulator: Simulator;
+  private readonly frame: SmokeFrame;
   private readonly options: CollideOptions;
   private rigid = -1;
+  /** Scale of the smoke for which its shape was made. */
+  private scale = 1;
   private poses: Float32Array = new Float32Array(POSE_FLOATS);
-  /** The pose that the host last saw. Any other pose is a move by the host. */
+  /** The poses in the world and in the smoke that the host last saw. Any other pose is a move by the host. */
   private readonly written = newPose();
+  private readonly inSmoke = newPose();
   private readonly now = newPose();
 
-  constructor(simulator: Simulator, object: Object3D, options: CollideOptions) {
+  constructor(simulator: Simulator, frame: SmokeFrame, object: Object3D, options: CollideOptions) {
     super('collide', object);
     if (options.proxies)
       throw new ParameterError('collide.proxies', 'proxies', 'no value for an object that feels smoke');
     this.simulator = simulator;
+    this.frame = frame;
     this.options = { ...options };
   }
 
   override show(blend: number): void {
-    const { object, written } = this;
+    const { object, written, frame } = this;
     if (!this.isActive) return;
     this.poses = this.simulator.rigidPoses(blend, this.poses);
     const first = POSE_FLOATS * this.rigid;
     written.position.fromArray(this.poses, first);
     written.rotation.fromArray(this.poses, first + 3);
+    frame.toWorld(written);
     world.compose(written.position, written.rotation, object.getWorldScale(scale));
     if (object.parent) world.premultiply(own.copy(object.parent.matrixWorld).invert());
     world.decompose(object.position, object.quaternion, object.scale);
     // Read back, so that rounding is no move.
     worldPose(object, written);
+    this.note();
   }
 
   protected start(): void {
     const { feelsSmoke, density = LIGHT, ...surface } = this.options;
-    const { position, rotation } = worldPose(this.object, this.now);
-    this.requireSound(this.now);
+    worldPose(this.object, this.written);
+    this.note();
+    const { position, rotation } = this.inSmoke;
+    this.requireSound(this.inSmoke);
     const shape = { type: 'compound', parts: this.parts() } as const;
     const placed = { position: position.toArray(), rotation: rotation.toArray() };
     const push = { feelsSmoke: Number(feelsSmoke), density };
@@ -58,14 +70,19 @@ export class PushedObject extends Handle {
     } catch (error) {
       throw errorOfOption(error);
     }
-    this.written.position.copy(position);
-    this.written.rotation.copy(rotation);
   }
 
   protected override follow(): void {
-    const { position, rotation } = worldPose(this.object, this.now);
-    this.requireSound(this.now);
-    if (position.equals(this.written.position) && rotation.equals(this.written.rotation)) return;
+    const { frame, written, inSmoke, now } = this;
+    if (frame.now.scale !== this.scale) {
+      this.stop();
+      return this.start();
+    }
+    const { position, rotation } = worldPose(this.object, now);
+    const isWhereItWas = position.equals(written.position) && rotation.equals(written.rotation);
+    this.requireSound(frame.toSmoke(now));
+    // Local smoke takes it along, if the host does not.
+    if (isWhereItWas || (frame.isMoved && isNear(now, inSmoke))) return;
     this.simulator.moveRigid(this.rigid, position.toArray(), rotation.toArray());
   }
 
@@ -73,11 +90,20 @@ export class PushedObject extends Handle {
     this.simulator.removeRigid(this.rigid);
   }
 
+  private note(): void {
+    this.inSmoke.position.copy(this.written.position);
+    this.inSmoke.rotation.copy(this.written.rotation);
+    this.frame.toSmoke(this.inSmoke);
+  }
+
   /** The meshes of the object, in its space without its scale. */
   private parts(): RigidPart[] {
-    const { object, now } = this;
+    const { object, written } = this;
+    const { scale: size } = this.frame.now;
+    this.scale = size;
     object.updateWorldMatrix(true, true);
-    const inverse = new Matrix4().compose(now.position, now.rotation, new Vector3(1, 1, 1)).invert();
+    const sizes = new Vector3(size, size, size);
+    const inverse = new Matrix4().compose(written.position, written.rotation, sizes).invert();
     const parts: RigidPart[] = [];
     object.traverse((part) => {
       if (!('isMesh' in part)) return;
@@ -97,8 +123,10 @@ const own = new Matrix4();
 const scale = new Vector3();
 const place = newPose();
 
-function newPose(): Pose {
-  return { position: new Vector3(), rotation: new Quaternion() };
+/** Whether two poses differ by rounding only. */
+function isNear(one: Pose, other: Pose): boolean {
+  const alignment = Math.abs(one.rotation.dot(other.rotation));
+  return one.position.distanceTo(other.position) <= ROUNDING && alignment >= 1 - ROUNDING;
 }
 
 /** A sheet of triangles has no mass. */

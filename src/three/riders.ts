@@ -1,13 +1,12 @@
-import { Quaternion, Vector3, type Object3D } from 'three';
+import type { Object3D } from 'three';
 import { FIRST_PART, POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import { poseOf, type Pose } from './shapes.ts';
+import { TELEPORT, type SmokeFrame } from './frame.ts';
+import { copyOf, newPose, poseOf, type Pose } from './shapes.ts';
 
 /** Numbers of a part: its carrier, -1 for none, and its pose. */
 const PART_FLOATS = 1 + POSE_FLOATS;
 const STILL = [-1, 0, 0, 0, 0, 0, 0, 1];
-/** A rider that moves farther in a step, in metres, is there at once and leaves no trail: 120 m/s. */
-const TELEPORT = 2;
 
 /** An object that emitters and forces of the simulator ride on, as a part. */
 export interface Rider {
@@ -19,23 +18,21 @@ export interface Rider {
 
 /** The parts of the simulator that follow objects of the host's scene. Numbers of removed riders are reused. */
 export class Riders {
+  readonly frame: SmokeFrame;
   private readonly simulator: Simulator;
   private readonly riders: (Rider | undefined)[] = [];
   private readonly numbers: number[] = [];
 
-  constructor(simulator: Simulator) {
+  constructor(simulator: Simulator, frame: SmokeFrame) {
     this.simulator = simulator;
+    this.frame = frame;
   }
 
   /** Adds a rider that rests at a pose. */
-  add({ position, rotation }: Pose): Rider {
+  add(pose: Pose): Rider {
     const free = this.riders.indexOf(undefined);
     const slot = free < 0 ? this.riders.length : free;
-    const rider = {
-      number: FIRST_PART + slot,
-      now: { position: position.clone(), rotation: rotation.clone() },
-      before: { position: position.clone(), rotation: rotation.clone() },
-    };
+    const rider = { number: FIRST_PART + slot, now: copyOf(pose), before: copyOf(pose) };
     this.riders[slot] = rider;
     return rider;
   }
@@ -45,17 +42,28 @@ export class Riders {
     while (this.riders.length > 0 && !this.riders.at(-1)) this.riders.pop();
   }
 
-  /** Sets the poses of the next step. @param from, to fractions of the way between the last two poses */
+  /** Makes the current pose of a rider the previous one. */
+  follow(rider: Rider, { position, rotation }: Pose): void {
+    const { now, before } = rider;
+    before.position.copy(this.frame.hasJumped ? position : now.position);
+    before.rotation.copy(this.frame.hasJumped ? rotation : now.rotation);
+    now.position.copy(position);
+    now.rotation.copy(rotation);
+  }
+
+  /** Sets the poses of the next step, and the direction of up. @param from, to fractions of the way between the last two poses */
   place(from: number, to: number): void {
-    const { riders, numbers } = this;
-    if (riders.length === 0) return;
+    const { riders, numbers, frame } = this;
+    const up = frame.up((from + to) / 2);
+    if (riders.length === 0 && !up) return;
     numbers.length = 2 * PART_FLOATS * riders.length;
-    const farthest = TELEPORT / (to - from);
+    const farthest = TELEPORT / frame.now.scale / (to - from);
     riders.forEach((rider, slot) => {
       const isSudden = rider && rider.before.position.distanceTo(rider.now.position) > farthest;
       this.write(rider, slot, isSudden ? 1 : from);
       this.write(rider, riders.length + slot, isSudden ? 1 : to);
     });
+    if (up) numbers.push(up.x, up.y, up.z);
     this.simulator.placeParts(numbers);
   }
 
@@ -70,17 +78,10 @@ export class Riders {
   }
 }
 
-const between: Pose = { position: new Vector3(), rotation: new Quaternion() };
+const between = newPose();
 
 /** The current world pose of an object. */
 export function worldPose(object: Object3D, into: Pose): Pose {
   object.updateWorldMatrix(true, false);
   return poseOf(object.matrixWorld, into);
-}
-
-/** Makes the current pose the previous one and reads the object again. */
-export function followObject(rider: Rider, object: Object3D): Pose {
-  rider.before.position.copy(rider.now.position);
-  rider.before.rotation.copy(rider.now.rotation);
-  return worldPose(object, rider.now);
 }

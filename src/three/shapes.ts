@@ -9,6 +9,14 @@ export interface Pose {
   rotation: Quaternion;
 }
 
+export function newPose(): Pose {
+  return { position: new Vector3(), rotation: new Quaternion() };
+}
+
+export function copyOf({ position, rotation }: Pose): Pose {
+  return { position: position.clone(), rotation: rotation.clone() };
+}
+
 const scratch = new Vector3();
 const other = new Vector3();
 

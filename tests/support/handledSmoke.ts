@@ -1,15 +1,16 @@
 /** The handles of a smoke of src/three without a renderer. */
 import { Group, Scene, type Object3D } from 'three';
 import type { Values } from '../../src/preset/parameter.ts';
-import { findParameter } from '../../src/preset/table.ts';
 import { ALL_THAT_LIVES } from '../../src/sim/view.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/layout.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
+import { Carrier } from '../../src/three/carrier.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
 import type { EmitterOptions } from '../../src/three/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
+import { SmokeFrame, type SmokeSpace } from '../../src/three/frame.ts';
 import { Handles, type Handle } from '../../src/three/handle.ts';
 import { Overrides } from '../../src/three/overrides.ts';
 import { PushedObject } from '../../src/three/pushed.ts';
@@ -35,18 +36,22 @@ export class HandledSmoke {
   private readonly handles;
   private readonly riders;
   private readonly overrides;
+  private readonly frameOfSmoke;
+  private readonly carrier: Carrier;
   private readonly attached = new Set<string>();
   private values: Values;
 
-  constructor(factory: SimulatorFactory, values: Values = STILL, capacity = 4000) {
+  constructor(factory: SimulatorFactory, values: Values = STILL, capacity = 4000, space: SmokeSpace = 'world') {
     this.values = values;
     this.simulator = factory.create({ capacity, seed: 7 });
     this.simulator.set(simulatorValues(values));
     this.scene.add(this.object);
-    this.riders = new Riders(this.simulator);
+    this.frameOfSmoke = new SmokeFrame(space);
+    this.riders = new Riders(this.simulator, this.frameOfSmoke);
     this.pool = new EmitterPool(this.simulator, this.riders);
-    const numberOf = (key: string) => simulatorValues({ [key]: this.values[key] ?? findParameter(key)!.default })[key];
-    this.overrides = new Overrides(this.simulator, numberOf);
+    this.overrides = new Overrides(this.simulator, (key) => this.carrier.numberOf(key));
+    const { simulator, riders, overrides, frameOfSmoke: frame } = this;
+    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
     const isAlive = () => this.isAlive;
     this.handles = new Handles({
       object: this.object,
@@ -70,29 +75,43 @@ export class HandledSmoke {
   }
 
   emitFrom(object: Object3D, options: EmitterOptions | number = {}) {
+    this.place();
     if (typeof options === 'object') return this.handles.add(new PooledEmitter(this.pool, object, options));
-    const { simulator, overrides } = this;
-    return this.handles.add(
-      new TableEmitter({ simulator, overrides, set: (values) => this.set(values) }, object, options),
-    );
+    const { simulator, overrides, frameOfSmoke: frame } = this;
+    const release = (item: string) => this.carrier.release(item);
+    const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
+    return this.handles.add(new TableEmitter(context, object, options));
   }
 
   collide(object: Object3D, options: CollideOptions = {}) {
+    this.place();
     requireCollideOptions(options);
     const Kind = options.feelsSmoke ? PushedObject : Collider;
-    return this.handles.add<Handle>(new Kind(this.simulator, object, options));
+    return this.handles.add<Handle>(new Kind(this.simulator, this.frameOfSmoke, object, options));
   }
 
   attach(item: string, object: Object3D) {
+    this.place();
     const { riders, overrides, attached } = this;
     return this.handles.add(new Attachment({ riders, overrides, attached }, item, object));
   }
 
-  /** One frame of `count` steps. */
+  /** Reads the transform before the first step. */
+  place(): void {
+    if (this.simulator.steps === 0) this.carrier.look(this.object, 1, true);
+  }
+
+  /** One frame of `count` steps. An invalid transform is an error of {@link errors}. */
   frame(count = 1): void {
+    try {
+      this.carrier.look(this.object, count, this.simulator.steps === 0);
+    } catch (error) {
+      this.errors.push(error);
+    }
     this.handles.look();
     for (let step = 0; step < count; step++) {
       this.handles.move(step / count, (step + 1) / count);
+      this.carrier.place((step + 0.5) / count);
       this.riders.place(step / count, (step + 1) / count);
       this.simulator.step();
     }

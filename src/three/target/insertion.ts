@@ -14,6 +14,8 @@ export interface HostView {
   scene: Scene;
   camera: Camera;
   keyLight: KeyLight;
+  /** Metres of the scene in a metre of the smoke. */
+  scale: number;
   /** Origin of the viewport in its render target, in pixels. */
   origin: Vector2;
   /** Called before and after the scene is drawn again in shadow. */
@@ -63,7 +65,7 @@ export function insertSmoke(
   const { insert, pictures, smoke } = passes;
   const { renderer } = view;
   insert.setSmoke(pictures, smoke.passes.targets.depth, isLinearPicture(renderer));
-  insert.setFog(view.scene.fog);
+  insert.setFog(view.scene.fog, view.scale);
   countShadows(passes, view, casters);
   insert.drawLit(renderer);
   if (casters) drawShadow(view);
@@ -73,9 +75,9 @@ export function insertSmoke(
 }
 
 /** Inserts lit smoke into the bound framebuffer without stencil buffer, except its colour, which the marker draws. */
-export function insertLit({ insert, pictures, smoke }: InsertionPasses, { renderer, scene }: HostView): void {
+export function insertLit({ insert, pictures, smoke }: InsertionPasses, { renderer, scene, scale }: HostView): void {
   const { lit } = pictures;
   insert.setSmoke({ lit, unlit: lit, deep: lit }, smoke.passes.targets.depth, isLinearPicture(renderer));
-  insert.setFog(scene.fog);
+  insert.setFog(scene.fog, scale);
   insert.drawDepth(renderer);
 }

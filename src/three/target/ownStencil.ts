@@ -107,7 +107,7 @@ export class OwnStencil {
     viewportOrigin.value.copy(origin);
     const { texture } = this.target;
     insert.setSmoke({ lit: texture, unlit: texture, deep: texture }, targets.depth, true);
-    insert.setFog(view.scene.fog);
+    insert.setFog(view.scene.fog, view.scale);
     insert.drawDepth(renderer);
   }
 

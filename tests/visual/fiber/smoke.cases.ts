@@ -1,7 +1,7 @@
 /** `<Smoke>` and its handles in real React trees, beside the calls that they stand for. */
 import { useFrame } from '@react-three/fiber';
 import { Component, createElement as h, createRef, Fragment, type ReactNode } from 'react';
-import { DirectionalLight, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
+import { DirectionalLight, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
 import { Caster, Collider, Emitter, Smoke, type EmitterProps, type SmokeProps } from '../../../src/fiber.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
@@ -49,6 +49,34 @@ function scene(
     h('primitive', { object: keyLight }),
     h(Mounted),
   );
+}
+
+/** The place of `<Smoke>` in the world, moved, and the hash beside that of a smoke that calls put there. */
+export async function placed() {
+  const tree = await Tree.open();
+  const values = { ...VALUES, 'emission.rate': 60 };
+  const show = (x: number) => (events: Partial<SmokeProps>) =>
+    h(
+      'group',
+      { position: [0, 1, 0] },
+      h(Smoke, { keyLight, values, space: 'local', position: [x, 0, 0], rotation: [0.3, 0, 0], ...events }, h(Mounted)),
+    );
+  const smoke = await ready(tree, show(1));
+  const mounts = census.mounts;
+  tree.frames(10);
+  await tree.show(show(2)({}));
+  tree.frames(10);
+  const { x, y, z } = smoke.getWorldPosition(new Vector3());
+  const seen = [smoke.hash(), [x, y, z].join(), smoke.space, census.mounts - mounts];
+  await tree.end();
+  const renderer = makeRenderer();
+  const called = await CartoonSmoke.create({ renderer, keyLight, values, space: 'local' });
+  called.rotation.x = 0.3;
+  called.update(0);
+  for (let frame = 0; frame < 19; frame++) called.update(1 / 60);
+  const expected = [called.hash(), '2,1,0', 'local', 0];
+  called.dispose();
+  return [seen, expected];
 }
 
 /** The same scene and changes by components and by calls: hashes after each part, and whether the pictures are equal. */

@@ -20,6 +20,12 @@ for (const isStrict of [false, true]) {
   });
 }
 
+test('the placement of a smoke moves it, without creating it again', async ({ load }) => {
+  const cases = await load<Smoke>(SMOKE);
+  const [seen, expected] = await cases.evaluate((module) => module.placed());
+  expect(seen).toEqual(expected);
+});
+
 test('unmounting leaves no handle and no object on the GPU', async ({ load }) => {
   const cases = await load<Smoke>(SMOKE);
   const { seen, errors, isOut } = await cases.evaluate((module) => module.unmounted());

@@ -6,16 +6,19 @@
 
 use wide::f32x4;
 
-use crate::forces::force::{Force, ForceContext, Phase};
+use crate::forces::force::{Force, ForceContext, Phase, up_in};
 use crate::layout::parameters::forces::buoyancy::Buoyancy;
 use crate::layout::parameters::table::Parameters;
 use crate::layout::scope::Reach;
+use crate::math::simd::Vector4;
 use crate::particles::tile::{Columns, Tile};
 
 /// A buoyancy in one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel {
     acceleration: f32x4,
+    /// The direction of up; none for y.
+    up: Option<Vector4>,
     reach: Reach,
 }
 
@@ -30,7 +33,19 @@ impl Force for Buoyancy {
         }
         Some(Kernel {
             acceleration: f32x4::splat(acceleration),
+            up: up_in(context),
             reach: Reach::new(&self.scope, &context.now)?,
+        })
+    }
+
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
+        // Upright buoyancy costs less in `particle_motion`.
+        let up = up_in(context)?;
+        let acceleration = acceleration_per_temperature(context.parameters);
+        (acceleration > 0.0).then(|| Kernel {
+            acceleration: f32x4::splat(acceleration),
+            up: Some(up),
+            reach: Reach::everywhere(),
         })
     }
 
@@ -46,7 +61,11 @@ impl Force for Buoyancy {
         for kernel in kernels {
             kernel.reach.weigh(ahead, weight);
             for ((push, heat), weight) in push.iter_mut().zip(heat).zip(&*weight) {
-                push.y += kernel.acceleration * *heat * *weight;
+                let lift = kernel.acceleration * *heat * *weight;
+                match kernel.up {
+                    None => push.y += lift,
+                    Some(up) => *push += up * lift,
+                }
             }
         }
     }

@@ -67,6 +67,11 @@ pub struct TurbulenceState {
     pub phase: f64,
 }
 
+/// The direction of the world's up in all lanes; none for y.
+pub(crate) fn up_in(context: &ForceContext) -> Option<Vector4> {
+    context.now.parts.up.map(|up| Vector4::splat(up.into()))
+}
+
 /// Transforms a place (m) from `frame` to world space, in all lanes.
 pub(crate) fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
     let local = Vector::from(place.map(|metres| metres as f32));

@@ -34,6 +34,16 @@ impl Force for Gravity {
         })
     }
 
+    fn everywhere(context: &ForceContext) -> Option<Kernel> {
+        // Upright gravity costs less in `particle_motion`.
+        let up = context.now.parts.up?;
+        let acceleration = acceleration(context.parameters);
+        (acceleration > 0.0).then(|| Kernel {
+            acceleration: Vector4::splat((up * -acceleration).into()),
+            reach: Reach::everywhere(),
+        })
+    }
+
     fn act(kernels: &[Kernel], tile: &mut Tile) {
         tile.is_pushed = true;
         let Columns {

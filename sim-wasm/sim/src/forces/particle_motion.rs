@@ -42,7 +42,7 @@ pub struct ParticleMotion {
     step: u64,
 }
 
-/// Global accelerations. They are vertical: one number per particle.
+/// Global accelerations along y: one number per particle. Where up is another direction, forces replace them.
 struct Lift {
     gravity: f32x4,
     buoyancy: f32x4,
@@ -60,14 +60,15 @@ impl ParticleMotion {
     pub fn new(context: &ForceContext) -> Self {
         let parameters = context.parameters;
         let rate = drag::rate(parameters);
+        let upright = if context.now.parts.up.is_none() { 1.0 } else { 0.0 };
         Self {
             integrator: Integrator::from_parameter(parameters.simulation.integrator),
             forces: Forces::new(context),
             entrainment: Entrainment::new(parameters, context.now.dt),
             flow: FlowLaw::new(parameters),
             lift: Lift {
-                gravity: f32x4::splat(gravity::acceleration(parameters)),
-                buoyancy: f32x4::splat(buoyancy::acceleration_per_temperature(parameters)),
+                gravity: f32x4::splat(upright * gravity::acceleration(parameters)),
+                buoyancy: f32x4::splat(upright * buoyancy::acceleration_per_temperature(parameters)),
             },
             drag: Factors::new(rate, context.now.dt),
             rate: f32x4::splat(rate as f32),

@@ -1,6 +1,6 @@
 //! Wind: the air moves as a whole.
 //!
-//! u = w max(0, 1 + s (y - h)) + d g(t), for the mean velocity w (m/s), the shear s (1/m) about the height h (m), and
+//! u = w max(0, 1 + s (y - h)) + d g(t), for the height y, the mean velocity w (m/s), the shear s (1/m) about the height h (m), and
 //! gusts g along the direction d of the mean wind. The shear never reverses the wind.
 //!
 //! Gusts have the root mean square speed `gusts`. Their spectrum is flat up to the frequency 1 / `gustTime` and falls
@@ -12,7 +12,7 @@
 
 use wide::f32x4;
 
-use crate::forces::force::{Force, ForceContext, Phase, vector_in};
+use crate::forces::force::{Force, ForceContext, Phase, up_in, vector_in};
 use crate::layout::parameters::forces::wind::Wind;
 use crate::layout::parameters::item::Scope;
 use crate::layout::parameters::settings::Weather;
@@ -36,6 +36,8 @@ pub struct Kernel {
     gust: Vector4,
     shear: f32x4,
     height: f32x4,
+    /// The direction of up; none for y.
+    up: Option<Vector4>,
     reach: Reach,
 }
 
@@ -68,7 +70,8 @@ impl Force for Wind {
         for kernel in kernels {
             kernel.reach.weigh(ahead, weight);
             for ((flow, ahead), weight) in flow.iter_mut().zip(&*ahead).zip(&*weight) {
-                let factor = positive_part(f32x4::ONE + kernel.shear * (ahead.y - kernel.height));
+                let height = kernel.up.map_or(ahead.y, |up| up.dot(*ahead));
+                let factor = positive_part(f32x4::ONE + kernel.shear * (height - kernel.height));
                 *flow += (kernel.mean * factor + kernel.gust) * *weight;
             }
         }
@@ -98,6 +101,7 @@ impl Wind {
             gust: vector_in(frame, along.map(|component| component * speed)),
             shear: f32x4::splat(self.weather.shear as f32),
             height: f32x4::splat(self.weather.height as f32),
+            up: up_in(context),
             reach,
         }
     }

@@ -217,6 +217,11 @@ impl Rigids {
         self.follow_world(dt);
     }
 
+    /// Sets the unit vector against which gravity acts.
+    pub(crate) fn turn(&mut self, up: Vector) {
+        self.world.turn(up);
+    }
+
     /// First half of [`Rigids::advance`]: the step of the world.
     pub(crate) fn step_world(&mut self, dt: f32) {
         self.steps += 1;

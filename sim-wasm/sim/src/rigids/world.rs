@@ -1,4 +1,4 @@
-//! The physics world of Rapier. Gravity is 9.81 m/s2 downward.
+//! The physics world of Rapier. Gravity is 9.81 m/s2.
 
 use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
@@ -43,6 +43,18 @@ impl World {
         let mut physics = PhysicsWorld::new();
         physics.gravity = Vec3::new(0.0, GRAVITY, 0.0);
         Self { physics }
+    }
+
+    /// Sets the unit vector against which gravity acts. A change wakes all rigids.
+    pub fn turn(&mut self, up: Vector) {
+        let gravity = parrys(up) * GRAVITY;
+        if gravity == self.physics.gravity {
+            return;
+        }
+        self.physics.gravity = gravity;
+        for (_, body) in self.physics.bodies.iter_mut() {
+            body.wake_up(true);
+        }
     }
 
     /// Adds a rigid with at least one shape, each at its pose in the rigid.

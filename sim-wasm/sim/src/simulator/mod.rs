@@ -34,6 +34,8 @@ use crate::life;
 use crate::life::{Ageing, hold};
 use crate::math::hash::Hash;
 use crate::math::random::Random;
+#[cfg(feature = "rigids")]
+use crate::math::vector::Vector;
 use crate::particles::following::FlowLaw;
 use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::tiles;
@@ -172,6 +174,7 @@ impl Simulator {
         #[cfg(feature = "rigids")]
         {
             let radii = RadiusLaw::new(&self.parameters);
+            self.rigids.turn(self.parts.up.unwrap_or(Vector::Y));
             self.rigids.apply_smoke_forces(&mut self.particles, &radii, STEP as f32);
             self.rigids.step_world(STEP as f32);
         }

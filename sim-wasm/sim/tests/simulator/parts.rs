@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::{LIVELY, STEP, STILL, place, simulator, slip};
+use crate::common::{LIVELY, STEP, STILL, newborn, place, simulator, slip};
 use sim::Simulator;
 use sim::layout::scope::parts::{FIRST_PART, MAX_PARTS, PART_FLOATS};
 use sim::math::pose::{Pose, rotation_about};
@@ -219,10 +219,87 @@ fn invalid_poses_are_errors() {
     assert!(simulator.set(key, (FIRST_PART + MAX_PARTS) as f64).is_err());
 }
 
+/// Everything that reads the direction of up, in still air or in a wind across it.
+const VERTICAL: &[&[(&str, f64)]] = &[
+    &[("gravity.acceleration", 0.7)],
+    &[("buoyancy.acceleration", 1.5)],
+    &[("buoyancies.0.acceleration", 0.9), ("drag.rate", 1.0)],
+    &[("wind.shear", 0.8), ("wind.height", 0.3)],
+    &[("winds.0.shear", 0.6), ("winds.0.velocity.x", 0.1)],
+];
+
+/// Moves the x axis to z, y to x and z to y.
+fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [y, z, x]
+}
+
+#[test]
+fn what_is_vertical_follows_the_direction_of_up() {
+    for integrator in [0.0, 1.0] {
+        for settings in VERTICAL {
+            let run = |is_turned: bool| {
+                let integrators = [("simulation.integrator", integrator)];
+                let mut simulator = simulator(20, 1, &[STILL, &integrators, settings]);
+                simulator
+                    .set("forces.wind.x", if is_turned { 0.0 } else { 0.5 })
+                    .unwrap();
+                simulator
+                    .set("forces.wind.z", if is_turned { 0.5 } else { 0.0 })
+                    .unwrap();
+                if settings[0].0.starts_with("winds") {
+                    simulator
+                        .set("winds.0.velocity.x", if is_turned { 0.0 } else { 0.4 })
+                        .unwrap();
+                    simulator
+                        .set("winds.0.velocity.z", if is_turned { 0.4 } else { 0.0 })
+                        .unwrap();
+                }
+                for i in 0..6 {
+                    let place = [0.1 * i as f32, 0.3 * i as f32 - 0.5, 0.2];
+                    simulator.add(&newborn(if is_turned { turned(place) } else { place }));
+                }
+                for _ in 0..60 {
+                    if is_turned {
+                        simulator.place_parts(&[1.0, 0.0, 0.0]).unwrap();
+                    }
+                    simulator.step();
+                }
+                simulator
+            };
+            let (upright, tilted) = (run(false), run(true));
+            for (expected, place) in places(&upright).into_iter().zip(places(&tilted)) {
+                let off = (Vector::from(turned(expected)) - Vector::from(place)).length();
+                assert!(off < 1e-5, "{} is {off} m off", settings[0].0);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_direction_of_up_holds_for_one_step_and_is_a_unit_vector() {
+    let mut simulator = simulator(1, 1, &[STILL, &[("gravity.acceleration", 2.0)]]);
+    simulator.add(&newborn([0.0; 3]));
+    for wrong in [
+        vec![1.0],
+        vec![0.0; 3],
+        vec![0.0, 2.0, 0.0],
+        vec![f32::NAN, 0.0, 0.0],
+        vec![0.0, 1.0, 0.0, 0.0],
+    ] {
+        assert_eq!(simulator.place_parts(&wrong).unwrap_err().key, "parts");
+    }
+    simulator.place_parts(&[-1.0, 0.0, 0.0]).unwrap();
+    simulator.step();
+    let [x, y, _] = slip(&simulator, 0);
+    assert!((f64::from(x) - 2.0 * STEP).abs() < 1e-6 && y == 0.0);
+    simulator.step();
+    let [after, y, _] = slip(&simulator, 0);
+    assert!(after == x && (f64::from(y) + 2.0 * STEP).abs() < 1e-6);
+}
+
 #[cfg(feature = "rigids")]
 mod on_rigids {
     use super::*;
-    use crate::common::newborn;
     use sim::math::pose::product;
     use sim::rigids::{RigidDescription, RigidKind, RigidShape};
 
@@ -367,6 +444,21 @@ mod on_rigids {
             assert_eq!(run(nowhere), run(-1.0));
         }
         assert_ne!(run(0.0), run(-1.0));
+    }
+
+    #[test]
+    fn rigids_fall_against_the_direction_of_up() {
+        let mut simulator = simulator(1, 1, &[]);
+        let description = RigidDescription::new(RigidKind::Dynamic, SPECK, Pose::at(Vector::new(0.0, 2.0, 0.0)));
+        simulator.rigids_mut().add(description).unwrap();
+        for _ in 0..30 {
+            simulator.place_parts(&[0.0, 0.0, 1.0]).unwrap();
+            simulator.step();
+        }
+        let [x, y, z] = <[f32; 3]>::try_from(&simulator.rigids().poses()[7..10]).unwrap();
+        // Half a second, to the first order of Rapier's time step.
+        let fallen = 9.81 * 0.5 * 0.5 / 2.0;
+        assert!(x == 0.0 && y == 2.0 && (z + fallen).abs() < 0.03, "{x} {y} {z}");
     }
 
     #[test]

@@ -2,12 +2,13 @@
 //! attached to them.
 //!
 //! The caller sets their poses before each step. Poses hold for that step only: they are inputs, neither saved nor
-//! hashed.
+//! hashed. The direction of the world's up is another such input, for smoke whose space is not upright.
 
 use crate::layout::error::ParameterError;
 #[cfg(feature = "rigids")]
 use crate::math::pose::{Frame, product};
 use crate::math::pose::{POSE_FLOATS, Pose};
+use crate::math::vector::Vector;
 
 /// Number of the first part where a rigid's number is expected. Rigids have smaller numbers.
 pub const FIRST_PART: usize = 4096;
@@ -18,7 +19,7 @@ pub const PART_FLOATS: usize = 8;
 
 /// Maximum distance from the origin of the carrier or of the world (m).
 const MAX_COORDINATE: f32 = 1e4;
-/// Tolerance of the squared length of a quaternion.
+/// Tolerance of the squared length of a quaternion or a direction.
 const LENGTH_TOLERANCE: f32 = 1e-3;
 
 /// Poses of the parts in a step.
@@ -26,6 +27,8 @@ const LENGTH_TOLERANCE: f32 = 1e-3;
 pub struct Parts {
     /// The layout of [`Parts::place`].
     numbers: Vec<f32>,
+    /// The direction of the world's up in this step; none for y.
+    pub(crate) up: Option<Vector>,
     /// True between the start and the end of a step: the poses are in world space.
     is_stepping: bool,
 }
@@ -33,19 +36,22 @@ pub struct Parts {
 impl Parts {
     /// Sets the poses for the coming step: all parts at its start, then all parts at its end. Each part has 8 numbers:
     /// the rigid that carries it (-1: none), x, y, z (m) and the unit quaternion x, y, z, w. A pose is relative to the
-    /// carrier, or to the world without one. Within a step a part rotates by less than pi.
+    /// carrier, or to the world without one. Within a step a part rotates by less than pi. Three more numbers are the
+    /// unit vector against which gravity acts in this step, and along which smoke rises; y without them.
     ///
     /// # Errors
     /// More than [`MAX_PARTS`] parts, or an invalid pose; the previous poses stay.
     pub fn place(&mut self, numbers: &[f32]) -> Result<(), ParameterError> {
         let (parts, rest) = numbers.as_chunks::<PART_FLOATS>();
-        let are_pairs = parts.len() % 2 == 0 && rest.is_empty();
+        let up = rest.as_array::<3>().map(|up| Vector::from(*up));
+        let are_pairs = parts.len() % 2 == 0 && (rest.is_empty() || up.is_some_and(|up| is_unit(up.dot(up))));
         if parts.len() > 2 * MAX_PARTS || !are_pairs || !parts.iter().all(is_sound) {
             let count = numbers.len() as f64 / (2 * PART_FLOATS) as f64;
             return Err(ParameterError::out_of_range("parts", count, 0.0, MAX_PARTS as f64));
         }
         self.numbers.clear();
-        self.numbers.extend_from_slice(numbers);
+        self.numbers.extend_from_slice(parts.as_flattened());
+        self.up = up;
         Ok(())
     }
 
@@ -77,6 +83,7 @@ impl Parts {
     /// them.
     pub(crate) fn end(&mut self) {
         self.numbers.clear();
+        self.up = None;
         self.is_stepping = false;
     }
 
@@ -116,5 +123,9 @@ fn carried(carrier: &Pose, own: &Pose) -> Pose {
 fn is_sound([_, pose @ ..]: &[f32; PART_FLOATS]) -> bool {
     let Pose { position, rotation } = Pose::of_numbers(*pose);
     let square: f32 = rotation.iter().map(|part| part * part).sum();
-    position.length() <= MAX_COORDINATE && (square - 1.0).abs() <= LENGTH_TOLERANCE
+    position.length() <= MAX_COORDINATE && is_unit(square)
+}
+
+fn is_unit(square: f32) -> bool {
+    (square - 1.0).abs() <= LENGTH_TOLERANCE
 }
