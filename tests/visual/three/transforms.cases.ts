@@ -1,6 +1,7 @@
 /** Smoke whose object has a transform, in a host's scene. */
 import {
   BoxGeometry,
+  Fog,
   Group,
   Mesh,
   MeshStandardMaterial,
@@ -11,6 +12,7 @@ import {
   type Camera,
   type PerspectiveCamera,
 } from 'three';
+import { Reflector } from 'three/examples/jsm/objects/Reflector.js';
 import {
   changedPixels,
   differences,
@@ -28,8 +30,8 @@ import {
 } from './scene.ts';
 
 /**
- * Pixels that differ when the whole scene is elsewhere: floor, a box that casts, light, camera and smoke. As a control, those
- * that differ when the smoke is turned in it, or away.
+ * Pixels that differ when the whole scene is elsewhere: floor, mirror, fog, a box that casts, light, camera and smoke. As a
+ * control, those that differ when the smoke is turned in it, or away.
  */
 export async function together(kind: 'perspective' | 'orthographic'): Promise<Record<string, number>> {
   const [first, moved, large] = [
@@ -38,9 +40,11 @@ export async function together(kind: 'perspective' | 'orthographic'): Promise<Re
       rig.position.set(30, -12, 7);
       rig.rotation.set(0.8, -0.4, 2.1);
     }),
-    await pictures(kind, (rig, camera) => {
+    await pictures(kind, (rig, camera, fog) => {
       rig.scale.setScalar(2);
       enlarge(camera);
+      fog.near *= 2;
+      fog.far *= 2;
     }),
   ];
   const changed = (pixels: Pixels) => changedPixels(pixels, first.smoke, 8);
@@ -52,7 +56,7 @@ export async function together(kind: 'perspective' | 'orthographic'): Promise<Re
   };
 }
 
-async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCamera) => void) {
+async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCamera, fog: Fog) => void) {
   const host = emptyHost();
   if (kind === 'orthographic') {
     const camera = new OrthographicCamera(-2.2, 2.2, 1.6, -1.6, 0.1, 50);
@@ -65,16 +69,22 @@ async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCame
   floor.rotation.x = -Math.PI / 2;
   const box = new Mesh(new BoxGeometry(0.4, 0.4, 0.4), new MeshStandardMaterial({ color: '#30a060' }));
   box.position.set(0.55, 1.9, 0.5);
+  const mirror = new Reflector(new PlaneGeometry(3, 2), { textureWidth: WIDTH, textureHeight: HEIGHT });
+  mirror.position.set(0, 1, -1.5);
+  const fog = new Fog('#406080', 3, 12);
+  host.scene.fog = fog;
   host.scene.add(rig);
   const anchor = new Object3D();
   anchor.position.set(-0.7, 1.9, 0.5);
-  rig.add(floor, box, anchor, host.keyLight, host.keyLight.target, host.camera);
+  rig.add(floor, box, mirror, anchor, host.keyLight, host.keyLight.target, host.camera);
   const smoke = await smokeIn(host, { ...HANGING, 'style.gradient': 'height' }, { space: 'local' });
   rig.add(smoke);
   smoke.cast(box);
   smoke.cast(anchor, { proxies: [{ follows: anchor, radius: 0.2 }] });
-  move(rig, host.camera);
+  move(rig, host.camera, fog);
   smoke.step(4);
+  draw(host);
+  await smoke.complete();
   const shown = draw(host);
   smoke.rotation.y = 0.3;
   const rotated = draw(host);
