@@ -22,7 +22,7 @@ flat in float squeeze;
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
-#include ../lib/oblique.glsl
+#include ../insert/oblique.glsl
 
 const float FAR = 1e20;
 

@@ -23,7 +23,7 @@ const int LINEAR = 1;
 
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
-#include ../lib/oblique.glsl
+#include oblique.glsl
 #include ../lib/srgb.glsl
 
 float depthAt(ivec2 at) {

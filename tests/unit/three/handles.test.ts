@@ -132,9 +132,9 @@ test('bursts create no objects', () => {
     for (let count = 0; count < 5000; count++) smoke.pool.burst(burst);
     return (process.memoryUsage().heapUsed - before) / 5000;
   };
-  bytesPerBurst();
-  // V8 may box the seven numbers of the options, 16 bytes each. Closures and arrays would be 380 bytes.
-  expect(Math.min(bytesPerBurst(), bytesPerBurst(), bytesPerBurst())).toBeLessThan(200);
+  // V8 may box the seven numbers of the options, 16 bytes each, and more until it has optimised the code, which takes longer
+  // on a busy machine. Closures and arrays would be 380 bytes.
+  expect(Math.min(...Array.from({ length: 20 }, bytesPerBurst))).toBeLessThan(200);
   smoke.simulator.dispose();
 });
 
@@ -457,10 +457,11 @@ test('a thousand adds and removes of each handle leave rigids and memory flat, a
     simulator.dispose();
     return { hash, grown: end.heap - start.heap };
   };
-  // The first run compiles the code. A handle that stayed would be 200 bytes, five of them 800,000 in all.
-  const [first, second] = [run(), run()];
-  expect(second.hash).toBe(first.hash);
-  expect(second.grown).toBeLessThan(200_000);
+  // The first runs compile the code, more of them on a busy machine. A handle that stayed would be 200 bytes in each run, five
+  // of them 800,000 in all.
+  const runs = [run(), run(), run(), run()];
+  expect(new Set(runs.map(({ hash }) => hash)).size).toBe(1);
+  expect(Math.min(...runs.map(({ grown }) => grown))).toBeLessThan(200_000);
 });
 
 test('the simulator rejects emitters that do not exist and numbers out of range', () => {
