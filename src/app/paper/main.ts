@@ -14,6 +14,7 @@ import {
 import { encode, findPreset, presetValues, type Values } from '../../preset.ts';
 import { create } from '../ui/dom.ts';
 import { createErrorScreen } from '../ui/errorScreen.ts';
+import { PLAIN_LOOK } from './plainLook.ts';
 
 interface Means {
   readonly id: 'paper' | 'ours';
@@ -21,22 +22,14 @@ interface Means {
   readonly values: Values;
 }
 
-/** Without what the paper does not have, so that the figures differ by the method alone. */
-const PLAIN: Values = {
-  'puff.turn': 0,
-  'puff.stretch': 1,
-  'puff.billow': 0,
-  'style.simplify': 0,
-  'style.strokes': 0,
-};
 const MEANS: readonly Means[] = [
   {
     id: 'paper',
     title: "The paper's method",
     // In the paper, puffs spawn at full size and shrink from there.
-    values: { ...PLAIN, 'puff.form': 'billboards', 'simulation.integrator': 'paper', 'emission.growthTime': 0 },
+    values: { ...PLAIN_LOOK, 'puff.form': 'billboards', 'simulation.integrator': 'paper', 'emission.growthTime': 0 },
   },
-  { id: 'ours', title: 'Our method', values: PLAIN },
+  { id: 'ours', title: 'Our method', values: PLAIN_LOOK },
 ];
 /** Simulated seconds of each figure: the smoke has filled its column, and the airplane is among the clouds. */
 const MOMENTS = { lamp: 6, airplane: 4.5 };
