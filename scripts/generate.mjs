@@ -8,7 +8,7 @@ import { runScript } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
-import { cargo, NATIVE } from './setup/toolchain.mjs';
+import { cargoNative } from './setup/toolchain.mjs';
 
 const environment = { GENERATE: '1' };
 
@@ -19,7 +19,7 @@ const FILES = [
   ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
     'lists.json and singles.json in src/preset, src/sim/layout.ts',
-    (say) => cargo(['test', ...NATIVE, '--test', 'all', 'simulator::page_table'], say, environment),
+    (say) => cargoNative('test', ['--test', 'all', 'simulator::page_table'], say, environment),
   ],
   ['src/element/attributes/names.json', (say) => vitest('element/names', 'lists the keys', say)],
   ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],

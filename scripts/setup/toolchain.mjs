@@ -15,9 +15,6 @@ export const title = 'Rust toolchain';
  */
 const PROGRAMS = { clippy: 'cargo-clippy' };
 
-/** Packages and features of all native builds. A different selection would compile Rapier again. */
-export const NATIVE = ['--locked', '--package', 'sim', '--package', 'reference', '--features', 'sim/rigids'];
-
 /**
  * Runs cargo in sim-wasm with the pinned version, even if another cargo comes first on PATH.
  *
@@ -27,6 +24,22 @@ export const NATIVE = ['--locked', '--package', 'sim', '--package', 'reference',
  */
 export function cargo(parameters, onLine, environment) {
   return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine, environment);
+}
+
+/**
+ * Runs a cargo command on the native crates, all but xtask. Clippy compiles the crates of the workspace, so that one
+ * build serves the lint, the tests and the programs: another selection, or `cargo clippy`, would compile Rapier again.
+ *
+ * @param {string} command such as `test`
+ * @param {string[]} parameters
+ * @param {(line: string) => void} [onLine]
+ * @param {NodeJS.ProcessEnv} [environment] added to the environment of this process
+ */
+export function cargoNative(command, parameters, onLine, environment) {
+  return cargo([command, '--locked', '--workspace', '--exclude', 'xtask', '--all-features', ...parameters], onLine, {
+    RUSTC_WORKSPACE_WRAPPER: 'clippy-driver',
+    ...environment,
+  });
 }
 
 /**

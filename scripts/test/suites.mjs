@@ -4,7 +4,7 @@ import { mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { filesUnder } from '../setup/sources.mjs';
-import { cargo, NATIVE } from '../setup/toolchain.mjs';
+import { cargoNative } from '../setup/toolchain.mjs';
 import { notesIn, readReport, settle, tallyCargo, tallyPlaywright, tallyVitest } from './tally.mjs';
 
 /**
@@ -35,17 +35,14 @@ const REPORTS = '.cache/test';
  * @type {(choice: Choice) => Runner}
  */
 function rust({ long }) {
-  // No examples, because clippy compiles them, and no doctests, because there are none.
+  // No examples, because the lint compiles them, and no doctests, because there are none.
   const targets = ['--no-fail-fast', '--lib', '--bins', '--tests'];
   return {
     name: 'rust',
     title: 'Rust tests',
     lane: 'cargo',
     run: async (say) => {
-      const { status, output } = await cargo(
-        ['test', ...NATIVE, ...targets, ...(long ? ['--', '--ignored'] : [])],
-        say,
-      );
+      const { status, output } = await cargoNative('test', [...targets, ...(long ? ['--', '--ignored'] : [])], say);
       return { ...settle(tallyCargo(output), status), output };
     },
   };

@@ -2,8 +2,7 @@
 import { script } from '../server.ts';
 
 interface Toolchain {
-  NATIVE: string[];
-  cargo(parameters: string[]): Promise<{ status: number; output: string }>;
+  cargoNative(command: string, parameters: string[]): Promise<{ status: number; output: string }>;
 }
 
 /**
@@ -12,15 +11,9 @@ interface Toolchain {
  * @returns its path
  */
 export async function buildNative(kind: 'bin' | 'example', name: string): Promise<string> {
-  const { cargo, NATIVE } = await script<Toolchain>('setup/toolchain.mjs');
-  const { status, output } = await cargo([
-    'build',
-    ...NATIVE,
-    `--${kind}`,
-    name,
-    '--message-format',
-    'json-render-diagnostics',
-  ]);
+  const { cargoNative } = await script<Toolchain>('setup/toolchain.mjs');
+  const choice = [`--${kind}`, name, '--message-format', 'json-render-diagnostics'];
+  const { status, output } = await cargoNative('build', choice);
   if (status !== 0) throw new Error(output.replaceAll(/^{.*$\n?/gm, ''));
   return /"executable":"([^"]+)"/.exec(output)![1];
 }
