@@ -46,7 +46,10 @@ export default defineConfig<object, WorkerOptions>({
   outputDir: 'test-results',
   projects: [
     { name: 'built', testMatch: '**/tests/support/built.setup.ts', testIgnore: [] },
-    { name: 'modules', testIgnore: [...ignored, '**/tests/e2e/**', SITE] },
+    // Needs no build, but without this dependency all others would wait for its last test.
+    { name: 'modules', testIgnore: [...ignored, '**/tests/e2e/**', SITE], ...builtFirst },
+    // Third-party pages, with the files that npm and CDNs would deliver.
+    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: { ...halfThePixels, ...brief } },
     { name: 'site', testMatch: SITE, testIgnore: ignored, ...builtFirst, use: fewPixels },
     {
       name: 'pages',
@@ -56,8 +59,6 @@ export default defineConfig<object, WorkerOptions>({
       // Each test is a first visit to the page; the service worker has separate tests, with those of the site.
       use: { ...fewPixels, ...brief, showsBuiltSite: true, serviceWorkers: 'block' },
     },
-    // Third-party pages, with the files that npm and CDNs would deliver.
-    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: { ...halfThePixels, ...brief } },
   ],
   reporter: 'list',
   use: {

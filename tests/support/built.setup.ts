@@ -7,6 +7,8 @@ interface Component {
   bring(say: () => void): Promise<void>;
 }
 
+test.describe.configure({ mode: 'parallel' });
+
 for (const [what, path] of [
   ['site', 'setup/site.mjs'],
   ['package', 'setup/package.mjs'],

@@ -1,7 +1,7 @@
 /**
  * Recorded share links with the hash and the picture of their moment. `UPDATE_LINKS=all npx playwright test
- * --project=modules tests/visual/links.spec.ts` records all of them and prints the changes; `UPDATE_LINKS=lamp,dust`
- * records only these.
+ * --no-deps --project=modules tests/visual/links.spec.ts` records all of them and prints the changes;
+ * `UPDATE_LINKS=lamp,dust` records only these.
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
