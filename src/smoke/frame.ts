@@ -2,6 +2,7 @@ import { Vector3, type WebGLRenderTarget } from 'three';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
 import type { Rows } from '../sim/rows.ts';
+import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
@@ -46,7 +47,7 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
+const drawNailboards: DrawSmoke = (passes, { simulator, blend, style, output }, { bodies, casters }, surfaceDepth) => {
   const { renderer, targets, mask } = passes;
   const simplify = isSimplified(style) ? passes.extras.simplify! : undefined;
   if (simplify) targets.beginShading(renderer);
@@ -58,7 +59,8 @@ const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters 
     countVolumes(passes, style, casters.geometry, limit);
     mask.draw(renderer);
   }
-  const choose = shading && ((tones: WebGLRenderTarget) => simplify.draw(renderer, targets, shading, tones));
+  const all = style.plumeForm > 0 ? simulator.arrange({ ...ALL_THAT_LIVES, blend }).rows : undefined;
+  const choose = shading && ((tones: WebGLRenderTarget) => simplify.draw(renderer, targets, shading, tones, all));
   passes.resolve.draw(renderer, targets, output, choose);
 };
 
