@@ -48,7 +48,7 @@ vec4 leaning(vec4 light, ivec2 at) {
   vec4 texel = texture(form, (formFromView * vec4(place, 1.0)).xyz);
   vec3 outward = (255.0 * texel.xyz - (STEPS + 1.0)) / STEPS;
   float facing = dot(mat3(viewFromWorld) * outward, towardsLightFrom(lightInView, place));
-  float share = mix(light.r, 0.5 + 0.5 * facing, plumeForm);
+  float share = mix(light.r, 0.5 + 0.5 * (facing - 0.35), plumeForm);
   float own = light.r > 0.0 ? light.g / light.r : litFrom;
   float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;
   return vec4(share, share * mix(own, facing, plumeForm), (1.0 - share) * darkness, light.a);
