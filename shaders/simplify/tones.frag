@@ -42,15 +42,15 @@ vec3 rampAt(float material, float row, float facing) {
 #ifdef FORM
 // Mixes the light of a pixel of smoke with that of the form of the whole smoke.
 vec4 leaning(vec4 light, ivec2 at) {
-  const float STEPS = 127.0;
+  const float FORM_STEPS = 127.0;
   // N.L of the form from which it adds to the light, so that as much of the smoke stays lit.
-  const float MIDDLE = 0.35;
+  const float FORM_MIDDLE = 0.35;
   float z = viewZOf(clipFromView, texelFetch(depth, at, 0).r);
   vec3 place = vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, z), z);
   vec4 texel = texture(form, (formFromView * vec4(place, 1.0)).xyz);
-  vec3 outward = (255.0 * texel.xyz - (STEPS + 1.0)) / STEPS;
+  vec3 outward = (255.0 * texel.xyz - (FORM_STEPS + 1.0)) / FORM_STEPS;
   float facing = dot(mat3(viewFromWorld) * outward, towardsLightFrom(lightInView, place));
-  float share = mix(light.r, 0.5 + 0.5 * (facing - MIDDLE), plumeForm);
+  float share = mix(light.r, 0.5 + 0.5 * (facing - FORM_MIDDLE), plumeForm);
   float own = light.r > 0.0 ? light.g / light.r : litFrom;
   float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;
   return vec4(share, share * mix(own, facing, plumeForm), (1.0 - share) * darkness, light.a);

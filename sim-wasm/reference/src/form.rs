@@ -8,23 +8,23 @@ use crate::ray::Camera;
 use crate::scene::{Row, Scene};
 
 /// Cells along each axis, and their minimum size in mean radii.
-const CELLS: usize = 32;
-const CELL: f64 = 0.75;
+const FORM_CELLS: usize = 32;
+const FORM_CELL: f64 = 0.75;
 /// Half of the grid in standard deviations of the positions, and in mean radii.
-const SPREAD: f64 = 2.2;
-const MARGIN: f64 = 3.0;
+const FORM_SPREAD: f64 = 2.2;
+const FORM_MARGIN: f64 = 3.0;
 /// Cells at the border without particles, and the next ones, in which particles fade.
-const EMPTY: f64 = 3.0;
-const FADING: f64 = 2.0;
+const FORM_EMPTY: f64 = 3.0;
+const FORM_FADING: f64 = 2.0;
 /// Number of times the density is smoothed, by 1 : 2 : 1 along each axis.
-const ROUNDS: usize = 2;
+const FORM_ROUNDS: usize = 2;
 /// Length of a vector where the density changes by its own amount within a cell; and the density, in that of a mean particle in
 /// one cell, below which vectors fade.
-const SLOPE: f64 = 1.5;
-const FAINT: f64 = 0.05;
+const FORM_SLOPE: f64 = 1.5;
+const FORM_FAINT: f64 = 0.05;
 /// Cosine to the light from which the form adds to the light.
-const MIDDLE: f64 = 0.35;
-const STRIDES: [usize; 3] = [1, CELLS, CELLS * CELLS];
+const FORM_MIDDLE: f64 = 0.35;
+const STRIDES: [usize; 3] = [1, FORM_CELLS, FORM_CELLS * FORM_CELLS];
 
 pub struct Form<'a> {
     /// How far light leans on the form, 0 to 1.
@@ -45,20 +45,20 @@ impl<'a> Form<'a> {
             return None;
         }
         let (corner, cell, radius) = grid_of(&scene.bodies);
-        let mut density = vec![0.0; CELLS.pow(3)];
+        let mut density = vec![0.0; FORM_CELLS.pow(3)];
         for row in &scene.bodies {
             add(&mut density, (DVec3::from(row.place) - corner) / cell, row.radius.powi(3));
         }
-        for stride in STRIDES.repeat(ROUNDS) {
+        for stride in STRIDES.repeat(FORM_ROUNDS) {
             density = (0..density.len())
                 .map(|at| 0.5 * density[at] + 0.25 * (near(&density, at, stride) + far(&density, at, stride)))
                 .collect();
         }
-        let faint = FAINT * radius.powi(3);
+        let faint = FORM_FAINT * radius.powi(3);
         let outward = (0..density.len())
             .map(|at| {
                 let fall = DVec3::from(STRIDES.map(|stride| near(&density, at, stride) - far(&density, at, stride)));
-                (fall * 0.5 * SLOPE / (density[at] + faint)).clamp_length_max(1.0)
+                (fall * 0.5 * FORM_SLOPE / (density[at] + faint)).clamp_length_max(1.0)
             })
             .collect();
         Some(Self {
@@ -74,7 +74,7 @@ impl<'a> Form<'a> {
     /// Cosine between the form and the light at a position in view space.
     pub fn facing(&self, place: DVec3) -> f64 {
         let place = self.world_from_view.transform_point3(place);
-        let cells = ((place - self.corner) / self.cell - 0.5).clamp(DVec3::ZERO, DVec3::splat(CELLS as f64 - 1.001));
+        let cells = ((place - self.corner) / self.cell - 0.5).clamp(DVec3::ZERO, DVec3::splat(FORM_CELLS as f64 - 1.001));
         let (first, share) = (cells.floor(), cells.fract());
         let mut outward = DVec3::ZERO;
         for corner in 0..8 {
@@ -87,7 +87,7 @@ impl<'a> Form<'a> {
 
     /// Share of light where the form has this cosine to the light, and smoke itself has `own`, 0 or 1.
     pub fn share(&self, own: f64, facing: f64) -> f64 {
-        own + self.lean * (0.5 + 0.5 * (facing - MIDDLE) - own)
+        own + self.lean * (0.5 + 0.5 * (facing - FORM_MIDDLE) - own)
     }
 }
 
@@ -98,15 +98,15 @@ fn grid_of(rows: &[Row]) -> (DVec3, f64, f64) {
     let mean = sum(&|row| row.place.into()) / mass;
     let variance = sum(&|row| (DVec3::from(row.place) - mean).powf(2.0)) / mass;
     let radius = sum(&|row| DVec3::splat(row.radius)).x / mass;
-    let half = SPREAD * variance.max_element().sqrt() + MARGIN * radius;
-    let cell = (CELL * radius).max(2.0 * half / (CELLS - 1) as f64);
-    (mean - 0.5 * CELLS as f64 * cell, cell, radius)
+    let half = FORM_SPREAD * variance.max_element().sqrt() + FORM_MARGIN * radius;
+    let cell = (FORM_CELL * radius).max(2.0 * half / (FORM_CELLS - 1) as f64);
+    (mean - 0.5 * FORM_CELLS as f64 * cell, cell, radius)
 }
 
 /// Adds a volume at a position in cells, by quadratic B-splines.
 fn add(density: &mut [f64], place: DVec3, volume: f64) {
-    let inside = place.min(CELLS as f64 - place).min_element();
-    let fade = ((inside - EMPTY) / FADING).min(1.0);
+    let inside = place.min(FORM_CELLS as f64 - place).min_element();
+    let fade = ((inside - FORM_EMPTY) / FORM_FADING).min(1.0);
     if fade <= 0.0 {
         return;
     }
@@ -127,7 +127,7 @@ fn spline(away: f64) -> f64 {
 
 fn index_of(cell: DVec3) -> usize {
     let [x, y, z] = cell.to_array().map(|number| number as usize);
-    x + CELLS * (y + CELLS * z)
+    x + FORM_CELLS * (y + FORM_CELLS * z)
 }
 
 /// The neighbour of a cell with the lower number along an axis; nothing is outside of the grid.

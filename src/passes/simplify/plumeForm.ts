@@ -1,4 +1,16 @@
 import { ClampToEdgeWrapping, Data3DTexture, LinearFilter, Matrix4, NoColorSpace, Vector3 } from 'three';
+import {
+  FORM_CELL,
+  FORM_CELLS,
+  FORM_EMPTY,
+  FORM_FADING,
+  FORM_FAINT,
+  FORM_MARGIN,
+  FORM_ROUNDS,
+  FORM_SLOPE,
+  FORM_SPREAD,
+  FORM_STEPS,
+} from '../../constants.ts';
 
 /** Places and radii of all particles: four floats for each. */
 export interface Particles {
@@ -6,23 +18,7 @@ export interface Particles {
   readonly place: Float32Array;
 }
 
-/** Cells along each axis. */
-const CELLS = 32;
-/** Least size of a cell in mean radii of particles. */
-const CELL = 0.75;
-/** Half of the grid in standard deviations of the places, and in mean radii. */
-const [SPREAD, MARGIN] = [2.2, 3];
-/** How often the density is smoothed. Each time adds half of a squared cell to the variance. */
-const ROUNDS = 2;
-/** Length of a vector for a density that changes by its own amount within a cell. */
-const SLOPE = 1.5;
-/** Density, in that of a mean particle in one cell, below which a form fades. */
-const FAINT = 0.05;
-/** Cells at the border of the grid without particles, and the next ones, in which particles fade. */
-const [EMPTY, FADING] = [3, 2];
-/** Steps of a component of a vector. */
-const STEPS = 127;
-const [ROW, LAYER] = [CELLS, CELLS * CELLS];
+const [ROW, LAYER] = [FORM_CELLS, FORM_CELLS * FORM_CELLS];
 const STRIDES = [1, ROW, LAYER];
 
 /**
@@ -32,16 +28,16 @@ const STRIDES = [1, ROW, LAYER];
  */
 export class PlumeForm {
   /** Vectors of length 0 to 1: 0 where the density is even or where there is no smoke. See simplify/tones.frag. */
-  readonly texture = new Data3DTexture(new Uint8Array(4 * CELLS ** 3), CELLS, CELLS, CELLS);
+  readonly texture = new Data3DTexture(new Uint8Array(4 * FORM_CELLS ** 3), FORM_CELLS, FORM_CELLS, FORM_CELLS);
   /** From world space to coordinates of the texture. */
   readonly fromWorld = new Matrix4();
   private readonly corner = new Vector3();
   private cell = 1;
-  private density = new Float32Array(CELLS ** 3);
-  private smoothed = new Float32Array(CELLS ** 3);
+  private density = new Float32Array(FORM_CELLS ** 3);
+  private smoothed = new Float32Array(FORM_CELLS ** 3);
 
   constructor() {
-    (this.texture.image.data as Uint8Array).fill(STEPS + 1);
+    (this.texture.image.data as Uint8Array).fill(FORM_STEPS + 1);
     this.texture.colorSpace = NoColorSpace;
     this.texture.minFilter = this.texture.magFilter = LinearFilter;
     this.texture.wrapR = this.texture.wrapS = this.texture.wrapT = ClampToEdgeWrapping;
@@ -52,8 +48,8 @@ export class PlumeForm {
     const radius = this.place(particles);
     this.density.fill(0);
     for (let particle = 0; particle < particles.count; particle++) this.add(particles.place, 4 * particle);
-    for (let round = 0; round < ROUNDS; round++) for (const stride of STRIDES) this.smooth(stride);
-    this.write(FAINT * radius ** 3);
+    for (let round = 0; round < FORM_ROUNDS; round++) for (const stride of STRIDES) this.smooth(stride);
+    this.write(FORM_FAINT * radius ** 3);
     this.texture.needsUpdate = true;
   }
 
@@ -79,10 +75,10 @@ export class PlumeForm {
     const mean = sum.divideScalar(mass);
     const spread = (axis: 'x' | 'y' | 'z') => Math.sqrt(Math.max(0, squares[axis] / mass - mean[axis] ** 2));
     const radius = radii / mass || 1;
-    const half = SPREAD * Math.max(spread('x'), spread('y'), spread('z')) + MARGIN * radius;
-    this.cell = Math.max(CELL * radius, (2 * half) / (CELLS - 1));
-    this.corner.copy(mean).subScalar(0.5 * CELLS * this.cell);
-    const scale = 1 / (CELLS * this.cell);
+    const half = FORM_SPREAD * Math.max(spread('x'), spread('y'), spread('z')) + FORM_MARGIN * radius;
+    this.cell = Math.max(FORM_CELL * radius, (2 * half) / (FORM_CELLS - 1));
+    this.corner.copy(mean).subScalar(0.5 * FORM_CELLS * this.cell);
+    const scale = 1 / (FORM_CELLS * this.cell);
     this.fromWorld.makeScale(scale, scale, scale).setPosition(this.corner.clone().multiplyScalar(-scale));
     return radius;
   }
@@ -95,16 +91,16 @@ export class PlumeForm {
       (place[at + 1] - corner.y) / cell,
       (place[at + 2] - corner.z) / cell,
     ];
-    const fade = (Math.min(x, y, z, CELLS - x, CELLS - y, CELLS - z) - EMPTY) / FADING;
+    const fade = (Math.min(x, y, z, FORM_CELLS - x, FORM_CELLS - y, FORM_CELLS - z) - FORM_EMPTY) / FORM_FADING;
     if (fade <= 0) return;
     const volume = Math.min(1, fade) * place[at + 3] ** 3;
     const [column, row, layer] = [Math.floor(x), Math.floor(y), Math.floor(z)];
-    for (let k = -1; k < 2; k++) {
-      const share = volume * spline(z - layer - k - 0.5);
-      for (let j = -1; j < 2; j++) {
-        const part = share * spline(y - row - j - 0.5);
-        const first = (layer + k) * LAYER + (row + j) * ROW + column;
-        for (let i = -1; i < 2; i++) density[first + i] += part * spline(x - column - i - 0.5);
+    const [across, up, through] = [splines(x - column), splines(y - row), splines(z - layer)];
+    for (let k = 0; k < 3; k++) {
+      for (let j = 0; j < 3; j++) {
+        const share = volume * through[k] * up[j];
+        const first = (layer + k - 1) * LAYER + (row + j - 1) * ROW + column - 1;
+        for (let i = 0; i < 3; i++) density[first + i] += share * across[i];
       }
     }
   }
@@ -125,16 +121,17 @@ export class PlumeForm {
       const x = density[at - 1] - density[at + 1];
       const y = density[at - ROW] - density[at + ROW];
       const z = density[at - LAYER] - density[at + LAYER];
-      const length = (0.5 * SLOPE * Math.sqrt(x * x + y * y + z * z)) / (density[at] + faint);
-      const factor = (STEPS * 0.5 * SLOPE) / ((density[at] + faint) * Math.max(1, length));
-      data[4 * at] = STEPS + 1.5 + factor * x;
-      data[4 * at + 1] = STEPS + 1.5 + factor * y;
-      data[4 * at + 2] = STEPS + 1.5 + factor * z;
+      const length = (0.5 * FORM_SLOPE * Math.sqrt(x * x + y * y + z * z)) / (density[at] + faint);
+      const factor = (FORM_STEPS * 0.5 * FORM_SLOPE) / ((density[at] + faint) * Math.max(1, length));
+      data[4 * at] = FORM_STEPS + 1.5 + factor * x;
+      data[4 * at + 1] = FORM_STEPS + 1.5 + factor * y;
+      data[4 * at + 2] = FORM_STEPS + 1.5 + factor * z;
     }
   }
 }
 
-function spline(distance: number): number {
-  const away = Math.abs(distance);
-  return away < 0.5 ? 0.75 - away * away : away < 1.5 ? 0.5 * (1.5 - away) * (1.5 - away) : 0;
+/** Shares of a cell and of its neighbours. @param place in the cell, 0..1 */
+function splines(place: number): [number, number, number] {
+  const rest = 1 - place;
+  return [0.5 * rest * rest, 0.5 + place * rest, 0.5 * place * place];
 }

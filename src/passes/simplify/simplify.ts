@@ -12,6 +12,7 @@ import fieldsShader from '../../../shaders/simplify/fields.frag';
 import flatShader from '../../../shaders/simplify/flat.frag';
 import tilesShader from '../../../shaders/simplify/tiles.frag';
 import tonesShader from '../../../shaders/simplify/tones.frag';
+import { FLAT_TILE } from '../../constants.ts';
 import type { FrameView } from '../../device/frameView.ts';
 import { FullScreen } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
@@ -23,8 +24,6 @@ import { PlumeForm, type Particles } from './plumeForm.ts';
 const REACH = 2;
 /** Keeps the weights finite without smoothing, pixels. */
 const LEAST_DEVIATION = 0.1;
-/** Side of a tile of shaders/lib/flatTiles.glsl, pixels. */
-const FLAT_TILE = 8;
 
 /**
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then

@@ -71,4 +71,3 @@ function around(pixel: number): number[] {
     for (let x = Math.max(0, column - EDGE); x <= Math.min(WIDTH - 1, column + EDGE); x++) near.push(y * WIDTH + x);
   return near;
 }
-
