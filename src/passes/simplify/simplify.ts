@@ -23,7 +23,7 @@ import { PlumeForm, type Particles } from './plumeForm.ts';
 /** Distance that is averaged, in standard deviations. */
 const REACH = 2;
 /** Keeps the weights finite without smoothing, pixels. */
-const LEAST_DEVIATION = 0.1;
+const MIN_DEVIATION = 0.1;
 
 /**
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
@@ -77,7 +77,7 @@ export class SimplifyPass {
    */
   follow(deviation: number, isBanded: boolean, litFrom: number): void {
     const { uniforms } = this;
-    uniforms.deviation.value = Math.max(deviation, LEAST_DEVIATION);
+    uniforms.deviation.value = Math.max(deviation, MIN_DEVIATION);
     uniforms.reach.value = Math.ceil(REACH * deviation);
     uniforms.isBanded.value = isBanded;
     uniforms.litFrom.value = litFrom;
