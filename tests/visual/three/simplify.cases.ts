@@ -35,10 +35,12 @@ export async function changedBy(values: Values, steps: number): Promise<Change> 
   ball.position.set(0.6, 2.6, 0.9);
   host.scene.add(ball);
   smoke.cast(ball);
-  const plain = draw(host);
+  // First, so that nothing is left of other pictures.
   smoke.set(values);
   await smoke.complete();
   const changed = draw(host);
+  smoke.set({ 'style.simplify': 0, 'style.form': 0 });
+  const plain = draw(host);
   const isSmoke = smokePixels(host, smoke);
   dispose(smoke, host.renderer);
   const inside = pixels().filter((pixel) => around(pixel).every((near) => isSmoke[near]));
