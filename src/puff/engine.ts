@@ -193,7 +193,7 @@ export class Engine {
     this.emit(each, 0, 0, changes);
     await this.stage.set({ ...changes, ...this.emitters.values() });
     await this.stage.seek(WARM_UP);
-    await this.stage.restart();
+    await this.reset();
   }
 
   private async lookFor(preset: string): Promise<Values> {
@@ -362,8 +362,17 @@ export class Engine {
   }
 
   private empty(): void {
-    this.stage.restart().catch(() => undefined);
     this.endPlay();
+    this.reset().catch(() => undefined);
+  }
+
+  /** Empties the paused stage. Its emitters must not start again when it plays, before those of the next call arrive. */
+  private async reset(): Promise<void> {
+    this.emitters.clear();
+    await Promise.all([
+      this.stage.set({ ...this.obstacles.release(), ...this.emitters.values() }),
+      this.stage.restart(),
+    ]);
   }
 
   private endPlay(): void {
