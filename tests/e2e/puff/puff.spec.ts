@@ -88,9 +88,9 @@ test('draws smoke around a button, lets clicks through, and leaves nothing behin
   ]);
   expect(after).toEqual(before);
   expect(page.workers()).toHaveLength(1);
-  // 5 s, and 5 s more for the worker.
+  // 10 s later.
   await expect(canvases(page)).toHaveCount(0);
-  await expect.poll(() => page.workers().length, { timeout: 30_000 }).toBe(0);
+  await expect.poll(() => page.workers().length).toBe(0);
   expect(await page.evaluate(() => Reflect.get(window, 'shift') as number)).toBe(0);
   expect(lines).toEqual([]);
 });
@@ -134,6 +134,45 @@ test('stays with the page as it scrolls', async ({ page, host }) => {
   expect(Math.abs(before.y - after.y - 100)).toBeLessThan(40);
   await page.evaluate(() => puff.clear());
   await over;
+});
+
+test('stays with the scrolling box around its target, which other smoke does not follow', async ({ page, host }) => {
+  await host({
+    body: `<div id="box" style="height: 200px; overflow: auto">
+      <button style="margin: 90px">Press</button><div style="height: 900px"></div></div>`,
+  });
+  const heights = () =>
+    page.evaluate(() => [document.documentElement.scrollHeight, document.documentElement.scrollWidth]);
+  const before = await heights();
+  await page.evaluate(() => puff.preload());
+  const place = async () => {
+    await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(3000);
+    return (await smoke(page)).y;
+  };
+  const scrollBox = async (top: number) => {
+    await page.evaluate((y) => document.querySelector('#box')!.scrollTo(0, y), top);
+    await frames(page, 2);
+  };
+  const options = { count: 300, speed: 0.1, duration: 60 };
+  const call = (target?: string) =>
+    page.evaluate(
+      ([selector, given]) => puff(selector ? document.querySelector(selector) : { x: 160, y: 110 }, given),
+      [target, options] as const,
+    );
+  const inside = call('button');
+  const y = await place();
+  await scrollBox(60);
+  expect(Math.abs(y - (await place()) - 60)).toBeLessThan(40);
+  await scrollBox(0);
+  expect(Math.abs(y - (await place()))).toBeLessThan(40);
+  expect(await heights()).toEqual(before);
+  const outside = call();
+  await frames(page, 20);
+  const both = await place();
+  await scrollBox(100);
+  expect(Math.abs(both - (await place()))).toBeLessThan(40);
+  await page.evaluate(() => puff.clear());
+  await Promise.all([inside, outside]);
 });
 
 /** Holds back all messages to the stage after the next one with this method, as if the page were interrupted there. */
