@@ -4,7 +4,7 @@
  */
 
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { film } from '../../scripts/film/film.mjs';
@@ -118,44 +118,9 @@ async function pinned(shards, count) {
     const runs = shards.map((shard, core) =>
       start('taskset', ['-c', String(core), process.execPath, inRoot('scripts/film.mjs'), ...shot, '--shard', shard]),
     );
-    const timer = setInterval(pinThreads, 1000);
-    try {
-      for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
-    } finally {
-      clearInterval(timer);
-    }
+    for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
     return Date.now() - began;
   });
-}
-
-/**
- * Pins all threads of this process's descendants to the core of their first thread. SwiftShader pins its threads itself:
- * of two browsers under `taskset -c 0` and `taskset -c 1`, both would draw on core 0.
- */
-function pinThreads() {
-  const { stdout } = spawnSync('ps', ['-eo', 'pid=,ppid='], { encoding: 'utf8' });
-  const parents = new Map(
-    stdout
-      .split('\n')
-      .map((line) => line.trim().split(/\s+/, 2))
-      .map(([pid, parent]) => [pid, parent]),
-  );
-  const isOwn = (/** @type {string | undefined} */ pid) =>
-    pid !== undefined && (parents.get(pid) === String(process.pid) || isOwn(parents.get(pid)));
-  for (const pid of [...parents.keys()].filter(isOwn)) {
-    try {
-      const core = coresOf(`/proc/${pid}`);
-      const strays = readdirSync(`/proc/${pid}/task`).filter((task) => coresOf(`/proc/${pid}/task/${task}`) !== core);
-      for (const task of strays) spawnSync('taskset', ['-c', '-p', core, task]);
-    } catch {
-      // The process has ended.
-    }
-  }
-}
-
-/** The cores that a process or thread may run on, such as `0-1`. */
-function coresOf(/** @type {string} */ folder) {
-  return /Cpus_allowed_list:\s*(\S+)/.exec(readFileSync(`${folder}/status`, 'utf8'))?.[1] ?? '';
 }
 
 /**

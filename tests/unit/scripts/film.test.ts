@@ -35,7 +35,7 @@ const SHOT = {
 };
 
 interface Read {
-  order: { link: string; scale: number; camera: { seconds: number }[]; statesEvery: number };
+  order: { link: string; scale: number; fps: number; camera: { seconds: number }[]; statesEvery: number };
   frames: number[];
 }
 
@@ -62,6 +62,19 @@ describe('options', () => {
     expect(given('--size', size).order.scale).toBe(scale);
   });
 
+  it.each([
+    ['24', 24],
+    ['12.5', 12.5],
+    ['25/2', 12.5],
+    ['24000/1001', 24_000 / 1001],
+    ['23.976', 24_000 / 1001],
+    ['23.98', 24_000 / 1001],
+    ['29.97', 30_000 / 1001],
+    ['59.94', 60_000 / 1001],
+  ])('--fps %s is %d frames per second', (text, fps) => {
+    expect(given('--fps', text).order.fps).toBe(fps);
+  });
+
   it.each([1, 2, 3, 10, 16])('the frames of %i shards are contiguous and all frames', (count) => {
     const shards = Array.from({ length: count }, (_, at) => given('--shard', `${at + 1}/${count}`).frames);
     expect(shards.flat()).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
@@ -75,7 +88,9 @@ describe('options', () => {
     [['--size', '0x9'], /^--size 0x9: give pixels/],
     [['--scale', '5'], /^--scale 5: it takes 0.5 to 4/],
     [['--scale', '4', '--supersample', '2'], /^--scale 4 with --supersample 2: it takes 0.5 to 2/],
-    [['--fps', '0'], /^--fps 0: it takes a whole number from 1 to 240/],
+    [['--fps', '0'], /^--fps 0: it takes 1 to 240, such as 24, 24000\/1001 or 23.976/],
+    [['--fps', '24/0'], /^--fps 24\/0: it takes 1 to 240/],
+    [['--fps', 'film'], /^--fps film: it takes 1 to 240/],
     [['--format', 'jpg'], /^--format jpg: it takes png or exr/],
     [['--shard', '4/3'], /^--shard 4\/3: give part and count/],
     [['--shard', '0/3'], /^--shard 0\/3: give part and count/],
