@@ -97,39 +97,40 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(other.errors).toMatch(/frame-0010\.json, the link is ".*preset=lamp.*", here it is ".*preset=wisp/);
 });
 
-test.describe('with two pixels per CSS pixel', () => {
-  test.use({ deviceScaleFactor: 2 });
+test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
+  blank,
+  load,
+}) => {
+  const link = `?t=2.5${HASH}`;
+  expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
+  const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-000${frame}.png`))));
+  const cases = await load<Cases>('/tests/visual/app/film.cases.ts');
+  const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
+  expect(sequence).toHaveLength(2);
+  expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
+    true,
+    true,
+  ]);
+  expect(first.equals(second)).toBe(false);
+  const session = await blank.context().newCDPSession(blank);
+  const metrics = { width: 640, height: 360, deviceScaleFactor: 2, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', metrics);
+  const posters = await load<Posters>('/tests/visual/element/poster.cases.ts');
+  const order = { link: `https://example.org/${link}`, width: 80, height: 45, isTransparent: false };
+  const { png } = await posters.evaluate((module, given) => module.poster(given), order);
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
 
-  test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
-    load,
-  }) => {
-    const link = `?t=2.5${HASH}`;
-    expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
-    const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-000${frame}.png`))));
-    const cases = await load<Cases>('/tests/visual/app/film.cases.ts');
-    const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
-    expect(sequence).toHaveLength(2);
-    expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
-      true,
-      true,
-    ]);
-    expect(first.equals(second)).toBe(false);
-    const posters = await load<Posters>('/tests/visual/element/poster.cases.ts');
-    const order = { link: `https://example.org/${link}`, width: 80, height: 45, isTransparent: false };
-    const { png } = await posters.evaluate((module, given) => module.poster(given), order);
-    expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
-
-    expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
-    const exr = exrIn('exr/frame-0000.exr');
-    expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
-    const depth = exrIn('exr/depth/0000.exr');
-    const near = depth.filter((value, at) => at % 4 === 0 && Number.isFinite(value));
-    // The camera of the scene is 6.3 m from the lamp, which stands on a table 2 m wide.
-    expect(near.length).toBeGreaterThan(1000);
-    expect(Math.min(...near)).toBeGreaterThan(4);
-    expect(Math.max(...near)).toBeLessThan(9);
-    expect(new Set(near).size, 'more depths than 8 bits have').toBeGreaterThan(300);
-  });
+  expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
+  const exr = exrIn('exr/frame-0000.exr');
+  expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
+  const depth = exrIn('exr/depth/0000.exr');
+  const near = depth.filter((value, at) => at % 4 === 0 && Number.isFinite(value));
+  // The camera of the scene is 6.3 m from the lamp, which stands on a table 2 m wide.
+  expect(near.length).toBeGreaterThan(1000);
+  expect(Math.min(...near)).toBeGreaterThan(4);
+  expect(Math.max(...near)).toBeLessThan(9);
+  expect(new Set(near).size, 'more depths than 8 bits have').toBeGreaterThan(300);
 });
 
 /** Pixels of a file as floats, rows from the top down. */
