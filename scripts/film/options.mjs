@@ -29,8 +29,9 @@ export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 204
   --grid 8x8             columns and rows of the atlas; each cell is a frame (8x8)
   --size 2048            width of the atlas in pixels (2048)
   --seconds 2            length of the loop (2)
-  --out FOLDER           where color.png, channels.png, normals.png and flipbook.json go
-  --scale N              pixels per CSS pixel (1)`;
+  --out FOLDER           where color.png, channels.png, normals.png, motion.png and flipbook.json go
+  --scale N              pixels per CSS pixel (1)
+  --gpu                  the graphics of the machine instead of SwiftShader`;
 
 /** Limit of the pixel ratio of a picture. */
 const HIGHEST_RATIO = 4;
