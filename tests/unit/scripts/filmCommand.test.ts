@@ -47,6 +47,12 @@ describe('one line and the status 1', () => {
     expect(errors).toMatch(/^\/proc\/frames cannot be written: ENOENT: .*$/);
   });
 
+  it.runIf(process.platform === 'linux')('for a video in a folder that is read-only', () => {
+    const { status, errors } = command([...shot, '--out', join(folder, 'out'), '--video', '/proc/film.webm']);
+    expect(status).toBe(1);
+    expect(errors).toMatch(/^\/proc cannot be written: ENOENT: .*$/);
+  });
+
   it('without a browser, and leaves the folder empty', () => {
     const nowhere = { CHROMIUM_PATH: '', PLAYWRIGHT_BROWSERS_PATH: folder, HOME: folder, PATH: folder };
     const { status, errors } = command([...shot, '--out', join(folder, 'out')], nowhere);
