@@ -72,7 +72,7 @@ function animate(seconds: number): void {
   }
   for (; explosions < EXPLOSIONS_PER_SECOND * time; explosions++) {
     const position = new Vector3(14 * Math.random() - 7, 0.4 + 2.5 * Math.random(), -4 * Math.random());
-    smoke.burst({ position, count: 10, size: 0.35, speed: 2.5, lifetime: 0.6 });
+    smoke.burst({ position, count: 12, size: 0.5, speed: 2.5, lifetime: 0.7 });
   }
 }
 
@@ -96,6 +96,8 @@ function fit(): void {
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
   renderer.setSize(innerWidth, innerHeight);
   camera.aspect = innerWidth / innerHeight;
+  // The camera zooms out in a narrow window.
+  camera.zoom = Math.min(1, camera.aspect / 1.6);
   camera.updateProjectionMatrix();
 }
 addEventListener('resize', fit);

@@ -23,7 +23,7 @@ export class Card {
     const note = played === name ? '' : ' The page that plays is built with Vite and looks the same.';
     this.element = create(
       'section',
-      { class: 'example', 'aria-labelledby': id },
+      { class: 'example', id: name, 'aria-labelledby': id },
       create('h2', { id }, title),
       create('p', {}, text + note),
       create('div', { class: 'example-played' }, this.frame, create('div', { class: 'row' }, this.play, alone)),
