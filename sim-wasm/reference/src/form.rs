@@ -47,7 +47,11 @@ impl<'a> Form<'a> {
         let (corner, cell, radius) = grid_of(&scene.bodies);
         let mut density = vec![0.0; FORM_CELLS.pow(3)];
         for row in &scene.bodies {
-            add(&mut density, (DVec3::from(row.place) - corner) / cell, row.radius.powi(3));
+            add(
+                &mut density,
+                (DVec3::from(row.place) - corner) / cell,
+                row.radius.powi(3),
+            );
         }
         for stride in STRIDES.repeat(FORM_ROUNDS) {
             density = (0..density.len())
@@ -74,12 +78,16 @@ impl<'a> Form<'a> {
     /// Cosine between the form and the light at a position in view space.
     pub fn facing(&self, place: DVec3) -> f64 {
         let place = self.world_from_view.transform_point3(place);
-        let cells = ((place - self.corner) / self.cell - 0.5).clamp(DVec3::ZERO, DVec3::splat(FORM_CELLS as f64 - 1.001));
+        let cells =
+            ((place - self.corner) / self.cell - 0.5).clamp(DVec3::ZERO, DVec3::splat(FORM_CELLS as f64 - 1.001));
         let (first, share) = (cells.floor(), cells.fract());
         let mut outward = DVec3::ZERO;
         for corner in 0..8 {
             let step = DVec3::new((corner & 1) as f64, (corner >> 1 & 1) as f64, (corner >> 2) as f64);
-            let weight = (step * share + (1.0 - step) * (1.0 - share)).to_array().iter().product::<f64>();
+            let weight = (step * share + (1.0 - step) * (1.0 - share))
+                .to_array()
+                .iter()
+                .product::<f64>();
             outward += weight * self.outward[index_of(first + step)];
         }
         outward.dot(self.light.towards(place))
