@@ -135,9 +135,13 @@ export interface TwoSmokes {
 /** Two smokes, one between the light and the other. */
 export async function twoSmokes(): Promise<TwoSmokes> {
   const host = furnishedHost();
-  const lower = await smokeIn(host);
+  // The lights and the floor: no object is in front of smoke.
+  host.scene.remove(...host.scene.children.slice(3));
+  // Outlines close where the smokes touch.
+  const plain = { ...HANGING, 'style.outlines': 0 };
+  const lower = await smokeIn(host, plain);
   const towardsLight = { 'emitters.0.position.x': 0.7, 'emitters.0.position.y': 1.95, 'emitters.0.position.z': 0.45 };
-  const upper = await smokeIn(host, { ...HANGING, ...towardsLight });
+  const upper = await smokeIn(host, { ...plain, ...towardsLight });
   const pictures = [[lower], [upper], [lower, upper]].map((shown) => {
     for (const smoke of [lower, upper]) smoke.visible = shown.includes(smoke);
     return draw(host);
