@@ -331,7 +331,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    */
   override dispose(): void {
     if (this.isDisposed) return;
-    super.dispose();
+    // Before three.js 0.186 objects have no dispose(), which does no more than this.
+    this.dispatchEvent({ type: 'dispose' });
     this.isDisposed = true;
     this.removeFromParent();
     this.simulator.dispose();
