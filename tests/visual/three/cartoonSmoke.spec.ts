@@ -194,6 +194,7 @@ test.describe('errors', () => {
     expect(said.physics).toMatch(/^UnsupportedError: .*physics/);
     expect(said.target).toMatch(/^UnsupportedError: .*several textures/);
     expect(said.array).toMatch(/^UnsupportedError: .*ArrayCamera/);
+    expect(said.viewport).toMatch(/^UnsupportedError: .*viewport of 1000000 x 50 pixels/);
     expect(said.repeated).toBe('nothing');
     expect(said.again).toBe('nothing');
     expect(said.session).toMatch(/^UnsupportedError: .*XR session/);
