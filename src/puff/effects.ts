@@ -152,7 +152,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
   },
   /** A fountain: small puffs shoot up, spread and fall. */
   burst: {
-    isAround: false,
+    isAround: true,
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) => [
       made({
