@@ -121,12 +121,6 @@ function helpers() {
     await over;
     return seconds;
   };
-  scope.callbacks = 0;
-  const request = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (callback) => {
-    scope.callbacks += 1;
-    return request(callback);
-  };
   /** Number of frames of the page while an effect runs. */
   scope.framesOf = async (/** @type {() => Promise<unknown>} */ act) => {
     let frames = 0;
@@ -201,12 +195,15 @@ async function measureCosts(open, rounds, say) {
   await session.send('Performance.enable', { timeDomain: 'threadTicks' });
   await page.evaluate('puff.preload()');
   await page.evaluate('Promise.all([puff(), confetti()])');
-  const [worker] = page.workers();
-  await worker.evaluate(countPictures);
+  // Both draw in a worker.
+  const workers = page.workers();
+  for (const worker of workers) await worker.evaluate(countPictures);
   const milliseconds = async () =>
     1000 * valueOf((await session.send('Performance.getMetrics')).metrics, 'TaskDuration');
-  const drawn = async () =>
-    Number(await page.evaluate('callbacks')) + /** @type {number} */ (await worker.evaluate('pictures'));
+  const drawn = async () => {
+    const all = await Promise.all(workers.map((worker) => worker.evaluate('pictures')));
+    return /** @type {number[]} */ (all).reduce((sum, each) => sum + each, 0);
+  };
   /** @type {Record<string, number[]>} */
   const found = {};
   const note = (/** @type {string} */ name, /** @type {number} */ value) => (found[name] ??= []).push(value);
@@ -250,16 +247,20 @@ async function measureCosts(open, rounds, say) {
   return [...times, ...ratios];
 }
 
-/** Runs in the worker. */
+/** Runs in a worker, and counts the pictures that it presents: by a bitmap, or by clearing and drawing on a 2D canvas. */
 function countPictures() {
   const scope = /** @type {any} */ (globalThis);
   scope.pictures = 0;
-  const { prototype } = ImageBitmapRenderingContext;
-  const native = prototype.transferFromImageBitmap;
-  prototype.transferFromImageBitmap = function (bitmap) {
-    scope.pictures += 1;
-    native.call(this, bitmap);
+  const count = (/** @type {any} */ prototype, /** @type {string} */ method) => {
+    const native = prototype[method];
+    /** @this {unknown} @param {unknown[]} given */
+    prototype[method] = function (...given) {
+      scope.pictures += 1;
+      return native.apply(this, given);
+    };
   };
+  count(ImageBitmapRenderingContext.prototype, 'transferFromImageBitmap');
+  count(OffscreenCanvasRenderingContext2D.prototype, 'clearRect');
 }
 
 /** @param {Open} open @param {number} count @returns {Promise<Figure[]>} */
