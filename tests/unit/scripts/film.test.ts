@@ -251,7 +251,11 @@ describe('the folder of a shot', () => {
 
   it('removes what a killed run left of its own frames only', async () => {
     mkdirSync(join(folder, 'ink'));
-    const parts = ['.frame-000001.png.0123abcd.part', '.frame-000002.png.0123abcd.part', 'ink/.000000.png.0123abcd.part'];
+    const parts = [
+      '.frame-000001.png.0123abcd.part',
+      '.frame-000002.png.0123abcd.part',
+      'ink/.000000.png.0123abcd.part',
+    ];
     for (const part of parts) writeFileSync(join(folder, part), 'pic');
     await opened();
     expect(readdirSync(folder)).toEqual(['.frame-000002.png.0123abcd.part', 'ink']);

@@ -199,7 +199,9 @@ test('a full disk ends the run with one line, and the files on it are whole', ()
   const parameters = ['--mount', 'sh', '-c', commands, 'sh', disk, ...run];
   const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8' });
   expect(status).toBe(1);
-  expect(stderr.trim().split('\n').at(-1)).toMatch(/^The disk is full: .*frame-0000\d\d\.(png|json) was not written\.$/);
+  expect(stderr.trim().split('\n').at(-1)).toMatch(
+    /^The disk is full: .*frame-0000\d\d\.(png|json) was not written\.$/,
+  );
   const names = readdirSync(copy);
   expect(names.length).toBeGreaterThan(4);
   expect(names.filter((name) => !/^frame-0000\d\d\.(png|json)$/.test(name))).toEqual([]);
