@@ -15,7 +15,7 @@ const CLOSE = 10;
  */
 export function countVolumes(passes: SmokePasses, style: Style, casters: RowGeometry, limit: number): void {
   const { renderer, targets, extras, isFlat } = passes;
-  passes.meshVolumes.draw(renderer);
+  passes.scene?.volumes.draw(renderer);
   passes.mask.countOnce(renderer);
   // Counting needs the depth that fragments write.
   if (style.volumes === 'counted' && !isFlat) {
