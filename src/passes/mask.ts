@@ -1,5 +1,6 @@
 import {
   LessEqualStencilFunc,
+  NotEqualDepth,
   NotEqualStencilFunc,
   ReplaceStencilOp,
   type ShaderMaterialParameters,
@@ -53,6 +54,7 @@ function maskWhere(stencilFunc: StencilFunc, stencilRef: number, more?: ShaderMa
   return new FullScreen(
     fragmentShader,
     { share: { value: 1 } },
-    { ...ADDS, stencilWrite: true, stencilFunc, stencilRef, ...more },
+    // Nothing at the far plane is in shadow, whatever its count.
+    { ...ADDS, depthTest: true, depthFunc: NotEqualDepth, stencilWrite: true, stencilFunc, stencilRef, ...more },
   );
 }

@@ -1,8 +1,11 @@
 import {
+  Box3,
   BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
   Matrix4,
+  Ray,
+  Sphere,
   Vector3,
   Vector4,
   type WebGLRenderer,
@@ -26,6 +29,8 @@ interface Caster {
   /** Number of its first vertex among those of all casters. */
   readonly first: number;
   readonly facesLight: Uint8Array;
+  /** Bounding sphere in model space. */
+  readonly sphere: Sphere;
   /** As in the triangles that were written last. */
   isVisible: boolean;
   /** The light of `facesLight` in the frame of the model, and whether it is a lamp (w); NaN at first. */
@@ -33,9 +38,12 @@ interface Caster {
 }
 
 /**
- * Counts the shadow volumes of closed meshes by depth fail, which is correct even if the camera is inside a volume. All
- * meshes are one draw call. Triangles of a mesh come in any order, so the stencil operations wrap. This pass must run
- * before the volumes of particles, which clamp: the count of meshes over a pixel must stay below 256.
+ * Counts the shadow volumes of closed meshes. All meshes are one draw call. Triangles of a mesh come in any order, so the
+ * stencil operations wrap. This pass must run before the volumes of particles, which clamp: the count of meshes over a
+ * pixel must stay below 256.
+ *
+ * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs only the quads
+ * at the silhouettes: no receiver is behind the far caps, and the lit faces are in front of the near caps.
  */
 export class MeshVolumesPass {
   private readonly eye: FrameView;
@@ -44,6 +52,7 @@ export class MeshVolumesPass {
   private readonly transforms: SurfaceTransforms;
   private readonly volumes: DrawnMesh;
   private readonly indices: Uint32Array;
+  private hasCaps = false;
 
   constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
     this.eye = eye;
@@ -68,16 +77,16 @@ export class MeshVolumesPass {
       },
     });
     this.volumes = new DrawnMesh(material, geometryOf(this.casters, this.indices));
-    countFaces(
-      this.volumes.mesh,
-      { depthFail: WebGL2RenderingContext.DECR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
-      { depthFail: WebGL2RenderingContext.INCR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
-    );
   }
 
-  draw(renderer: WebGLRenderer): void {
+  /** @param countsFar whether the counts of pixels at the far plane must be right, too */
+  draw(renderer: WebGLRenderer, countsFar = true): void {
     if (this.casters.size === 0) return;
-    this.follow(this.eye.uniforms.lightInWorld.value);
+    this.follow(this.eye.uniforms.lightInWorld.value, countsFar || this.mayContainEye());
+    const { KEEP, INCR_WRAP, DECR_WRAP } = WebGL2RenderingContext;
+    const counting = (behind: number, before: number) =>
+      this.hasCaps ? { depthFail: behind, depthPass: KEEP } : { depthFail: KEEP, depthPass: before };
+    countFaces(this.volumes.mesh, counting(DECR_WRAP, INCR_WRAP), counting(INCR_WRAP, DECR_WRAP));
     this.volumes.draw(renderer);
   }
 
@@ -86,9 +95,26 @@ export class MeshVolumesPass {
     this.volumes.material.dispose();
   }
 
-  /** Writes the triangles again if a caster has turned in the light, or if one appeared or disappeared. */
-  private follow(light: Vector4): void {
-    let isStale = false;
+  /** Returns true if the near plane may intersect a volume. */
+  private mayContainEye(): boolean {
+    const { casters, eye, transforms } = this;
+    if (!eye.isLitBySun) return true;
+    const { place, nearReach } = eye;
+    const travel = eye.travelAt(place);
+    return [...casters].some(([surface, caster]) => {
+      const { center, radius } = sphere.copy(caster.sphere).applyMatrix4(transforms.worldFromModel(surface));
+      const isNear = ray.set(center, travel).distanceToPoint(place) < radius + SHADOW_INSET + nearReach;
+      return isNear && transforms.isVisible(surface);
+    });
+  }
+
+  /**
+   * Writes the triangles again if a caster has turned in the light, if one appeared or disappeared, or if the caps are
+   * needed or not needed any more.
+   */
+  private follow(light: Vector4, hasCaps: boolean): void {
+    let isStale = this.hasCaps !== hasCaps;
+    this.hasCaps = hasCaps;
     for (const [surface, caster] of this.casters) {
       const isVisible = this.transforms.isVisible(surface);
       const hasMoved = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
@@ -100,7 +126,7 @@ export class MeshVolumesPass {
     const vertices = geometry.getAttribute('position').count / 2;
     let end = 0;
     for (const { mesh, first, facesLight, isVisible } of this.casters.values()) {
-      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end);
+      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end, hasCaps);
     }
     const index = geometry.index!;
     geometry.setDrawRange(0, end);
@@ -115,6 +141,7 @@ function casterOf(mesh: Extrusion, first: number): Caster {
     mesh,
     first,
     facesLight: new Uint8Array(mesh.corners.length / 3),
+    sphere: new Box3().setFromArray(mesh.positions).getBoundingSphere(new Sphere()),
     isVisible: false,
     light: new Vector4(NaN, NaN, NaN, NaN),
   };
@@ -139,6 +166,8 @@ const light = new Vector3();
 const seen = new Vector4();
 const point = new Vector3();
 const stretch = new Matrix4();
+const ray = new Ray();
+const sphere = new Sphere();
 
 /**
  * Finds the faces of a caster that face the light.
