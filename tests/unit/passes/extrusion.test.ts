@@ -17,7 +17,7 @@ function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number
     normals[3 * face] * travel[0] + normals[3 * face + 1] * travel[1] + normals[3 * face + 2] * travel[2] < 0 ? 1 : 0,
   );
   const indices = new Uint32Array(corners.length + 1.5 * edges.length);
-  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0);
+  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0, true);
   const corner = (vertex: number): Triple => {
     const carried = vertex < vertices ? 0 : extent;
     const [x, y, z] = positions.subarray(3 * (vertex % vertices), 3 * (vertex % vertices) + 3);
