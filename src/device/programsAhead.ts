@@ -50,11 +50,11 @@ export class ProgramsAhead {
     const until = performance.now() + TIMEOUT_MS;
     const programs = renderer.info.programs as unknown as readonly Compiled[];
     const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
-    while (!context.isContextLost() && !isReady() && performance.now() < until) {
+    while (!context.isContextLost() && performance.now() < until) {
+      // Reads their uniforms now: in the first frame this would wait for the draw calls before it.
+      if (isReady()) return programs.forEach((program) => program.getUniforms());
       await new Promise((resolve) => setTimeout(resolve, POLL_MS));
     }
-    // Reads their uniforms, for which the GPU would have to finish its draw calls in the first frame.
-    for (const program of programs) program.getUniforms();
   }
 
   dispose(): void {
