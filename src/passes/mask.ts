@@ -1,6 +1,5 @@
 import {
   LessEqualStencilFunc,
-  NotEqualDepth,
   NotEqualStencilFunc,
   ReplaceStencilOp,
   type ShaderMaterialParameters,
@@ -54,7 +53,6 @@ function maskWhere(stencilFunc: StencilFunc, stencilRef: number, more?: ShaderMa
   return new FullScreen(
     fragmentShader,
     { share: { value: 1 } },
-    // Nothing at the far plane is in shadow, whatever its count.
-    { ...ADDS, depthTest: true, depthFunc: NotEqualDepth, stencilWrite: true, stencilFunc, stencilRef, ...more },
+    { ...ADDS, stencilWrite: true, stencilFunc, stencilRef, ...more },
   );
 }

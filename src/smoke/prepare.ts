@@ -47,7 +47,10 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
  * Compiles the programs of a picture while other resources load, and resolves when they are ready. Those of rarely used
  * passes are compiled when they first draw.
  */
-export async function compileAhead({ isUsable, programs, renderer, writesDepth }: Device, values: Values): Promise<void> {
+export async function compileAhead(
+  { isUsable, programs, renderer, writesDepth }: Device,
+  values: Values,
+): Promise<void> {
   if (!isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);

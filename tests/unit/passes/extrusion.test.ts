@@ -62,6 +62,25 @@ describe('extrude', () => {
   });
 });
 
+describe('writeVolume', () => {
+  it('leaves out the far end and the lit faces away from the silhouette', () => {
+    const extrusion = extrude(ballMesh(1, 24));
+    const { normals, corners, edges, positions } = extrusion;
+    const facesLight = Uint8Array.from({ length: corners.length / 3 }, (_, face) => Number(normals[3 * face + 1] > 0));
+    const vertices = positions.length / 3;
+    const written = (isClosed: boolean): Uint32Array => {
+      const indices = new Uint32Array(corners.length + 1.5 * edges.length);
+      return indices.subarray(0, writeVolume(extrusion, facesLight, 0, vertices, indices, 0, isClosed));
+    };
+    const [closed, open] = [written(true), written(false)];
+    const heights = Array.from(open, (vertex) => positions[3 * (vertex % vertices) + 1]);
+    // The silhouette is the equator, with a ring of triangles above it.
+    expect(Math.max(...heights)).toBeLessThan(0.14);
+    expect(Math.min(...heights)).toBeGreaterThan(-0.01);
+    expect(closed.length - open.length).toBe(3 * (facesLight.length - 2 * 48));
+  });
+});
+
 describe('hullNormals', () => {
   it('points out of the corners of a creased cube', () => {
     const normals = hullNormals(CUBE);
