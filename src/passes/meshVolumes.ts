@@ -6,7 +6,6 @@ import {
   Matrix4,
   Ray,
   Sphere,
-  Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -162,10 +161,8 @@ function geometryOf(casters: ReadonlyMap<number, Caster>, indices: Uint32Array):
   return geometry;
 }
 
-const light = new Vector3();
 const seen = new Vector4();
-const point = new Vector3();
-const stretch = new Matrix4();
+const modelFromWorld = new Matrix4();
 const ray = new Ray();
 const sphere = new Sphere();
 
@@ -173,26 +170,21 @@ const sphere = new Sphere();
  * Finds the faces of a caster that face the light.
  * @returns false if they are known: the light has not moved in the frame of the model
  */
-function followLight(caster: Caster, worldFromModel: Matrix4, { x, y, z, w }: Vector4): boolean {
+function followLight(caster: Caster, worldFromModel: Matrix4, light: Vector4): boolean {
   const { mesh, facesLight } = caster;
-  const e = worldFromModel.elements;
-  // A normal n of the model is M n in the world. Its product with a world direction d is that of n with M^T d. The
-  // light travels along p - L towards a point p, and along -L for a sun.
-  light.set(w * e[12] - x, w * e[13] - y, w * e[14] - z);
-  const [lightX, lightY, lightZ] = [0, 4, 8].map((at) => e[at] * light.x + e[at + 1] * light.y + e[at + 2] * light.z);
-  seen.set(lightX, lightY, lightZ, w);
+  const { x, y, z, w } = seen.copy(light).applyMatrix4(modelFromWorld.copy(worldFromModel).invert());
   if (caster.light.equals(seen)) return false;
   caster.light.copy(seen);
-  stretch.copy(worldFromModel).setPosition(0, 0, 0).transpose().multiply(worldFromModel).setPosition(0, 0, 0);
   const { corners, normals, positions } = mesh;
   for (let face = 0; face < facesLight.length; ++face) {
     const first = 3 * face;
-    let travel = normals[first] * lightX + normals[first + 1] * lightY + normals[first + 2] * lightZ;
-    if (w > 0) {
-      point.fromArray(positions, 3 * corners[first]).applyMatrix4(stretch);
-      travel += normals[first] * point.x + normals[first + 1] * point.y + normals[first + 2] * point.z;
-    }
-    facesLight[face] = travel < 0 ? 1 : 0;
+    const corner = 3 * corners[first];
+    // Towards the light from a point p: L - p for a lamp at L, L for a sun.
+    const facing =
+      normals[first] * (x - w * positions[corner]) +
+      normals[first + 1] * (y - w * positions[corner + 1]) +
+      normals[first + 2] * (z - w * positions[corner + 2]);
+    facesLight[face] = facing > 0 ? 1 : 0;
   }
   return true;
 }
