@@ -42,7 +42,7 @@ export default defineConfig({
     sourcemap: true,
     chunkSizeWarningLimit: 800,
     rolldownOptions: {
-      input: ['index.html', 'paper.html', 'puff.html'],
+      input: ['index.html', 'paper.html', 'puff.html', 'examples.html'],
       // These files only export. Otherwise the first load would contain every module that they name.
       treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset|puff)\.ts$/, sideEffects: false }] },
       // puff.html loads presets one by one, which would split those of the page into a file for each scene.

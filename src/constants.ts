@@ -55,6 +55,9 @@ export const FADE_RADII = [1.5, 3] as const;
 /** Side of the square tiles in which the resolve pass looks for edges, pixels. */
 export const EDGE_TILE = 8;
 
+/** Side of the square tiles in which the simplify pass looks for light that is the same everywhere, pixels. */
+export const FLAT_TILE = 8;
+
 /** Side of the square tiles whose receivers are measured for large shadow volumes, pixels. */
 export const DEPTH_TILE = 32;
 /** Bits of the number of a tile in a quad of a shadow volume; the other bits of 32 are the number of the caster. */

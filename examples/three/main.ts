@@ -35,6 +35,7 @@ const smoke = await CartoonSmoke.create({
     'emitters.0.size': 0.34,
     'forces.wind.x': 0.12,
     'style.outlineWidth': 2,
+    'style.smokeColor': '#fff4e3',
   },
 });
 scene.add(smoke);

@@ -4,14 +4,19 @@
  */
 
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
-import { homedir, tmpdir } from 'node:os';
+import { existsSync, readdirSync } from 'node:fs';
+import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { graphicsFlags, startsAsBrowser, systemBrowsers } from '../lib/chromium.mjs';
 import { UserError } from '../lib/userError.mjs';
+import { useOwnCores } from './cores.mjs';
+import { createProfile, removeProfile } from './profile.mjs';
 
 const MISSING =
   'No browser was found: install Chromium or Chrome, run npx playwright install chromium, or set CHROMIUM_PATH to one.';
+
+/** A browser that was told to close is killed after this time, milliseconds. */
+const PATIENCE = 3000;
 
 /**
  * The path of a Chromium that starts: $CHROMIUM_PATH, otherwise Playwright's newest, otherwise one of the system.
@@ -59,6 +64,7 @@ function playwrightBrowsers() {
  * @typedef {object} OpenBrowser
  * @property {string} version such as Chrome/149.0.7827.0
  * @property {(address: string) => Promise<void>} show
+ * @property {() => void} useOwnCores lets the browser draw on the cores of this process
  * @property {Promise<never>} failure rejects when the browser or its page crashes
  * @property {() => Promise<void>} close
  */
@@ -71,7 +77,7 @@ function playwrightBrowsers() {
  */
 export async function openBrowser(usesGpu) {
   const path = findChromium();
-  const profile = mkdtempSync(join(tmpdir(), 'cartoon-smoke-browser-'));
+  const profile = createProfile();
   const flags = graphicsFlags(usesGpu ? (process.env.CHROMIUM_ANGLE ?? 'default') : 'swiftshader');
   // A group of its own, so that Ctrl+C reaches only this process, which then closes the browser.
   const child = spawn(
@@ -98,9 +104,12 @@ export async function openBrowser(usesGpu) {
   failure.catch(() => undefined);
   const close = async () => {
     child.removeAllListeners('exit');
-    kill(child);
+    // A browser that is killed at once leaves files outside its profile.
+    protocol.send('Browser.close').catch(() => undefined);
+    const timer = setTimeout(() => kill(child), PATIENCE);
     await ended;
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    clearTimeout(timer);
+    removeProfile(profile);
   };
   try {
     const version = await Promise.race([protocol.send('Browser.getVersion'), failure]);
@@ -110,6 +119,7 @@ export async function openBrowser(usesGpu) {
       show: async (address) => {
         await Promise.race([protocol.send('Target.createTarget', { url: address }), failure]);
       },
+      useOwnCores: () => useOwnCores(Number(child.pid)),
       failure,
       close,
     };

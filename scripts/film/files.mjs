@@ -53,15 +53,15 @@ export function removeParts() {
  *
  * @param {string} folder
  */
-export async function prepareFolder(folder) {
+export function prepareFolder(folder) {
+  const probe = join(folder, `.probe-${randomBytes(4).toString('hex')}`);
   try {
     createFolder(folder);
+    writeFileSync(probe, '');
+    rmSync(probe);
   } catch (error) {
     throw diskError(folder, error);
   }
-  const probe = join(folder, `.probe-${randomBytes(4).toString('hex')}`);
-  await writeWhole(probe, '');
-  rmSync(probe, { force: true });
 }
 
 /** One level at a time: Node's recursive mkdir does not return for a folder in /proc. */

@@ -2,8 +2,8 @@
 
 import { createHash } from 'node:crypto';
 import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { writeWhole } from './files.mjs';
+import { dirname, join } from 'node:path';
+import { prepareFolder, writeWhole } from './files.mjs';
 import { FrameFolder } from './frames.mjs';
 import { readFilmOptions } from './options.mjs';
 import { bytesOf, PageRun, untilStopped } from './pageRun.mjs';
@@ -28,10 +28,11 @@ import { encodeByFfmpeg, requireFfmpeg } from './video.mjs';
 export async function film(words, files, version, onFrame) {
   const options = readFilmOptions(words);
   if (options.video?.type === 'mov') requireFfmpeg();
+  if (options.video) prepareFolder(dirname(options.video.file));
   const folder = new FrameFolder(options.out);
-  await folder.prepare(options.frames);
+  folder.prepare(options.frames);
   const states = options.states === undefined ? undefined : new StateFolder(options.states);
-  await states?.prepare();
+  states?.prepare();
   const page = new PageRun();
   const session = new Session(options, folder, states, page, `${version}+${digestOf(files)}`, onFrame);
   return untilStopped('Film', page, (say) => session.run(files, say));

@@ -14,7 +14,7 @@ import { bytesOf, PageRun, untilStopped } from './pageRun.mjs';
  */
 export async function flipbook(words, files) {
   const { order, out, usesGpu } = readFlipbookOptions(words);
-  await prepareFolder(out);
+  prepareFolder(out);
   const page = new PageRun();
   return untilStopped('Flipbook', page, async (say) => {
     await page.run(files, usesGpu, async ({ method, path, body }) => {

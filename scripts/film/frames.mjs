@@ -55,8 +55,8 @@ export class FrameFolder {
    * @param {readonly number[]} frames that this run may write
    * @throws {UserError} when the folder cannot be written
    */
-  async prepare(frames) {
-    await prepareFolder(this.#folder);
+  prepare(frames) {
+    prepareFolder(this.#folder);
     const own = new Set(frames);
     const isOwn = (/** @type {string} */ name) => own.has(Number(/(\d{4,})\.\w+$/.exec(name)?.[1] ?? -1));
     removeLeftovers(this.#folder, isOwn);

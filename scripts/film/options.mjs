@@ -1,15 +1,15 @@
 /** The command line of `cartoon-smoke film`. */
 
-import { readFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { UserError } from '../lib/userError.mjs';
+import { readCamera } from './camera.mjs';
 
 export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [options]
 
   LINK                   an address with a hash, or a hash: '#v=2&preset=lamp'
   --frames 0-239         first and last frame, both included
   --out FOLDER           where the files go; finished frames in it are kept
-  --fps 24               frames per second (24)
+  --fps 24               frames per second, also 24000/1001 or 23.976 (24)
   --size 1920x1080       pixels of a frame (1920x1080)
   --scale N              output pixels per CSS pixel, 0.5 to 4; ink is measured in CSS pixels (the smallest integer that
                          gives at most 1080 CSS pixels of height)
@@ -29,19 +29,16 @@ export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 204
   --grid 8x8             columns and rows of the atlas; each cell is a frame (8x8)
   --size 2048            width of the atlas in pixels (2048)
   --seconds 2            length of the loop (2)
-  --out FOLDER           where color.png, channels.png, normals.png and flipbook.json go
-  --scale N              pixels per CSS pixel (1)`;
+  --out FOLDER           where color.png, channels.png, normals.png, motion.png and flipbook.json go
+  --scale N              pixels per CSS pixel (1)
+  --gpu                  the graphics of the machine instead of SwiftShader`;
 
 /** Limit of the pixel ratio of a picture. */
 const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
-const CAMERA_KEYS = ['azimuth', 'elevation', 'distance', 'target.x', 'target.y', 'target.z'].map(
-  (name) => `camera.${name}`,
-);
 
 /**
  * @typedef {import('../../src/app/film/order.ts').FilmOrder} FilmOrder
- * @typedef {import('../../src/app/film/order.ts').Keyframe} Keyframe
  * @typedef {object} FilmOptions
  * @property {FilmOrder} order
  * @property {number} first of all shards
@@ -83,7 +80,7 @@ export function readFilmOptions(words) {
   const [width, height] = readSize(values.size);
   const supersample = readNumber('--supersample', values.supersample, 1, 2);
   const format = oneOf('--format', values.format, /** @type {const} */ (['png', 'exr']));
-  const fps = readNumber('--fps', values.fps, 1, 240);
+  const fps = readFps(values.fps);
   const states = values.states;
   const video = readVideo(values, format, width, height);
   if (!values.out) throw new UserError('Name a folder for the frames: --out FOLDER.');
@@ -200,6 +197,17 @@ export function readScale(text, height, supersample = 1) {
   return scale;
 }
 
+function readFps(/** @type {string} */ text) {
+  const [, count, seconds = '1'] = /^(\d+(?:\.\d+)?)(?:\/(\d+))?$/.exec(text) ?? [];
+  const fps = Number(count) / Number(seconds);
+  if (!(fps >= 1 && fps <= 240)) {
+    throw new UserError(`--fps ${text}: it takes 1 to 240, such as 24, 24000/1001 or 23.976.`);
+  }
+  // 23.976, 29.97 and 59.94 are short for 24000/1001, 30000/1001 and 60000/1001.
+  const ofBroadcasts = (1000 * Math.round(1.001 * fps)) / 1001;
+  return Math.abs(fps / ofBroadcasts - 1) < 2e-4 ? ofBroadcasts : fps;
+}
+
 /**
  * @param {string} name
  * @param {string} text
@@ -257,47 +265,4 @@ function shardOf(text, first, last) {
   const length = last - first + 1;
   const [from, to] = [index - 1, index].map((shard) => first + Math.floor((shard * length) / shards));
   return Array.from({ length: to - from }, (_, frame) => from + frame);
-}
-
-/**
- * @param {string} file
- * @param {number} fps
- * @returns {Keyframe[]}
- */
-function readCamera(file, fps) {
-  const keyframes = readJson(file);
-  if (!Array.isArray(keyframes) || keyframes.length === 0) {
-    throw new UserError(`--camera ${file}: it has to be a list of keyframes, [{ "frame": 0, "camera.azimuth": 20 }].`);
-  }
-  const read = keyframes.map((entry, at) => readKeyframe(entry, `--camera ${file}: keyframe ${at + 1}`, fps));
-  read.forEach(({ seconds }, at) => {
-    if (at > 0 && seconds <= read[at - 1].seconds) {
-      throw new UserError(`--camera ${file}: keyframe ${at + 1} is not after the one before it.`);
-    }
-  });
-  return read;
-}
-
-function readJson(/** @type {string} */ file) {
-  try {
-    return /** @type {unknown} */ (JSON.parse(readFileSync(file, 'utf8')));
-  } catch (error) {
-    throw new UserError(`--camera ${file} cannot be read: ${error instanceof Error ? error.message : String(error)}`);
-  }
-}
-
-/**
- * @param {unknown} entry
- * @param {string} where
- * @param {number} fps
- * @returns {Keyframe}
- */
-function readKeyframe(entry, where, fps) {
-  const { frame, ...values } = /** @type {Record<string, unknown>} */ (Object(entry));
-  if (typeof frame !== 'number' || !(frame >= 0)) throw new UserError(`${where} needs a frame of at least 0.`);
-  for (const [key, value] of Object.entries(values)) {
-    if (!CAMERA_KEYS.includes(key)) throw new UserError(`${where} has ${key}: the keys are ${CAMERA_KEYS.join(', ')}.`);
-    if (typeof value !== 'number' || !Number.isFinite(value)) throw new UserError(`${where}: ${key} is not a number.`);
-  }
-  return { seconds: frame / fps, values: /** @type {Record<string, number>} */ (values) };
 }

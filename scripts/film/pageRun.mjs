@@ -31,9 +31,15 @@ export class PageRun {
     if (this.#isClosed) return browser.close();
     this.#closing.push(() => browser.close());
     const { promise: ended, resolve, reject } = deferred();
+    let drawsOnOwnCores = false;
     const server = await servePage(files, async (request) => {
       this.#hasBegun = true;
       try {
+        // Since its request for the order, the page has created what draws.
+        if (request.path !== 'order' && !drawsOnOwnCores) {
+          drawsOnOwnCores = true;
+          browser.useOwnCores();
+        }
         if (request.path === 'end') resolve();
         else if (request.path === 'fail') throw new UserError((await bytesOf(request.body)).toString('utf8'));
         else return await reply(request);

@@ -25,8 +25,8 @@ export class StateFolder {
     this.#folder = folder;
   }
 
-  async prepare() {
-    await prepareFolder(this.#folder);
+  prepare() {
+    prepareFolder(this.#folder);
   }
 
   /**

@@ -41,11 +41,17 @@ const TOGETHER = [
 ];
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
-const ERRORS = inRoot('src/preset/errors.ts');
+/** Every build refers to it by its file, so that the classes of errors are the same in all. */
+const ERRORS = { errors: 'src/preset/errors.ts' };
+/** Smoke in the three.js scenes of others, a build of its own. */
+const HOSTED = { cartoonSmoke: 'src/three/cartoonSmoke.ts', proxies: 'src/three/proxies.ts' };
 
 /**
  * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the scripts for
  * CDNs. Copies the simulator beside them.
+ *
+ * `CartoonSmoke` is a build of its own, because a page has either it or, on its main thread, the element. Shared chunks would
+ * make each load code of the other: bundlers keep what a module that they can reach loads on demand.
  *
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
@@ -55,17 +61,24 @@ export async function bundleAll(folder, plugins = shortening()) {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
     'element.development': 'src/element/development.ts',
-    fiber: 'src/fiber.ts',
     puff: 'src/puff.ts',
-    errors: 'src/preset/errors.ts',
+    ...ERRORS,
   };
   const external = /^(three|react|@react-three\/fiber)(\/|$)/;
-  await bundle({ input: entries(modules), external, plugins: [...plugins, workerAt('./worker.js')] }, folder, SPLIT);
+  const ofPage = [...plugins, workerAt('./worker.js'), beside(HOSTED)];
+  await bundle({ input: entries(modules), external, plugins: ofPage }, folder, SPLIT);
+  const hosted = entries({ ...HOSTED, fiber: 'src/fiber.ts' });
+  // Its volumes are always counted.
+  const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
+  await bundle({ input: hosted, external, plugins: [...plugins, beside(ERRORS)], checks }, folder, {
+    chunkFileNames: 'cartoonSmoke-[name].js',
+    codeSplitting: { groups: [{ name: 'host', test: /src\/three\/(cartoonSmoke|hostPasses)\.ts$/ }] },
+  });
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
-  await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [errorsBeside()] }, folder);
+  await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleScript('cartoon-smoke.min', folder, plugins);
   await bundleScript('puff.min', folder, plugins);
 }
@@ -180,12 +193,19 @@ function workerAt(address) {
   };
 }
 
-/** @returns {import('rolldown').Plugin} */
-function errorsBeside() {
+/**
+ * Imports modules from their files in the package.
+ * @param {Record<string, string>} modules their sources by the names of their files
+ * @returns {import('rolldown').Plugin}
+ */
+function beside(modules) {
+  const files = new Map(Object.entries(modules).map(([name, source]) => [inRoot(source), `./${name}.js`]));
   return {
-    name: 'errors-beside',
-    resolveId: (source, importer) =>
-      importer && join(dirname(importer), source) === ERRORS ? { id: './errors.js', external: true } : undefined,
+    name: 'beside',
+    resolveId(source, importer) {
+      const id = importer && files.get(join(dirname(importer), source));
+      return id ? { id, external: true } : undefined;
+    },
   };
 }
 

@@ -15,6 +15,8 @@ import { sourceModule } from './sourceModule.mjs';
 const { attributes, cssParts, cssProperties, events, methods, slots } =
   await sourceModule('src/element/documentation.ts');
 
+/** The index in names of a list's first item, `emitters-0-speed` and `emitters0Speed`. */
+const FIRST_ITEM = /(?<=[a-z])0(?=[A-Z])|(?<=-)0(?=-)/;
 const MODULE = 'dist/element.js';
 const CLASS = 'CartoonSmokeElement';
 const TAG = 'cartoon-smoke';
@@ -48,27 +50,37 @@ export function customElements() {
   return { schemaVersion: '1.0.0', readme: 'README.md', modules };
 }
 
-/** Custom data for the HTML editor of VS Code (version 1.1). @param {ReturnType<typeof customElements>} manifest */
+/**
+ * Custom data for the HTML editor of VS Code (version 1.1). The format has no patterns, so it leaves out the attributes of
+ * list items: they would be most of the suggestions. The editor accepts attributes that are not listed.
+ * @param {ReturnType<typeof customElements>} manifest
+ */
 export function htmlCustomData(manifest) {
   const [{ tagName, description, attributes: all }] = manifest.modules[0].declarations;
-  const described = all.map((each) => {
+  const single = all.filter(({ name }) => !FIRST_ITEM.test(name));
+  const described = single.map((each) => {
     const values = choicesOf(each).map((name) => ({ name }));
     return { name: each.name, description: each.description, ...(values.length > 0 && { values }) };
   });
   return { version: 1.1, tags: [{ name: tagName, description, attributes: described }] };
 }
 
-/** Web types for the editors of JetBrains. @param {ReturnType<typeof customElements>} manifest @param {string} version */
+/**
+ * Web types for the editors of JetBrains. Attributes and properties of list items are patterns, which the editors accept
+ * and explain but do not suggest.
+ * @param {ReturnType<typeof customElements>} manifest
+ * @param {string} version
+ */
 export function webTypes(manifest, version) {
   const [{ tagName, description, attributes: all, members, events: own }] = manifest.modules[0].declarations;
   const attributesOf = all.map((each) => {
     const values = choicesOf(each);
     const type = values.length > 0 ? values.map((value) => `'${value}'`).join(' | ') : each.type.text;
-    return { name: each.name, description: each.description, default: each.default, value: { type } };
+    return { ...named(each), description: each.description, default: each.default, value: { type } };
   });
   const properties = members
     .filter(({ kind }) => kind === 'field')
-    .map((member) => ({ name: member.name, description: member.description }));
+    .map((member) => ({ ...named(member), description: member.description }));
   const js = { events: own.map(({ name, description: text }) => ({ name, description: text })), properties };
   const elements = [{ name: tagName, description, attributes: attributesOf, js }];
   return {
@@ -78,6 +90,13 @@ export function webTypes(manifest, version) {
     'description-markup': 'markdown',
     contributions: { html: { elements } },
   };
+}
+
+/** A name of web types, with the pattern of all items. @param {{ name: string }} of */
+function named({ name }) {
+  return FIRST_ITEM.test(name)
+    ? { name: name.replace(FIRST_ITEM, '#'), pattern: name.replace(FIRST_ITEM, '[0-7]') }
+    : { name };
 }
 
 /** The values of a choice. @param {{ type: { text: string } }} of */

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
 
-/** @type {{ name: string, version: string, description: string, license: string, repository: string, dependencies: { three: string } }} */
+/** @type {{ name: string, version: string, description: string, license: string, repository: string }} */
 const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 
 /** Web URL of the GitHub repository in package.json. */
@@ -67,7 +67,8 @@ export const manifest = {
     './dist/cartoon-smoke.min.js',
     './dist/puff.min.js',
   ],
-  peerDependencies: { '@react-three/fiber': '^9.0.0', react: '>=19', three: project.dependencies.three },
+  // From the oldest release that uploads ranges of textures. tests/e2e/package/versions.long.spec.ts installs both ends.
+  peerDependencies: { '@react-three/fiber': '^9.0.0', react: '>=19', three: '>=0.177.0 <1' },
   peerDependenciesMeta: { '@react-three/fiber': { optional: true }, react: { optional: true } },
 };
 

@@ -31,8 +31,10 @@ export function shadersTogether() {
     name: 'shaders-together',
     renderChunk(code, _chunk, _options, { magicString }) {
       if (!magicString) throw new Error('Shaders together need experimental.nativeMagicString.');
-      for (const { 0: shader, index } of code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm))
-        if (index > 0) magicString.move(index, index + shader.length, 0);
+      const shaders = [...code.matchAll(/^\/\/ shaders\/.*\nvar [\w$]+ = ".*";\n/gm)];
+      // Short ones first: a long one then follows the one that it has most in common with.
+      shaders.sort(({ 0: one }, { 0: other }) => one.length - other.length);
+      for (const { 0: shader, index } of shaders) if (index > 0) magicString.move(index, index + shader.length, 0);
       return { code: magicString };
     },
   };

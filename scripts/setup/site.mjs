@@ -12,6 +12,7 @@ export const title = 'Site';
 const SOURCES = [
   'embed.html',
   'examples',
+  'examples.html',
   'index.html',
   'package-lock.json',
   'paper.html',

@@ -1,2 +1,1 @@
-// Side of a tile of simplify/tiles.frag, pixels.
 const int FLAT_TILE = 8;

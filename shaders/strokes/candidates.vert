@@ -5,7 +5,7 @@ precision highp int;
 flat out int arc;
 
 #include arc.glsl
-#include standing.glsl
+#include separation.glsl
 #include placeTile.glsl
 
 // A stroke covers more samples than lie between two of these, and stands before other smoke at more taps than are left out.
@@ -25,7 +25,7 @@ bool isInPicture() {
 bool isCandidate() {
   if (findArc() <= 0.0 || !isInPicture()) return false;
   for (int number = SAMPLE_STRIDE - 1; number <= LAST; number += SAMPLE_STRIDE) {
-    if (standing(alongOf(number), TAP_STRIDE) > 0.0) return true;
+    if (separationAt(alongOf(number), TAP_STRIDE) > 0.0) return true;
   }
   return false;
 }

@@ -2,7 +2,7 @@ precision highp float;
 precision highp int;
 
 // A point over the tile of each arc that has samples.
-uniform sampler2D standings;
+uniform sampler2D separations;
 
 flat out int arc;
 
@@ -11,5 +11,5 @@ flat out int arc;
 
 void main() {
   arc = gl_VertexID;
-  placeTile(arc, texelFetch(standings, texelOf(arc, LAST_TEXEL), 0).r > 0.0);
+  placeTile(arc, texelFetch(separations, texelOf(arc, LAST_TEXEL), 0).r > 0.0);
 }

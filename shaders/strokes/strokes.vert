@@ -5,7 +5,7 @@ precision highp int;
 uniform float inkPixels;
 uniform float inkSwell;
 uniform int drawing;
-uniform sampler2D standings;
+uniform sampler2D separations;
 
 // Point from the centre of the lobe, in its radii, and view z of the plane of the outline there.
 out vec3 besideAndZ;
@@ -26,7 +26,7 @@ const float SLOPE = 0.57735;
 void main() {
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   arc = gl_VertexID / 3;
-  if (texelFetch(standings, texelOf(arc, LAST_TEXEL), 0).r == 0.0) return;
+  if (texelFetch(separations, texelOf(arc, LAST_TEXEL), 0).r == 0.0) return;
   fetchArc(arc);
   findArc();
   float size = lobe.w * radius / pixel;

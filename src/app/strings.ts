@@ -253,6 +253,7 @@ export const strings = {
     title: 'Play with smoke',
     paper: 'Comparison with the 2006 paper',
     puff: 'Smoke by one call: puff()',
+    examples: 'Examples with their code',
     licenses: 'Third-party licences',
     close: 'Close',
     hand: (thing: string) => `Drag ${thing}`,

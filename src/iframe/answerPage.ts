@@ -11,25 +11,21 @@ const MAX_CONNECTIONS = 16;
 /**
  * Serves the stage to the page that embeds this frame.
  * @param allowed origin that may connect, from `?origin=`; undefined allows any origin, an empty string none
- * @param whenStanding starts the smoke and resolves with its first frame
+ * @param start starts the smoke and resolves with its first frame
  */
-export function answerPage(
-  stage: RemoteStage,
-  allowed: string | undefined,
-  whenStanding: () => Promise<unknown>,
-): void {
+export function answerPage(stage: RemoteStage, allowed: string | undefined, start: () => Promise<unknown>): void {
   if (window.parent === window || allowed === '') return;
   let connections = 0;
-  const standing = new Set<MessagePort>();
+  const connected = new Set<MessagePort>();
   window.addEventListener('message', ({ source, origin, data, ports }) => {
     if (source !== window.parent || (allowed !== undefined && origin !== allowed)) return;
     if (!isHandshake(data, 'connect') || ports.length !== 1 || ++connections > MAX_CONNECTIONS) return;
     const [port] = ports;
     serveStage(port, stage);
-    whenStanding().then(
+    start().then(
       () => {
         port.postMessage({ id: OPENING });
-        standing.add(port);
+        connected.add(port);
       },
       (error) => port.postMessage({ id: OPENING, error: packError(error) }),
     );
@@ -38,7 +34,7 @@ export function answerPage(
     // A page in the back/forward cache can be restored.
     if (persisted) return;
     const error = packError(new SimulatorError('The frame was unloaded; connect again.'));
-    for (const port of standing) port.postMessage({ id: OPENING, error });
+    for (const port of connected) port.postMessage({ id: OPENING, error });
   });
   window.parent.postMessage(handshake('here'), allowed ?? '*');
 }

@@ -12,7 +12,10 @@ export interface AssetUrls {
 }
 
 const NAMES = ['core', 'physics', 'worker'] as const;
-const urls = new Map<string, string>();
+/** Shared by the builds of the package, such as those of the element and of three.js scenes, and by copies of it. */
+const KEY = Symbol.for('cartoon-smoke.assetUrls');
+const shared = globalThis as { [KEY]?: Map<string, string> };
+const urls = (shared[KEY] ??= new Map());
 
 /**
  * Sets where the library fetches its files. Applies to downloads that start after the call; files that are not named

@@ -5,22 +5,23 @@ import { defaults } from '../preset/values.ts';
 import { sizeOf } from '../page/size.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
+import { Alarm } from './alarm.ts';
 import { emissionsOf, flowsAround } from './effects.ts';
 import { follow } from './follow.ts';
 import { hexOf, lookOf, Tints } from './look.ts';
 import type { Effect, PuffOptions } from './options.ts';
 import { Overlay, OwnCanvas, type Sheet } from './overlay.ts';
 import { Placement } from './placement.ts';
+import { Scrolling } from './scrolling.ts';
 import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
 import { sourceOf, type Source } from './target.ts';
 
-/** Shortest and longest interval in which the engine reads the simulated time, milliseconds. */
-const LOOK_MS = 80;
-const MAX_LOOK_MS = 400;
+/** Time until the engine looks for a free emitter again, milliseconds. */
+const RETRY_MS = 80;
 /** Simulated seconds until a call begins while smoke is visible: longer than a message to the worker takes. */
 const LEAD = 0.05;
-/** The canvas goes this long after the last particle, milliseconds. The page's worker goes 5 s later. */
-const IDLE_MS = 5_000;
+/** The engine ends this long after the last particle, milliseconds. */
+const IDLE_MS = 10_000;
 /** Simulated seconds after which the smoke of `warmUp` is large enough to run all shaders. */
 const WARM_UP = 0.2;
 /** Simulated seconds after which the simulation starts again. Emitters cannot start after 3600 s. */
@@ -47,7 +48,7 @@ interface Waiting {
 interface Running extends Waiting {
   /** Simulated time at which the last particle is gone. */
   readonly end: number;
-  readonly stopFollowing: () => void;
+  readonly stopFollowing: readonly (() => void)[];
 }
 
 /** What a call emits, and from which emitters. */
@@ -73,9 +74,9 @@ export async function openEngine({ canvas, onEnd }: EngineOptions): Promise<Engi
   try {
     const values = { ...defaults(), ...AIR, ...look };
     const size = sizeOf(sheet.canvas);
-    const options = { values, ...size, quality: 'auto', background: false, historyBytes: 0 } as const;
+    const options = { values, ...size, quality: 'auto', background: false, historyBytes: 0, graceMs: 0 } as const;
     const stage = await openStage(() => sheet.makeCanvas(), options);
-    return new Engine(stage, sheet, new Placement(sheet, size), look, onEnd);
+    return new Engine(stage, sheet, new Placement(sheet, size), values, look, onEnd);
   } catch (error) {
     sheet.remove();
     throw asSmokeError(error);
@@ -88,6 +89,7 @@ export class Engine {
   private readonly placement: Placement;
   private readonly usualLook: Values;
   private readonly onEnd: () => void;
+  private readonly scrolling: Scrolling;
   private readonly emitters = new Emitters();
   private readonly obstacles = new Obstacles();
   private readonly tints = new Tints();
@@ -96,18 +98,30 @@ export class Engine {
   private starting: Waiting[] = [];
   private running: Running[] = [];
   private look: Values;
-  private seed: number | undefined;
+  /** The values of the stage. */
+  private sent: Values;
   private isStarting = false;
   private isKept = false;
   private hasEnded = false;
   /** Ends the listeners of visible smoke; set while there is some. */
   private playing: AbortController | undefined;
   private idle: ReturnType<typeof setTimeout> | undefined;
+  /** Waits for the next end of a call. */
+  private alarm: Alarm | undefined;
 
-  constructor(stage: RemoteStage, sheet: Sheet, placement: Placement, look: Values, onEnd: () => void) {
+  constructor(
+    stage: RemoteStage,
+    sheet: Sheet,
+    placement: Placement,
+    values: Values,
+    look: Values,
+    onEnd: () => void,
+  ) {
     this.stage = stage;
     this.sheet = sheet;
     this.placement = placement;
+    this.scrolling = new Scrolling(sheet);
+    this.sent = values;
     this.usualLook = this.look = look;
     this.onEnd = onEnd;
     stage.on('error', (error) => {
@@ -182,7 +196,7 @@ export class Engine {
   }
 
   private takeAll(): Waiting[] {
-    for (const { stopFollowing } of this.running) stopFollowing();
+    for (const { stopFollowing } of this.running) for (const stop of stopFollowing) stop();
     return [...this.waiting.splice(0), ...this.starting.splice(0), ...this.running.splice(0)];
   }
 
@@ -191,9 +205,9 @@ export class Engine {
     const changes: Changes = {};
     this.place(true, [each], changes);
     this.emit(each, 0, 0, changes);
-    await this.stage.set({ ...changes, ...this.emitters.values() });
+    await this.set({ ...changes, ...this.emitters.values() });
     await this.stage.seek(WARM_UP);
-    await this.stage.restart();
+    await this.reset();
   }
 
   private async lookFor(preset: string): Promise<Values> {
@@ -213,6 +227,7 @@ export class Engine {
       while (this.waiting.length > 0 && !this.hasEnded) await this.startSome();
     } finally {
       this.isStarting = false;
+      this.alarm?.wake();
     }
   }
 
@@ -225,7 +240,7 @@ export class Engine {
     if (isFirst) this.emitters.clear();
     const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
     this.starting = this.takeWaiting(this.emitters.free(now));
-    if (this.starting.length === 0) return delay(LOOK_MS);
+    if (this.starting.length === 0) return delay(RETRY_MS);
     this.place(isFirst, this.starting, changes);
     const start = isFirst ? 0 : now + LEAD;
     const begun = this.starting.map((each) => this.emit(each, start, now, changes));
@@ -256,9 +271,19 @@ export class Engine {
   }
 
   private move(isEmpty: boolean): void {
+    const before = this.placement.canvasSize;
     this.placement.move(isEmpty);
     const { width, height, pixelRatio } = this.placement.canvasSize;
-    this.stage.resize(width, height, pixelRatio).catch(() => undefined);
+    const isSame = width === before.width && height === before.height && pixelRatio === before.pixelRatio;
+    if (!isSame) this.stage.resize(width, height, pixelRatio).catch(() => undefined);
+  }
+
+  /** Sends the values that differ from those of the stage: long messages take time of both threads. */
+  private set(values: Values): Promise<void> {
+    const changes = Object.fromEntries(Object.entries(values).filter(([key, value]) => this.sent[key] !== value));
+    if (Object.keys(changes).length === 0) return Promise.resolve();
+    this.sent = { ...this.sent, ...changes };
+    return this.stage.set(changes);
   }
 
   private emit(each: Waiting, start: number, now: number, changes: Changes): Begun {
@@ -277,17 +302,16 @@ export class Engine {
     const seed = begun[0].each.call.seed ?? Math.floor(Math.random() * 2 ** 32);
     // First, because a stage that plays does not draw the empty scene for a change.
     this.beginPlay();
-    const set = this.stage.set({ ...changes, ...this.emitters.values(), seed });
     // Only another seed starts it by itself.
-    const restart = seed === this.seed ? this.stage.restart() : undefined;
-    this.seed = seed;
-    await Promise.all([set, restart]);
+    const isSame = seed === this.sent.seed;
+    const set = this.set({ ...changes, ...this.emitters.values(), seed });
+    await Promise.all([set, isSame && this.stage.restart()]);
     for (const each of begun) this.run(each, 0);
   }
 
   private async send(begun: readonly Begun[], changes: Changes, start: number): Promise<void> {
     for (let lead = LEAD; ; lead *= 2) {
-      const sent = this.stage.set({ ...changes, ...this.emitters.values() });
+      const sent = this.set({ ...changes, ...this.emitters.values() });
       const [{ time }] = await Promise.all([this.stage.stats(), sent]);
       if (time <= start || this.hasEnded) break;
       // A burst does not start in the past.
@@ -302,15 +326,24 @@ export class Engine {
     // Cleared in the meantime.
     if (!this.starting.includes(each)) return;
     this.starting = this.starting.filter((other) => other !== each);
-    const stopFollowing = call.effect === 'trail' ? this.follow(call, emissions[0], indices[0]) : () => undefined;
+    const stopFollowing = [this.scrolling.enter(call.source.inside)];
+    if (call.effect === 'trail') stopFollowing.push(this.follow(call, emissions[0], indices[0]));
     const life = Math.max(...emissions.map(lifeOf));
     this.running.push({ ...each, end: start + life, stopFollowing });
+    this.alarm?.wake();
     call.onBegin();
   }
 
   private follow({ source }: PuffCall, emission: PlacedEmission, index: number): () => void {
     const isOwn = () => this.emitters.holds(index, emission);
-    return follow(this.stage, this.placement, source, { index, from: emission.at, isOwn });
+    return follow(this.placement, source, {
+      from: emission.at,
+      isOwn,
+      move: async (from, to) => {
+        this.moveVisible();
+        if (isOwn()) await this.set(this.emitters.moveAlong(index, from, to));
+      },
+    });
   }
 
   private beginPlay(): void {
@@ -326,32 +359,28 @@ export class Engine {
     if (!this.placement.isOff) return;
     if (this.placement.isFar) return this.clear();
     this.move(false);
-    this.stage.set(this.placement.values).catch(() => undefined);
+    this.set(this.placement.values).catch(() => undefined);
   }
 
   /** Ends calls whose smoke is gone. */
   private async watch(signal: AbortSignal): Promise<void> {
-    let now = 0;
+    const alarm = (this.alarm = new Alarm(() => this.stage.stats()));
+    signal.addEventListener('abort', () => alarm.wake());
     while (!signal.aborted) {
-      const ends = this.running.map(({ end }) => 1000 * (end - now));
-      // Simulated time is never faster than real time.
-      await delay(Math.max(LOOK_MS, Math.min(...ends, MAX_LOOK_MS)));
-      if (signal.aborted) return;
-      const { time, waiting } = await this.stage.stats();
-      now = time;
+      if (this.running.length === 0 && !this.isStarting) return this.endPlay();
+      const stats = await alarm.wait(Math.min(...this.running.map(({ end }) => end)));
       // Particles that wait for others to die live longer.
-      if (signal.aborted || waiting > 0) continue;
-      const over = this.running.filter(({ end }) => end < time);
-      this.running = this.running.filter(({ end }) => end >= time);
+      if (signal.aborted || !stats || stats.waiting > 0) continue;
+      const over = this.running.filter(({ end }) => end < stats.time);
+      this.running = this.running.filter(({ end }) => end >= stats.time);
       for (const each of over) this.end(each);
-      if (this.running.length === 0 && !this.isStarting) this.endPlay();
     }
   }
 
   private end(each: Running): void {
-    each.stopFollowing();
+    for (const stop of each.stopFollowing) stop();
     const gone = this.obstacles.release(each.call);
-    if (Object.keys(gone).length > 0) this.stage.set(gone).catch(() => undefined);
+    this.set(gone).catch(() => undefined);
     each.resolve();
   }
 
@@ -362,8 +391,17 @@ export class Engine {
   }
 
   private empty(): void {
-    this.stage.restart().catch(() => undefined);
     this.endPlay();
+    this.reset().catch(() => undefined);
+  }
+
+  /** Empties the paused stage. Its emitters must not start again when it plays, before those of the next call arrive. */
+  private async reset(): Promise<void> {
+    this.emitters.clear();
+    await Promise.all([
+      this.set({ ...this.obstacles.release(), ...this.emitters.values() }),
+      this.stage.restart(),
+    ]);
   }
 
   private endPlay(): void {

@@ -11,6 +11,8 @@ export interface Sheet {
   makeCanvas(): HTMLCanvasElement;
   /** Moves the canvas to what is visible now. */
   place(): void;
+  /** Moves the picture, until the next `place`, in client pixels. */
+  shift(x: number, y: number): void;
   /** The canvas in client pixels. */
   rectangle(): DOMRect;
   style(layer: 'above' | 'below' | undefined, zIndex: number | undefined): void;
@@ -19,41 +21,46 @@ export interface Sheet {
 
 const Z_INDEX = { above: 9999, below: -1 };
 
-const STYLE = {
-  all: 'initial',
-  display: 'block',
-  position: 'absolute',
-  'pointer-events': 'none',
-  contain: 'strict',
-};
+const STYLE = { all: 'initial', display: 'block', 'pointer-events': 'none' };
+const FRAME_STYLE = { ...STYLE, position: 'absolute', contain: 'strict' };
+const CANVAS_STYLE = { ...STYLE, width: '100%', height: '100%' };
 
-/** A canvas over the visible part of the page. It scrolls with the page and does not change its layout. */
+/**
+ * A canvas over the visible part of the page. It scrolls with the page and does not change its layout. The element
+ * around it clips a shifted canvas, which would make the page longer.
+ */
 export class Overlay implements Sheet {
   canvas: HTMLCanvasElement;
   readonly scale = 1;
   readonly followsWindow = true;
+  private readonly frame = styled(document.createElement('div'), FRAME_STYLE);
+  private shifted = { x: 0, y: 0 };
 
   constructor() {
+    this.frame.setAttribute('aria-hidden', 'true');
     this.canvas = this.makeCanvas();
   }
 
   makeCanvas(): HTMLCanvasElement {
-    this.canvas?.remove();
-    const canvas = (this.canvas = document.createElement('canvas'));
-    canvas.setAttribute('aria-hidden', 'true');
-    // By script, so that policies without 'unsafe-inline' allow it.
-    for (const [name, value] of Object.entries(STYLE)) canvas.style.setProperty(name, value, 'important');
+    this.canvas = styled(document.createElement('canvas'), CANVAS_STYLE);
+    this.frame.replaceChildren(this.canvas);
     this.place();
-    return canvas;
+    return this.canvas;
   }
 
   place(): void {
-    const { canvas } = this;
+    const { frame } = this;
     // Not in the body, whose children the page may count, replace or lay out.
-    if (!canvas.isConnected) document.documentElement.append(canvas);
+    if (!frame.isConnected) document.documentElement.append(frame);
     const { clientWidth, clientHeight } = document.documentElement;
     const box = { left: scrollX, top: scrollY, width: clientWidth, height: Math.min(innerHeight, clientHeight) };
-    for (const [name, pixels] of Object.entries(box)) canvas.style.setProperty(name, `${pixels}px`, 'important');
+    styled(frame, Object.fromEntries(Object.entries(box).map(([name, pixels]) => [name, `${pixels}px`])));
+    this.shift(-this.shifted.x, -this.shifted.y);
+  }
+
+  shift(x: number, y: number): void {
+    this.shifted = { x: this.shifted.x + x, y: this.shifted.y + y };
+    styled(this.canvas, { translate: `${this.shifted.x}px ${this.shifted.y}px` });
   }
 
   rectangle(): DOMRect {
@@ -61,12 +68,18 @@ export class Overlay implements Sheet {
   }
 
   style(layer: 'above' | 'below' = 'above', zIndex = Z_INDEX[layer]): void {
-    this.canvas.style.setProperty('z-index', String(zIndex), 'important');
+    styled(this.frame, { 'z-index': String(zIndex) });
   }
 
   remove(): void {
-    this.canvas.remove();
+    this.frame.remove();
   }
+}
+
+/** Sets styles by script, so that policies without 'unsafe-inline' allow them. */
+function styled<Styled extends HTMLElement>(element: Styled, style: Readonly<Record<string, string>>): Styled {
+  for (const [name, value] of Object.entries(style)) element.style.setProperty(name, value, 'important');
+  return element;
 }
 
 /** A canvas of the page. It keeps its place, its size and its style. */
@@ -95,6 +108,8 @@ export class OwnCanvas implements Sheet {
   }
 
   place(): void {}
+
+  shift(): void {}
 
   rectangle(): DOMRect {
     return this.canvas.getBoundingClientRect();

@@ -46,6 +46,8 @@ export interface PlacedEmission extends Emission {
 interface Taken {
   readonly emission: PlacedEmission;
   readonly start: number;
+  /** Values of an emitter that has moved. */
+  readonly line?: Values;
 }
 
 /** The emitters. */
@@ -79,6 +81,16 @@ export class Emitters {
     for (const index of indices) this.taken[index] = { ...this.taken[index]!, start };
   }
 
+  /**
+   * Moves an emitter along a line since the last frame, so that a fast one leaves no gaps.
+   * @returns the values that change
+   */
+  moveAlong(index: number, from: ScenePoint, to: ScenePoint): Values {
+    const line = lineBetween(from, to);
+    this.taken[index] = { ...this.taken[index]!, line };
+    return underKey(`emitters.${index}`, line);
+  }
+
   /** Values of all emitters and of the rate that they share. */
   values(): Values {
     const rates = this.taken.map((each) => (each ? rateOf(each.emission) : 0));
@@ -106,7 +118,7 @@ function rateOf({ count, duration }: Emission): number {
 
 function emitter(taken: Taken | undefined): Record<string, Value> {
   if (!taken) return { 'burst.count': 0, 'envelope.duration': 0 };
-  const { emission, start } = taken;
+  const { emission, start, line } = taken;
   return {
     ...shapeOf(emission),
     ...strip(emission.at.x + emission.x, emission.at.y + emission.y),
@@ -122,6 +134,7 @@ function emitter(taken: Taken | undefined): Record<string, Value> {
     'burst.count': emission.duration > 0 ? 0 : emission.count,
     'envelope.start': start + emission.delay,
     'envelope.duration': emission.duration,
+    ...line,
   };
 }
 
@@ -152,15 +165,14 @@ function shapeOf({ shape, direction = 90, halfWidth, halfHeight }: Emission): Re
   };
 }
 
-/** Values that move an emitter along a line since the last frame, so that a fast one leaves no gaps. */
-export function lineValues(index: number, from: ScenePoint, to: ScenePoint): Values {
-  return underKey(`emitters.${index}`, {
+function lineBetween(from: ScenePoint, to: ScenePoint): Values {
+  return {
     shape: 'line',
     ...strip((from.x + to.x) / 2, (from.y + to.y) / 2),
     'extent.x': rounded((to.x - from.x) / 2),
     'extent.y': rounded((to.y - from.y) / 2),
     'extent.z': 0,
-  });
+  };
 }
 
 /** The obstacles. When there are too many, the oldest goes. */

@@ -16,6 +16,8 @@ export interface TargetBox {
 export interface Source {
   /** The element whose box the smoke leaves and flows around. */
   readonly element?: Element;
+  /** The element whose scrolling boxes carry the smoke along. */
+  readonly inside?: Element;
   /** Whether a trail follows the pointer. */
   readonly followsPointer: boolean;
   /**
@@ -39,7 +41,11 @@ function eventSource(event: Event): Source {
   const at = placeOf(event);
   // A click by the keyboard has no place. Its element does.
   const element = [event.currentTarget, event.target].find((each) => each instanceof Element);
-  if (at && !(at.clientX === 0 && at.clientY === 0 && element)) return pointSource(at.clientX, at.clientY, true);
+  if (at && !(at.clientX === 0 && at.clientY === 0 && element)) {
+    // Empty after the event.
+    const inside = event.composedPath().find((each) => each instanceof Element) ?? element;
+    return { ...pointSource(at.clientX, at.clientY, true), inside };
+  }
   if (element) return elementSource(element);
   throw new ParameterError('target', event.type, 'an event with coordinates, or of an element');
 }
@@ -63,5 +69,5 @@ function elementSource(element: Element): Source {
     return known && { ...known, left: known.left - scrollX, top: known.top - scrollY };
   };
   box();
-  return { element, followsPointer: false, box };
+  return { element, inside: element, followsPointer: false, box };
 }

@@ -88,6 +88,8 @@ export interface RemoteStageOptions extends Omit<StageOptions, 'device' | 'fails
   thread?: 'auto' | 'main' | 'worker';
   /** Maximum frames per second while playing. Default: 60. */
   frameRate?: number;
+  /** @internal Milliseconds that the worker stays after its last stage. */
+  graceMs?: number;
   /** Aborts the start. The promise then rejects with the signal's reason, and all resources are released. */
   signal?: AbortSignal;
 }

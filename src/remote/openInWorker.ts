@@ -30,14 +30,14 @@ export async function enterWorker(): Promise<WorkerSlot> {
     },
   };
   const worker = await pageWorker.hold(holder);
-  const leave = () => pageWorker.release(holder);
+  const leave = (graceMs?: number) => pageWorker.release(holder, graceMs);
   return {
-    leave,
-    async open(canvas, { signal, onProgress, ...options }) {
+    leave: () => leave(),
+    async open(canvas, { signal, onProgress, graceMs, ...options }) {
       if (failure) throw failure;
       const { port1, port2 } = new MessageChannel();
       const moved = canvas.transferControlToOffscreen();
-      stage = new PortStage(port1, 'worker', leave, onProgress);
+      stage = new PortStage(port1, 'worker', () => leave(graceMs), onProgress);
       const request: OpenRequest = { canvas: moved, options, assets: assetUrls(), port: port2 };
       worker.postMessage(request, [moved, port2]);
       await unlessAborted(stage, signal);

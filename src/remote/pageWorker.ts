@@ -47,9 +47,9 @@ class PageWorker {
     }
   }
 
-  release(holder: Holder): void {
+  release(holder: Holder, graceMs = GRACE_MS): void {
     if (this.holders.delete(holder) && this.holders.size === 0) {
-      this.farewell = setTimeout(() => this.end(), GRACE_MS);
+      this.farewell = setTimeout(() => this.end(), graceMs);
     }
   }
 

@@ -74,7 +74,7 @@ const ways: Readonly<Record<ComparisonRenderer, DrawWith>> = {
     if (casters) {
       const { shadowMap } = comparisons;
       shadowMap.setForm(extras.billboardsOf(style.form));
-      passes.placeSurfaces(rigids, parts, [shadowMap]);
+      passes.scene?.place(rigids, parts, shadowMap);
       shadowMap.draw(renderer, targets, casters.geometry);
     }
     resolve.draw(renderer, targets, output);

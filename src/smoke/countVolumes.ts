@@ -22,7 +22,7 @@ export function countVolumes(
   countsFar = false,
 ): void {
   const { renderer, targets, extras, isFlat } = passes;
-  passes.meshVolumes.draw(renderer, countsFar);
+  passes.scene?.volumes.draw(renderer, countsFar);
   passes.mask.countOnce(renderer);
   // Counting needs the depth that fragments write.
   if (style.volumes === 'counted' && !isFlat) {

@@ -35,10 +35,10 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   renderer.info.reset();
   const arranged = arrangeFrame(passes, input);
 
-  targets.begin(renderer, passes.surfaces.isNumbered, isSimplified(style) && !view);
+  targets.begin(renderer, passes.scene?.surfaces.isNumbered, isSimplified(style) && !view);
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
-  passes.surfaces.draw(renderer, targets);
-  passes.creases.draw(renderer);
+  passes.scene?.surfaces.draw(renderer, targets);
+  passes.scene?.creases.draw(renderer);
   const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
   if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);
   else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
@@ -108,7 +108,7 @@ function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, 
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
-  passes.placeSurfaces(rigids, parts ?? []);
+  passes.scene?.place(rigids, parts ?? []);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
 }
 

@@ -19,7 +19,7 @@ export class LivePuffs {
   private own: readonly PuffShape[] | undefined;
   private variations = 1;
   private wanted: PuffRequest;
-  private standing = '';
+  private currentKey = '';
   private baking: { readonly key: string; readonly work: Work<BakedPuffs> } | undefined;
 
   constructor(values: Values) {
@@ -62,13 +62,13 @@ export class LivePuffs {
   /** Starts a bake if one is requested. Returns whether there is work to do. */
   private begin(): boolean {
     const { key } = this.wanted;
-    if (!this.baking && key !== this.standing) this.baking = { key, work: this.wanted.begin() };
+    if (!this.baking && key !== this.currentKey) this.baking = { key, work: this.wanted.begin() };
     return this.baking !== undefined;
   }
 
   private taken(puffs: BakedPuffs | undefined): BakedPuffs | undefined {
     if (!puffs) return undefined;
-    this.standing = this.baking!.key;
+    this.currentKey = this.baking!.key;
     this.baking = undefined;
     return puffs;
   }

@@ -1,12 +1,10 @@
 import { BackdropPass } from '../passes/backdrop.ts';
-import { CreasesPass, memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
+import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
-import { memoizedExtrusion, MeshVolumesPass } from '../passes/meshVolumes.ts';
+import { memoizedExtrusion } from '../passes/meshVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
 import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
-import { SurfacesPass } from '../passes/surfaces.ts';
-import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { inPieces, type Work } from '../puffs/work.ts';
 import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
@@ -16,6 +14,7 @@ import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
 import { codeOf, fetchExtras, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
+import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
 /**
@@ -58,15 +57,9 @@ export async function compileAhead(
   const isShaded = isSimplified(style);
   programs.compile(renderer, lobeBodyShaders(lobes, { isFlat: !writesDepth, isShaded, isDeformed }));
   programs.compile(renderer, volumeShaders(lobes, isDeformed));
-  const [eye, ramps, transforms] = [new FrameView(styleUniforms()), new RampTexture(1), new SurfaceTransforms(0)];
-  const passes = [
-    new BackdropPass(eye),
-    new SurfacesPass(eye, ramps, 0, [], transforms),
-    new CreasesPass(eye, [], transforms),
-    new MeshVolumesPass(eye, [], transforms),
-    new MaskPass(),
-    new ResolvePass(eye),
-  ];
+  const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
+  const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
+  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass(), new ResolvePass(eye)];
   for (const pass of passes) programs.compilePass(renderer, pass);
   if (isShaded) {
     await fetchExtras(style);

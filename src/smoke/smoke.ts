@@ -6,13 +6,8 @@ import { ONE_QUAD, TWO_QUADS } from '../device/drawnRows.ts';
 import { CasterRows, PuffRows } from '../rows/puffRows.ts';
 import { BackdropPass } from '../passes/backdrop.ts';
 import { BodiesPass } from '../passes/bodies.ts';
-import { CreasesPass } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
-import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { ResolvePass } from '../passes/resolve.ts';
-import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
-import type { SurfaceDescription } from '../passes/surface.ts';
-import { SurfacesPass } from '../passes/surfaces.ts';
 import { SurfaceDepthPass } from '../passes/surfaceDepth.ts';
 import { Targets } from '../passes/targets.ts';
 import { VolumesPass } from '../passes/volumes.ts';
@@ -21,6 +16,7 @@ import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import type { DrawnSurfaces } from './sceneSurfaces.ts';
 import { ShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
@@ -29,15 +25,14 @@ import { TINTS } from '../constants.ts';
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
   capacity: number;
-  surfaces: readonly SurfaceDescription[];
+  /** The surfaces of its scene, such as `drawnSurfaces(descriptions)`; none if absent. */
+  surfaces?: DrawnSurfaces;
   /** Display-encoded colours at the top and the bottom of the background; transparent if absent. */
   backdrop?: { top: Color; bottom: Color };
   /** The shapes of the puffs, such as `bakedPuffs(shapes)`; defaults to the built-in puffs. */
   puffs?: BakedPuffs;
 }
 
-/** World height below which surfaces are hidden, metres. */
-export const OUT_OF_SIGHT = -60;
 /** The parameters of a style that needs no further modules. */
 const PLAIN_PICTURE = {
   renderer: 'nailboards',
@@ -60,7 +55,7 @@ export class SmokeRenderer {
   private readonly ramps: RampTexture;
   private readonly puffs: PuffTextures;
   private readonly stopListening: () => void;
-  private readonly surfaces: readonly SurfaceDescription[];
+  private readonly surfaces: DrawnSurfaces['descriptions'];
   private readonly backdrop: SmokeOptions['backdrop'];
   private style: Style | undefined;
   private pixelRatio = 0;
@@ -70,16 +65,14 @@ export class SmokeRenderer {
 
   constructor(device: Device, { capacity, surfaces, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
     this.device = device;
-    this.surfaces = surfaces;
+    this.surfaces = surfaces?.descriptions ?? [];
     this.backdrop = backdrop;
     this.puffs = new PuffTextures(device.puffs, puffs);
-    this.ramps = new RampTexture(FIRST_SURFACE_RAMP + surfaces.length);
+    this.ramps = new RampTexture(FIRST_SURFACE_RAMP + this.surfaces.length);
     const eye = new FrameView(styleUniforms());
     const isFlat = !device.writesDepth;
     const bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
     const casters = new CasterRows(capacity, ONE_QUAD);
-    const transforms = new SurfaceTransforms(surfaces.length);
-    const surfaceDepth = new SurfaceDepthPass(surfaces.length > 0);
     this.passes = {
       renderer: device.renderer,
       eye,
@@ -88,11 +81,9 @@ export class SmokeRenderer {
       casters,
       shadowEnds: new ShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
-      surfaces: new SurfacesPass(eye, this.ramps, FIRST_SURFACE_RAMP, surfaces, transforms),
-      creases: new CreasesPass(eye, surfaces, transforms),
-      surfaceDepth,
+      scene: surfaces?.make(eye, this.ramps, FIRST_SURFACE_RAMP),
+      surfaceDepth: new SurfaceDepthPass(this.surfaces.length > 0),
       body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
-      meshVolumes: new MeshVolumesPass(eye, surfaces, transforms),
       volumes: new VolumesPass(eye, this.puffs, isFlat),
       isFlat,
       mask: new MaskPass(),
@@ -102,18 +93,10 @@ export class SmokeRenderer {
         puffs: this.puffs,
         ramps: this.ramps,
         firstSurface: FIRST_SURFACE_RAMP,
-        surfaces,
+        surfaces: this.surfaces,
       }),
-      transforms,
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
-      placeSurfaces: (rigids, parts, placed = [transforms]) =>
-        surfaces.forEach(({ rigid, part }, surface) => {
-          if (rigid === undefined && part === undefined) return;
-          const transform = part === undefined ? rigids[rigid!] : parts[part];
-          const isVisible = transform.elements[13] > OUT_OF_SIGHT;
-          for (const each of placed) each.place(surface, transform, isVisible);
-        }),
     };
     // Released on the loss, not on the restoration: three.js would delete resources of the lost context in the restored
     // one.
@@ -156,10 +139,9 @@ export class SmokeRenderer {
   /** Frees all buffers, textures and programs. They are created again when they are next drawn. */
   private release(): void {
     const { passes } = this;
-    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop, passes.surfaces])
-      part.dispose();
-    for (const part of [passes.creases, passes.transforms]) part.dispose();
-    for (const part of [passes.body, passes.meshVolumes, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop]) part.dispose();
+    for (const part of [passes.body, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    passes.scene?.dispose();
     passes.extras.dispose();
     this.ramps.dispose();
   }

@@ -1,4 +1,4 @@
-import type { Matrix4, WebGLRenderer } from 'three';
+import type { WebGLRenderer } from 'three';
 import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { Shaders } from '../device/programsAhead.ts';
@@ -6,21 +6,18 @@ import type { PuffForm } from '../device/puffTextures.ts';
 import type { CasterRows, PuffRows } from '../rows/puffRows.ts';
 import type { BackdropPass } from '../passes/backdrop.ts';
 import type { BodiesPass } from '../passes/bodies.ts';
-import type { CreasesPass } from '../passes/creases.ts';
 import type { MaskPass } from '../passes/mask.ts';
-import type { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
 import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
 import type { SurfaceDepth, SurfaceDepthPass } from '../passes/surfaceDepth.ts';
-import type { SurfacesPass } from '../passes/surfaces.ts';
-import type { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import type { Targets } from '../passes/targets.ts';
 import type { VolumesPass } from '../passes/volumes.ts';
 import type { CoverageGrid } from '../sim/view.ts';
 import type { FrameInput } from './frameInput.ts';
+import type { SceneSurfaces } from './sceneSurfaces.ts';
 import type { ShadowEnds } from './shadowEnds.ts';
 
 /** Everything that a frame draws with, created once for a smoke. */
@@ -32,11 +29,10 @@ export interface SmokePasses {
   readonly casters: CasterRows;
   readonly shadowEnds: ShadowEnds;
   readonly backdrop: BackdropPass;
-  readonly surfaces: SurfacesPass;
-  readonly creases: CreasesPass;
+  /** Undefined without surfaces. */
+  readonly scene: SceneSurfaces | undefined;
   readonly surfaceDepth: SurfaceDepthPass;
   readonly body: BodiesPass;
-  readonly meshVolumes: MeshVolumesPass;
   readonly volumes: VolumesPass;
   /** Whether puffs are drawn as discs, for GPUs that do not keep the depth that fragments write. */
   readonly isFlat: boolean;
@@ -47,10 +43,6 @@ export interface SmokePasses {
   readonly hasBackdrop: boolean;
   /** Bounds of the puffs of a form and of their shadows. */
   extentsOf(form: PuffForm): PuffExtents;
-  /** World transforms of the surfaces, which all passes of a frame read. */
-  readonly transforms: SurfaceTransforms;
-  /** @param placed what takes the transforms; defaults to `transforms` */
-  placeSurfaces(rigids: readonly Matrix4[], parts: readonly Matrix4[], placed?: readonly PlacesSurfaces[]): void;
 }
 
 /** A frame before its first draw call: the rows that it draws. */
@@ -64,8 +56,6 @@ export interface ArrangedFrame {
   /** Time spent in the simulator's arrange, milliseconds. */
   readonly arrangeMs: number;
 }
-
-type PlacesSurfaces = Pick<SurfaceTransforms, 'place'>;
 
 /** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {

@@ -30,7 +30,7 @@ export interface ViewSources {
 
 /** @param passes with the surfaces of this frame in place */
 export function viewSources(passes: SmokePasses, { style, receivers }: FrameInput): ViewSources {
-  const boxes = passes.surfaces.worldBoxes();
+  const boxes = passes.scene?.surfaces.worldBoxes() ?? [];
   if (receivers && !receivers.isEmpty()) boxes.push(receivers);
   return {
     eye: passes.eye,

@@ -8,6 +8,7 @@ import type { PictureKind } from '../smoke/extraPasses.ts';
 import type { FrameInput } from '../smoke/frameInput.ts';
 import { lightOf, moved, type Light } from '../smoke/light.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
+import { drawnSurfaces } from '../smoke/sceneSurfaces.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 
@@ -120,7 +121,9 @@ export class ShownSmoke {
 
   private makeRenderer(): SmokeRenderer {
     const capacity = this.change ? 2 * this.capacity : this.capacity;
-    return new SmokeRenderer(this.device, { ...this.scene, capacity, puffs: this.baked });
+    const { backdrop, surfaces } = this.scene;
+    const options = { capacity, backdrop, surfaces: drawnSurfaces(surfaces), puffs: this.baked };
+    return new SmokeRenderer(this.device, options);
   }
 }
 

@@ -25,8 +25,10 @@ import { drawIntoHost, markWith } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
   hostStyle,
+  loadPreset,
   requireChangeable,
   requireSpace,
+  requireValues,
   startValues,
   type CartoonSmokeEvents,
   type CartoonSmokeOptions,
@@ -98,14 +100,17 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   /**
    * @throws UnsupportedError when the renderer or the browser lacks a required feature. ParameterError for an unknown
-   * preset, a value out of range or an unsupported type of light. LoadError when the simulator cannot be fetched, or
-   * the billboards that the values require.
+   * preset, a value out of range or an unsupported type of light. LoadError when the simulator, the preset or the code that
+   * the values require cannot be fetched.
    */
   static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
     requireRenderer(options.renderer);
     requireKeyLight(options.keyLight);
     requireSpace(options.space ?? 'world');
-    const values = startValues(options);
+    const given = { preset: options.preset, values: { ...options.values } };
+    requireValues(given.values);
+    await loadPreset(given.preset);
+    const values = startValues(given);
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
@@ -326,7 +331,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
    */
   override dispose(): void {
     if (this.isDisposed) return;
-    super.dispose();
+    // Before three.js 0.186 objects have no dispose(), which does no more than this.
+    this.dispatchEvent({ type: 'dispose' });
     this.isDisposed = true;
     this.removeFromParent();
     this.simulator.dispose();

@@ -19,13 +19,13 @@ import { ballsOf, follow, type ProxyBall } from './proxies.ts';
 import { newPose, poseOf, requireGeometry, scaleOf, trianglesOf } from './shapes.ts';
 import { isBlended, materialsOf } from './materials.ts';
 
-const UNSCALED = new Vector3(1, 1, 1);
-
 /** A closed rigid mesh and its shadow volume. */
 export interface MeshCaster {
   mesh: Mesh;
   transforms: SurfaceTransforms;
   volume: MeshVolumesPass;
+  /** Scale of the smoke for which the volume was made. */
+  scale: number;
 }
 
 /** A mesh or the balls that {@link HostCasters} draws. */
@@ -87,10 +87,11 @@ export class HostCasters {
    */
   draw(renderer: WebGLRenderer, scene: Object3D): void {
     const { drawn } = this.frame;
-    for (const { mesh, transforms, volume } of this.meshes) {
+    for (const { mesh, transforms, volume, scale } of this.meshes) {
       if (!isShown(mesh, scene)) continue;
       toSmoke(poseOf(mesh.matrixWorld, pose), drawn);
-      transforms.place(0, world.compose(pose.position, pose.rotation, UNSCALED));
+      // Local smoke may have another scale since the last `update`.
+      transforms.place(0, world.compose(pose.position, pose.rotation, size.setScalar(scale / drawn.scale)));
       volume.draw(renderer);
     }
     this.balls.draw(renderer, scene, drawn);
@@ -111,12 +112,12 @@ export class HostCasters {
     requireGeometry('cast', mesh);
     const balls = ballsOf(mesh);
     if (balls.length > 0) return this.balls.add(balls, mesh);
-    const scale = scaleOf(mesh.matrixWorld).divideScalar(this.frame.now.scale);
-    const triangles = trianglesOf(mesh.geometry, scale);
+    const { scale } = this.frame.now;
+    const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld).divideScalar(scale));
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
       const transforms = new SurfaceTransforms(1);
-      const caster = { mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms) };
+      const caster = { mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms), scale };
       this.meshes.add(caster);
       return caster;
     } catch (error) {
@@ -127,6 +128,7 @@ export class HostCasters {
 }
 
 const world = new Matrix4();
+const size = new Vector3();
 const pose = newPose();
 
 function openMesh({ name, type }: Mesh): ParameterError {

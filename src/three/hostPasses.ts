@@ -25,7 +25,7 @@ export class HostPasses {
    * @param miss called with the error, if the code for targets without stencil cannot be loaded
    */
   constructor(device: Device, capacity: number, frame: SmokeFrame, miss: (error: LoadError) => void) {
-    this.smoke = new SmokeRenderer(device, { capacity, surfaces: [] });
+    this.smoke = new SmokeRenderer(device, { capacity });
     const { eye } = this.smoke.passes;
     this.casters = new HostCasters(device, eye, frame);
     this.insert = new InsertPass(eye);

@@ -1,7 +1,7 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
 import { ParameterError, type SmokeError } from '../preset/errors.ts';
+import { fetched } from '../preset/timeout.ts';
 import type { Values } from '../preset/parameter.ts';
-import { findPreset, presets } from '../preset/presets.ts';
 import { defaults, validate } from '../preset/values.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import type { SmokeSpace } from './frame.ts';
@@ -70,14 +70,30 @@ export function requireSpace(space: SmokeSpace): void {
 /** Keys that only `create` takes. */
 export const AT_CREATION = ['seed', 'simulation.maxParticles'];
 
-/** The initial values: the defaults, then the small emitter, the preset and the caller's values. */
-export function startValues({ preset: name, values = {} }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
-  const preset = name === undefined ? undefined : findPreset(name);
-  if (name !== undefined && !preset)
-    throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));
+/** Values of the presets that {@link loadPreset} has loaded. */
+const loaded = new Map<string, Values>();
+
+/**
+ * Loads a preset for {@link startValues}.
+ * @throws ParameterError for an unknown name, LoadError if the presets cannot be loaded
+ */
+export async function loadPreset(name: string | undefined): Promise<void> {
+  if (name === undefined || loaded.has(name)) return;
+  const { findPreset, presets } = await fetched('The presets', import('../preset/presets.ts'));
+  const preset = findPreset(name);
+  if (!preset) throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));
+  loaded.set(name, preset.values);
+}
+
+/** @throws ParameterError for a value out of range, or one that the host's scene determines */
+export function requireValues(values: Values): void {
   validate(values);
   requireOpen(values);
-  return { ...defaults(), ...EMITTER, ...preset?.values, ...values };
+}
+
+/** The initial values: the defaults, then the small emitter, the loaded preset and the caller's values. */
+export function startValues({ preset = '', values }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
+  return { ...defaults(), ...EMITTER, ...loaded.get(preset), ...values };
 }
 
 /**
@@ -85,11 +101,10 @@ export function startValues({ preset: name, values = {} }: Pick<CartoonSmokeOpti
  * @throws ParameterError for the first value that is out of range or fixed at creation
  */
 export function requireChangeable(values: Values): void {
-  validate(values);
+  requireValues(values);
   for (const key of AT_CREATION) {
     if (key in values) throw new ParameterError(key, values[key], 'a value at creation only');
   }
-  requireOpen(values);
 }
 
 /** @throws ParameterError for a value that the host's scene determines */

@@ -4,7 +4,7 @@
  */
 
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, rmSync } from 'node:fs';
 import { availableParallelism, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { film } from '../../scripts/film/film.mjs';
@@ -27,7 +27,7 @@ const STEADY = 240;
 /** @param {import('./support/page.mjs').Choice} choice @returns {Promise<Figure[]>} */
 export async function run({ quick, say }) {
   if (!filmPage.isFresh()) await filmPage.bring();
-  const [rounds, frames] = quick ? [1, 6] : [3, 24];
+  const [rounds, frames] = quick ? [1, 6] : [3, 12];
   /** @type {Figure[]} */
   const figures = [];
   for (const preset of ['lamp', 'train']) {
@@ -38,16 +38,20 @@ export async function run({ quick, say }) {
     }
     figures.push(...figuresOf(preset, runs));
   }
-  for (const words of [['--layers'], ['--supersample', '2']]) {
-    const ratios = [];
-    for (let round = 0; round < rounds; ++round) {
-      say(`${words.join(' ')}, round ${round + 1} of ${rounds}`);
-      const [plain, costly] = [await timedFrames('lamp', 6, FULL), await timedFrames('lamp', 6, [...FULL, ...words])];
-      ratios.push(perMinute(plain) / perMinute(costly));
+  const options = [['--layers'], ['--supersample', '2']];
+  const ratios = options.map(() => /** @type {number[]} */ ([]));
+  for (let round = 0; round < rounds; ++round) {
+    say(`cost of options, round ${round + 1} of ${rounds}`);
+    const plain = perMinute(await timedFrames('lamp', 4, FULL));
+    for (const [at, words] of options.entries()) {
+      ratios[at].push(plain / perMinute(await timedFrames('lamp', 4, [...FULL, ...words])));
     }
-    figures.push({ name: `film.cost ${words.join(' ')}`, unit: 'x', ...spread(ratios), note: 'time of a frame, lamp' });
   }
-  return [...figures, ...(await shardFigures(rounds, frames, say))];
+  for (const [at, words] of options.entries()) {
+    const note = 'time of a frame, lamp';
+    figures.push({ name: `film.cost ${words.join(' ')}`, unit: 'x', ...spread(ratios[at]), note });
+  }
+  return [...figures, ...(await shardFigures(quick ? 12 : 48, say))];
 }
 
 /**
@@ -91,17 +95,22 @@ function figuresOf(preset, runs) {
   ];
 }
 
-/** @param {number} rounds @param {number} frames @param {(line: string) => void} say @returns {Promise<Figure[]>} */
-async function shardFigures(rounds, frames, say) {
+/**
+ * One round, because 48 frames take three minutes. The start of a browser and the simulation before the first frame are
+ * in the time of each run, so fewer frames would give less.
+ *
+ * @param {number} count of frames
+ * @param {(line: string) => void} say
+ * @returns {Promise<Figure[]>}
+ */
+async function shardFigures(count, say) {
   if (availableParallelism() < 2 || spawnSync('taskset', ['--version']).status !== 0) return [];
-  const ratios = [];
-  for (let round = 0; round < rounds; ++round) {
-    say(`two shards, round ${round + 1} of ${rounds}`);
-    const alone = await pinned(['1/1'], 4 * frames);
-    ratios.push(alone / (await pinned(['1/2', '2/2'], 4 * frames)));
-  }
+  say('one run on one core');
+  const alone = await pinned(['1/1'], count);
+  say('two shards, a core each');
+  const ratio = alone / (await pinned(['1/2', '2/2'], count));
   return [
-    { name: 'film.twoShards', unit: 'x', ...spread(ratios), note: 'a core each, compared with one run; goal 1.8' },
+    { name: 'film.twoShards', unit: 'x', ...spread([ratio]), note: 'a core each, compared with one run; goal 1.8' },
   ];
 }
 
@@ -118,44 +127,9 @@ async function pinned(shards, count) {
     const runs = shards.map((shard, core) =>
       start('taskset', ['-c', String(core), process.execPath, inRoot('scripts/film.mjs'), ...shot, '--shard', shard]),
     );
-    const timer = setInterval(pinThreads, 1000);
-    try {
-      for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
-    } finally {
-      clearInterval(timer);
-    }
+    for (const { status, output } of await Promise.all(runs)) if (status !== 0) throw new Error(output);
     return Date.now() - began;
   });
-}
-
-/**
- * Pins all threads of this process's descendants to the core of their first thread. SwiftShader pins its threads itself:
- * of two browsers under `taskset -c 0` and `taskset -c 1`, both would draw on core 0.
- */
-function pinThreads() {
-  const { stdout } = spawnSync('ps', ['-eo', 'pid=,ppid='], { encoding: 'utf8' });
-  const parents = new Map(
-    stdout
-      .split('\n')
-      .map((line) => line.trim().split(/\s+/, 2))
-      .map(([pid, parent]) => [pid, parent]),
-  );
-  const isOwn = (/** @type {string | undefined} */ pid) =>
-    pid !== undefined && (parents.get(pid) === String(process.pid) || isOwn(parents.get(pid)));
-  for (const pid of [...parents.keys()].filter(isOwn)) {
-    try {
-      const core = coresOf(`/proc/${pid}`);
-      const strays = readdirSync(`/proc/${pid}/task`).filter((task) => coresOf(`/proc/${pid}/task/${task}`) !== core);
-      for (const task of strays) spawnSync('taskset', ['-c', '-p', core, task]);
-    } catch {
-      // The process has ended.
-    }
-  }
-}
-
-/** The cores that a process or thread may run on, such as `0-1`. */
-function coresOf(/** @type {string} */ folder) {
-  return /Cpus_allowed_list:\s*(\S+)/.exec(readFileSync(`${folder}/status`, 'utf8'))?.[1] ?? '';
 }
 
 /**

@@ -139,7 +139,10 @@ test('the code for three.js has the same smoke after as many steps', async ({ pa
   const values = await page.evaluate(() => window.cartoonSmoke!.get());
   await page.getByLabel('Width, px').fill('320');
   await page.getByLabel('Description for screen readers').fill("It's </script> smoke");
+  const note = page.getByText('The code has only the smoke. The objects of this scene are not in it.', { exact: true });
+  await expect(note).toHaveCount(0);
   const code = await codeFor(page, 'three.js');
+  await expect(note).toBeVisible();
   await page.getByRole('button', { name: 'Copy code' }).click();
   await expect(page.getByRole('status').filter({ hasText: 'Code copied.' })).toBeVisible();
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(code);

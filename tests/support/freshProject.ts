@@ -24,8 +24,8 @@ export const STRICT = {
   noEmit: true,
 };
 
-/** Creates a project with these packages and cartoon-smoke, and returns its folder. */
-type MakeProject = (packages: readonly string[], files: Readonly<Record<string, string>>) => string;
+/** Creates a project with these packages, cartoon-smoke and three.js, and returns its folder. */
+export type MakeProject = (packages: readonly string[], files: Readonly<Record<string, string>>) => string;
 
 export const test = base.extend<{ project: MakeProject }, { archive: string }>({
   archive: [
@@ -41,7 +41,8 @@ export const test = base.extend<{ project: MakeProject }, { archive: string }>({
     const place = mkdtempSync(join(tmpdir(), 'cartoon-smoke-project-'));
     await use((packages, files) => {
       write(place, { 'package.json': '{ "private": true, "type": "module" }', ...files });
-      const all = [archive, 'three@0.187', ...packages];
+      const three = packages.some((name) => name.startsWith('three@')) ? [] : ['three@0.187'];
+      const all = [archive, ...three, ...packages];
       run(place, 'npm', ['install', '--no-audit', '--no-fund', ...all]);
       return place;
     });
@@ -95,7 +96,7 @@ export function expectTypes(place: string, options: object, include: readonly st
 export async function expectTitle(
   page: Page,
   place: string,
-  title: string,
+  title: string | RegExp,
   further: () => Promise<void> = async () => {},
 ): Promise<void> {
   const { serveSite } = await script<{ serveSite(folder: string, place: string): Promise<Server> }>('site/serve.mjs');

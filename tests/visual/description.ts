@@ -12,7 +12,7 @@ import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
 import { bandsOf } from '../../src/smoke/bands.ts';
 import { DRAWINGS_PER_SECOND } from '../../src/smoke/frame.ts';
 import type { FrameInput } from '../../src/smoke/frameInput.ts';
-import { OUT_OF_SIGHT } from '../../src/smoke/smoke.ts';
+import { OUT_OF_SIGHT } from '../../src/smoke/sceneSurfaces.ts';
 import type { Light } from '../../src/smoke/light.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
 import { inkPixelsOf, type Style } from '../../src/smoke/style.ts';

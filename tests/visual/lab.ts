@@ -24,6 +24,7 @@ import { fetchExtras } from '../../src/smoke/extraPasses.ts';
 import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
 import type { Light } from '../../src/smoke/light.ts';
+import { drawnSurfaces } from '../../src/smoke/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { defaults } from '../../src/preset/values.ts';
@@ -222,7 +223,8 @@ export class Lab {
     this.device.renderer.setSize(width, height, false);
     const max = Math.max(capacity, puffs.length, casters.length);
     const baked = bakedPuffs(options.shapes);
-    this.smoke = new SmokeRenderer(this.device, { capacity: max, surfaces, backdrop, puffs: baked });
+    const drawn = { surfaces: drawnSurfaces(surfaces), backdrop };
+    this.smoke = new SmokeRenderer(this.device, { capacity: max, ...drawn, puffs: baked });
   }
 
   /** The WebGL error since the last call; 0 for none. */

@@ -12,6 +12,7 @@ import type { Simulator } from '../../src/sim/simulator.ts';
 import { drawFrame } from '../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/smoke/frameInput.ts';
 import { lightOf } from '../../src/smoke/light.ts';
+import { drawnSurfaces } from '../../src/smoke/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { SmokePasses } from '../../src/smoke/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
@@ -76,7 +77,9 @@ export class SceneLab {
     this.style = styleOf(values);
     [this.width, this.height] = [width, height];
     this.device.renderer.setSize(width, height, false);
-    this.smoke = new SmokeRenderer(this.device, { ...scene, capacity: values['simulation.maxParticles'] as number });
+    const capacity = values['simulation.maxParticles'] as number;
+    const surfaces = drawnSurfaces(scene.surfaces);
+    this.smoke = new SmokeRenderer(this.device, { capacity, backdrop: scene.backdrop, surfaces });
     this.smoke.passes.resolve.smoothEdges = smoothEdges;
   }
 
@@ -176,8 +179,9 @@ export class SceneLab {
   /** Bounding boxes of the surfaces after the latest step, world space. */
   surfaceBoxes(): Box3[] {
     const { rigids, parts = [] } = this.frame();
-    this.smoke.passes.placeSurfaces(rigids, parts);
-    return this.smoke.passes.surfaces.worldBoxes();
+    const { scene } = this.smoke.passes;
+    scene!.place(rigids, parts);
+    return scene!.surfaces.worldBoxes();
   }
 
   /** Pixels per metre at the distance `nearest` from the eye, metres. */

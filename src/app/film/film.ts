@@ -154,12 +154,14 @@ class Shooting {
   }
 
   async shoot(frames: readonly number[]): Promise<void> {
-    await this.resume(stepOf(this.secondsAt(frames[0])));
-    await this.simulate(frames[0]);
+    const first = stepOf(this.secondsAt(frames[0]));
+    await this.resume(first);
+    await this.saveStates(frames[0]);
+    await this.goTo(first);
     this.studio.draw();
     let sending = Promise.resolve();
     for (const frame of frames) {
-      await this.simulate(frame);
+      await this.saveStates(frame);
       const drawn = await this.draw(frame);
       // One frame is encoded and sent while the next one is drawn.
       await sending;
@@ -184,21 +186,19 @@ class Shooting {
     if (stage.hash() !== state.hash) throw new Error(messages.otherState(state.hash, stage.hash()));
   }
 
-  /** Takes the steps up to a frame and saves the states on the way. */
-  private async simulate(frame: number): Promise<void> {
+  /** Saves the states up to a frame. */
+  private async saveStates(frame: number): Promise<void> {
     const { stage } = this.studio;
     const { statesEvery } = this.order;
-    const goal = stepOf(this.secondsAt(frame));
-    if (statesEvery > 0) {
-      const first = Math.ceil((stage.stats.time - this.start) / (statesEvery / this.order.fps));
-      for (let saved = Math.max(1, first) * statesEvery; saved <= frame; saved += statesEvery) {
-        await this.goTo(stepOf(this.secondsAt(saved)));
-        await this.receiver.save(stage.stats.steps, stage.hash(), stage.save());
-      }
+    if (statesEvery === 0) return;
+    const first = Math.ceil((stage.stats.time - this.start) / (statesEvery / this.order.fps));
+    for (let saved = Math.max(1, first) * statesEvery; saved <= frame; saved += statesEvery) {
+      await this.goTo(stepOf(this.secondsAt(saved)));
+      await this.receiver.save(stage.stats.steps, stage.hash(), stage.save());
     }
-    await this.goTo(goal);
   }
 
+  /** Takes steps and draws the last one, so it is not used between frames. */
   private async goTo(step: number): Promise<void> {
     const { stage } = this.studio;
     if (stage.stats.steps < step) await stage.seek(step * STEP_SECONDS);

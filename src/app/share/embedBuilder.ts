@@ -9,11 +9,15 @@ import { copyText } from './copyText.ts';
 import { elementCode, FRAME, frameCode, heightOf, POSTER, type ElementScript, type EmbedOptions } from './embed.ts';
 import { strings } from './embedStrings.ts';
 import { puffCall } from './puffCall.ts';
-import { fiberCode, sceneOf, threeCode } from './sceneCode.ts';
+import { fiberCode, ridingKeys, sceneOf, threeCode } from './sceneCode.ts';
 
 const KINDS = ['element', 'frame', 'three', 'fiber', 'puff'] as const;
 type Kind = (typeof KINDS)[number];
 const RATIOS = ['16:9', '4:3', '1:1', '3:4', '9:16'];
+/** The scene that is only smoke. */
+const WITHOUT_OBJECTS = 'air';
+/** Kinds of code with a scene of their own. */
+const OF_THREE: readonly Kind[] = ['three', 'fiber'];
 const WIDTHS = { min: 64, max: 3840 };
 /** Options that a kind of code has; the others are hidden. */
 const OPTIONS: Readonly<Record<Kind, readonly string[]>> = {
@@ -42,6 +46,7 @@ export class EmbedBuilder {
     'aria-label': strings.code,
     spellcheck: 'false',
   });
+  private readonly note = create('p', { class: 'embed-note' });
   private readonly status = create('p', { class: 'share-status', role: 'status' });
   private readonly save = textButton('quiet', strings.download, () => void this.savePoster());
   private readonly groups: Readonly<Record<string, HTMLElement>>;
@@ -74,7 +79,7 @@ export class EmbedBuilder {
     form.addEventListener('submit', (event) => event.preventDefault());
     this.code.addEventListener('focus', () => this.code.select());
     const buttons = create('div', { class: 'share-buttons' }, copy, this.save, this.status);
-    container.append(form, create('div', { class: 'share-snippet' }, this.code), buttons);
+    container.append(form, this.note, create('div', { class: 'share-snippet' }, this.code), buttons);
   }
 
   /** Makes the code for a share link. */
@@ -105,6 +110,7 @@ export class EmbedBuilder {
     const { kind, link } = this;
     for (const [name, element] of Object.entries(this.groups)) element.hidden = !OPTIONS[kind].includes(name);
     this.width.disabled = this.full.checked;
+    this.note.textContent = OF_THREE.includes(kind) ? leftOut(this.stage) : '';
     this.save.hidden = kind !== 'element' || !this.poster.checked;
     if (link === '') return;
     const code = await this.codeOf(kind, link);
@@ -155,6 +161,12 @@ function publishedScript(): ElementScript | undefined {
   const path = import.meta.env.VITE_ELEMENT_SCRIPT as string | undefined;
   const integrity = import.meta.env.VITE_ELEMENT_INTEGRITY as string;
   return path ? { address: new URL(path, document.baseURI).href, integrity } : undefined;
+}
+
+/** Says what a scene of three.js does not have of the page's scene. */
+function leftOut(stage: Stage): string {
+  if (stage.get().scene === WITHOUT_OBJECTS) return '';
+  return `${strings.leftOut} ${ridingKeys(stage).length > 0 ? strings.riding : ''}`.trim();
 }
 
 function radio(kind: Kind): HTMLInputElement {

@@ -23,7 +23,7 @@ export interface SceneOfCode {
 /** Values of `CartoonSmoke` that differ from the table. */
 const OWN: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 /** What a scene of three.js has of its own. */
-const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)/;
+const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
 const NEEDED = ['seed', 'simulation.maxParticles'];
 const BACKGROUND = '#9ac4d6';
 const LIGHT_DISTANCE = 10;
@@ -47,6 +47,12 @@ export function sceneOf(stage: Stage): SceneOfCode {
     light: lightOf(all),
     background: /^0:([0-9a-f]{6})/.exec(String(all['style.backdrop']))?.[1] ?? BACKGROUND,
   };
+}
+
+/** Keys of the emitters and forces that move with an object of the page's scene, which the code does not have. */
+export function ridingKeys(stage: Stage): string[] {
+  const all = { ...stage.rig, ...stage.get() };
+  return Object.keys(all).filter((key) => key.endsWith('.rigid') && (all[key] as number) >= 0);
 }
 
 function isCarried(key: string, value: Value): boolean {

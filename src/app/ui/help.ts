@@ -13,7 +13,7 @@ export class Help {
 
   /** @param noShortcuts whether shortcuts of a single character are turned off */
   constructor(stage: Stage, noShortcuts: Flag) {
-    const { title, keyboard, shortcuts, paper, puff, licenses, close } = strings.help;
+    const { title, keyboard, shortcuts, paper, puff, examples, licenses, close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
     // On a phone the other close button is far below.
@@ -23,6 +23,7 @@ export class Help {
       { class: 'help-links' },
       create('a', { href: './paper.html' }, paper),
       create('a', { href: './puff.html' }, puff),
+      create('a', { href: './examples.html' }, examples),
       create('a', { href: './third-party-licenses.txt' }, licenses),
     );
     // Otherwise the first link, far below, would get the initial focus.

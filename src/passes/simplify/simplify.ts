@@ -4,6 +4,7 @@ import fieldsShader from '../../../shaders/simplify/fields.frag';
 import flatShader from '../../../shaders/simplify/flat.frag';
 import tilesShader from '../../../shaders/simplify/tiles.frag';
 import tonesShader from '../../../shaders/simplify/tones.frag';
+import { FLAT_TILE } from '../../constants.ts';
 import type { FrameView } from '../../device/frameView.ts';
 import { FullScreen } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
@@ -12,8 +13,6 @@ import type { Targets } from '../targets.ts';
 
 /** Distance that is averaged, in standard deviations. */
 const REACH = 2;
-/** Side of a tile of shaders/lib/flatTiles.glsl, pixels. */
-const FLAT_TILE = 8;
 
 /**
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then

@@ -16,7 +16,7 @@ import {
 } from 'three';
 import candidatesShader from '../../../shaders/strokes/candidates.vert';
 import composeShader from '../../../shaders/strokes/compose.frag';
-import standingShader from '../../../shaders/strokes/standing.frag';
+import separationShader from '../../../shaders/strokes/separation.frag';
 import rangesFragmentShader from '../../../shaders/strokes/strokeRanges.frag';
 import rangesVertexShader from '../../../shaders/strokes/strokeRanges.vert';
 import fragmentShader from '../../../shaders/strokes/strokes.frag';
@@ -48,8 +48,8 @@ export class StrokesPass {
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   readonly arcs = new StrokeArcs();
-  /** How well the lobe stands before other smoke at each sample of each arc. */
-  readonly standings = opacityTarget();
+  /** The separation of the lobe from the smoke behind it at each sample of each arc. */
+  readonly separations = opacityTarget();
   /** The stroke at each sample of each arc: shaders/strokes/strokeRanges.frag. Valid where the arc has samples. */
   readonly ranges = pictureTarget();
   private readonly coverage = opacityTarget();
@@ -58,11 +58,11 @@ export class StrokesPass {
   private strokes = 0;
 
   constructor(eye: FrameView, puffs: PuffTextures) {
-    const { standings, ranges, coverage } = this;
+    const { separations, ranges, coverage } = this;
     ranges.texture.format = RGBAIntegerFormat;
     ranges.texture.type = UnsignedShortType;
     this.puffs = puffs;
-    this.uniforms = { ...eye.uniforms, ...strokeUniforms(standings.texture, ranges.texture) };
+    this.uniforms = { ...eye.uniforms, ...strokeUniforms(separations.texture, ranges.texture) };
     this.kinds = {
       plain: new StrokeShaders(this.uniforms, {}),
       deformed: new StrokeShaders(this.uniforms, DEFORMED),
@@ -120,7 +120,7 @@ export class StrokesPass {
 
   /** Releases the render targets until the next draw. */
   rest(): void {
-    for (const target of [this.standings, this.ranges, this.coverage]) target.dispose();
+    for (const target of [this.separations, this.ranges, this.coverage]) target.dispose();
   }
 
   dispose(): void {
@@ -130,12 +130,12 @@ export class StrokesPass {
 
   /** Compares the depth at the samples of the arcs. */
   private compare(renderer: WebGLRenderer, kind: StrokeShaders): void {
-    const { standings, ranges, uniforms, arcs } = this;
+    const { separations, ranges, uniforms, arcs } = this;
     const lines = TILE * Math.ceil(arcs.count / TILES_PER_LINE);
-    const size = uniforms.tilesSize.value.set(TILE * TILES_PER_LINE, Math.max(lines, standings.height));
-    standings.setSize(size.x, size.y);
+    const size = uniforms.tilesSize.value.set(TILE * TILES_PER_LINE, Math.max(lines, separations.height));
+    separations.setSize(size.x, size.y);
     ranges.setSize(size.x, size.y);
-    begin(renderer, standings);
+    begin(renderer, separations);
     kind.candidates.draw(renderer, arcs.count);
     renderer.setRenderTarget(ranges);
     kind.ranges.draw(renderer, arcs.count);
@@ -157,7 +157,7 @@ class StrokeShaders {
 
   constructor(uniforms: ViewUniforms, kind: Record<string, string>) {
     const defines = { TILE: String(TILE), ...kind };
-    this.candidates = new DrawnPoints(candidatesShader, standingShader, uniforms, defines);
+    this.candidates = new DrawnPoints(candidatesShader, separationShader, uniforms, defines);
     this.ranges = new DrawnPoints(rangesVertexShader, rangesFragmentShader, uniforms, defines);
     const material = pictureMaterial({
       vertexShader,
@@ -183,7 +183,7 @@ class StrokeShaders {
   }
 }
 
-function strokeUniforms(standings: Texture, ranges: Texture) {
+function strokeUniforms(separations: Texture, ranges: Texture) {
   return {
     depth: { value: null as Texture | null },
     lit: { value: null as Texture | null },
@@ -191,7 +191,7 @@ function strokeUniforms(standings: Texture, ranges: Texture) {
     hasSurfaces: { value: false },
     lobeTable: { value: null as Texture | null },
     arcs: { value: null as Texture | null },
-    standings: { value: standings },
+    separations: { value: separations },
     strokes: { value: ranges },
     tilesSize: { value: new Vector2(1, 1) },
     pixelRatio: { value: 1 },

@@ -3,13 +3,15 @@ import { Matrix4, PerspectiveCamera, type Camera, type RawShaderMaterial } from 
 import { createDevice } from '../../../src/device/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
+import type { Scene } from '../../../src/scenes/scene.ts';
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
 import { arrangeFrame, drawFrame, reportOf } from '../../../src/smoke/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import { towardsLight } from '../../../src/smoke/light.ts';
-import { SmokeRenderer, type SmokeOptions } from '../../../src/smoke/smoke.ts';
+import { drawnSurfaces } from '../../../src/smoke/sceneSurfaces.ts';
+import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
@@ -21,7 +23,7 @@ export const HEIGHT = 360;
 export const PARTICLES = 3000;
 
 /** A table below the plume and a ball next to it: surfaces and casters independent of the demo's scenes. */
-export const SURROUNDINGS: Omit<SmokeOptions, 'capacity'> = {
+export const SURROUNDINGS: Pick<Scene, 'surfaces' | 'backdrop'> = {
   surfaces: [
     { name: 'table', mesh: tableMesh(1.75, 0.12), color: [178, 92, 96], casts: false, inked: true },
     { name: 'ball', mesh: ballMesh(0.26), color: [64, 190, 178], casts: true, inked: true, rigid: 0 },
@@ -57,7 +59,8 @@ export class RenderBench {
     this.width = width;
     this.height = height;
     this.device.renderer.setSize(width, height, false);
-    this.smoke = new SmokeRenderer(this.device, { capacity: particles, ...SURROUNDINGS });
+    const surfaces = drawnSurfaces(SURROUNDINGS.surfaces);
+    this.smoke = new SmokeRenderer(this.device, { capacity: particles, ...SURROUNDINGS, surfaces });
   }
 
   /** A picture with the suite's aspect ratio, smaller where only its rows matter. */

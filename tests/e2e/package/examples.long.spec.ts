@@ -11,10 +11,13 @@ const SMOKE = '#fff4e3';
 const VITE = ['vite/bin/vite.js', 'dist'] as const;
 /** The binary that builds an example and the folder that it writes, and the title of the page. */
 const EXAMPLES = {
-  arcade: [...VITE, 'Cartoon smoke in a small game'],
+  game: [...VITE, 'Cartoon smoke in a small game'],
+  lantern: [...VITE, 'Cartoon smoke lifts a lantern'],
+  next: ['next/dist/bin/next', 'out', 'Cartoon smoke in Next.js'],
   product: [...VITE, 'Ember, a slow kettle'],
   react: [...VITE, 'Cartoon smoke in React Three Fiber'],
   svelte: [...VITE, 'Cartoon smoke in Svelte'],
+  three: [...VITE, 'Cartoon smoke in a three.js scene'],
   vite: [...VITE, 'Cartoon smoke with Vite'],
   vue: [...VITE, 'Cartoon smoke in Vue'],
 } as const;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { emissionsOf, type Asked, type Emission, type Extent } from '../../../src/puff/effects.ts';
 import { EFFECTS, type Effect } from '../../../src/puff/options.ts';
-import { AIR, Emitters, lineValues, Obstacles, type PlacedEmission } from '../../../src/puff/slots.ts';
+import { AIR, Emitters, Obstacles, type PlacedEmission } from '../../../src/puff/slots.ts';
 import { defaults, validate } from '../../../src/preset/values.ts';
 
 const POINT: Extent = { halfWidth: 0, halfHeight: 0 };
@@ -80,12 +80,21 @@ describe('emitters', () => {
   });
 
   it('follow a line without gaps', () => {
-    const values = lineValues(4, { x: 1, y: 2 }, { x: 3, y: -2 });
-    expect(values['emitters.4.position.x']).toBe(2);
-    expect(values['emitters.4.position.y']).toBe(0);
-    expect(values['emitters.4.extent.x']).toBe(1);
-    expect(values['emitters.4.extent.y']).toBe(-2);
+    const emitters = new Emitters();
+    emitters.take(burst, 0, 0);
+    const index = emitters.take(stream, 0, 0);
+    const values = emitters.moveAlong(index, { x: 1, y: 2 }, { x: 3, y: -2 });
+    expect(values).toMatchObject({
+      'emitters.1.shape': 'line',
+      'emitters.1.position.x': 2,
+      'emitters.1.position.y': 0,
+      'emitters.1.extent.x': 1,
+      'emitters.1.extent.y': -2,
+    });
     expect(() => validate(values)).not.toThrow();
+    // Another call must not move them back.
+    emitters.take(burst, 0, 0);
+    expect(emitters.values()).toMatchObject(values);
   });
 });
 

@@ -3,6 +3,7 @@ import { afterEach, expect, it, vi } from 'vitest';
 afterEach(() => {
   vi.unstubAllGlobals();
   vi.resetModules();
+  Reflect.deleteProperty(globalThis, Symbol.for('cartoon-smoke.assetUrls'));
 });
 
 async function startedFrom(url?: string): Promise<string> {
@@ -21,6 +22,12 @@ it('starts the script of the library', async () => {
 
 it('starts the script that the page has set', async () => {
   expect(await startedFrom('https://page.example/files/worker.js')).toBe('https://page.example/files/worker.js');
+});
+
+it('starts the script that was set by another build or copy of the package', async () => {
+  (await import('../../../src/preset/assetUrls.ts')).setAssetUrls({ worker: 'https://page.example/files/worker.js' });
+  vi.resetModules();
+  expect(await startedFrom()).toBe('https://page.example/files/worker.js');
 });
 
 it.each([

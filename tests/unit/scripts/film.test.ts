@@ -35,7 +35,7 @@ const SHOT = {
 };
 
 interface Read {
-  order: { link: string; scale: number; camera: { seconds: number }[]; statesEvery: number };
+  order: { link: string; scale: number; fps: number; camera: { seconds: number }[]; statesEvery: number };
   frames: number[];
 }
 
@@ -62,6 +62,19 @@ describe('options', () => {
     expect(given('--size', size).order.scale).toBe(scale);
   });
 
+  it.each([
+    ['24', 24],
+    ['12.5', 12.5],
+    ['25/2', 12.5],
+    ['24000/1001', 24_000 / 1001],
+    ['23.976', 24_000 / 1001],
+    ['23.98', 24_000 / 1001],
+    ['29.97', 30_000 / 1001],
+    ['59.94', 60_000 / 1001],
+  ])('--fps %s is %d frames per second', (text, fps) => {
+    expect(given('--fps', text).order.fps).toBe(fps);
+  });
+
   it.each([1, 2, 3, 10, 16])('the frames of %i shards are contiguous and all frames', (count) => {
     const shards = Array.from({ length: count }, (_, at) => given('--shard', `${at + 1}/${count}`).frames);
     expect(shards.flat()).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9]);
@@ -75,7 +88,9 @@ describe('options', () => {
     [['--size', '0x9'], /^--size 0x9: give pixels/],
     [['--scale', '5'], /^--scale 5: it takes 0.5 to 4/],
     [['--scale', '4', '--supersample', '2'], /^--scale 4 with --supersample 2: it takes 0.5 to 2/],
-    [['--fps', '0'], /^--fps 0: it takes a whole number from 1 to 240/],
+    [['--fps', '0'], /^--fps 0: it takes 1 to 240, such as 24, 24000\/1001 or 23.976/],
+    [['--fps', '24/0'], /^--fps 24\/0: it takes 1 to 240/],
+    [['--fps', 'film'], /^--fps film: it takes 1 to 240/],
     [['--format', 'jpg'], /^--format jpg: it takes png or exr/],
     [['--shard', '4/3'], /^--shard 4\/3: give part and count/],
     [['--shard', '0/3'], /^--shard 0\/3: give part and count/],
@@ -135,28 +150,28 @@ describe('options of a flipbook', () => {
 });
 
 describe('prepareFolder', () => {
-  const prepareFolder = files.prepareFolder as (folder: string) => Promise<void>;
+  const prepareFolder = files.prepareFolder as (folder: string) => void;
   let place: string;
 
   beforeEach(() => (place = mkdtempSync(join(tmpdir(), 'folder-'))));
   afterEach(() => rmSync(place, { recursive: true }));
 
-  it('creates folders in folders and leaves nothing in them', async () => {
+  it('creates folders in folders and leaves nothing in them', () => {
     const inner = join(place, 'a/b/c');
-    await prepareFolder(inner);
-    await prepareFolder(inner);
+    prepareFolder(inner);
+    prepareFolder(inner);
     expect(readdirSync(inner)).toEqual([]);
   });
 
-  it('rejects a file and a folder in a file', async () => {
+  it('rejects a file and a folder in a file', () => {
     writeFileSync(join(place, 'file'), '');
     for (const path of ['file', 'file/a/b']) {
-      await expect(prepareFolder(join(place, path))).rejects.toThrow(/cannot be written: \w+/);
+      expect(() => prepareFolder(join(place, path))).toThrow(`${join(place, path)} cannot be written: `);
     }
   });
 
-  it.runIf(process.platform === 'linux')('rejects a folder in /proc', async () => {
-    await expect(prepareFolder('/proc/frames/of')).rejects.toThrow(/^\/proc\/frames\/of cannot be written: ENOENT/);
+  it.runIf(process.platform === 'linux')('rejects a folder in /proc', () => {
+    expect(() => prepareFolder('/proc/frames/of')).toThrow(/^\/proc\/frames\/of cannot be written: ENOENT/);
   });
 });
 
@@ -185,7 +200,7 @@ it('names files so that all shards use the same names', () => {
 });
 
 interface Folder {
-  prepare(own: number[]): Promise<void>;
+  prepare(own: number[]): void;
   enter(shot: object): void;
   isFinished(frame: number): Promise<boolean>;
   receive(name: string, content: AsyncIterable<Uint8Array>): Promise<void>;
@@ -198,7 +213,7 @@ async function* chunks(...texts: string[]) {
 
 async function opened(shot: object = SHOT): Promise<Folder> {
   const opening = new (frames.FrameFolder as new (path: string) => Folder)(folder);
-  await opening.prepare([0, 1]);
+  opening.prepare([0, 1]);
   opening.enter(shot);
   return opening;
 }
@@ -265,14 +280,14 @@ describe('the folder of a shot', () => {
 
 describe('saved states', () => {
   interface States {
-    prepare(): Promise<void>;
+    prepare(): void;
     enter(shot: object): void;
     latest(step: number): { hash: string; bytes: Uint8Array } | undefined;
     save(step: number, hash: string, state: Uint8Array): Promise<void>;
   }
   const open = async (shot: object = SHOT) => {
     const one = new (states.StateFolder as new (path: string) => States)(folder);
-    await one.prepare();
+    one.prepare();
     one.enter(shot);
     return one;
   };

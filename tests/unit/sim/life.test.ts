@@ -189,6 +189,7 @@ describe('loading', () => {
   /** A new module instance without loaded modules. */
   async function fresh() {
     vi.resetModules();
+    Reflect.deleteProperty(globalThis, Symbol.for('cartoon-smoke.assetUrls'));
     return import('../../../src/sim/load.ts');
   }
 

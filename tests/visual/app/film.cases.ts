@@ -6,11 +6,11 @@ import { decode, encode } from '../../../src/preset/codec.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 
 /** Frames of the page's PNG sequence from a time on, in base64. */
-export async function sequence(hash: string, start: number, width: number, height: number): Promise<string[]> {
+export async function sequence(hash: string, start: number, width: number, height: number, scale: number) {
   const { values } = (await decode(hash)).state;
   const stage = await createStage(new OffscreenCanvas(16, 16), { values });
   await stage.seek(start);
-  const settings = { format: 'zip', width, height, scale: 1, hasBackground: true, inLayers: false } as const;
+  const settings = { format: 'zip', width, height, scale, hasBackground: true, inLayers: false } as const;
   const task = { signal: new AbortController().signal, onProgress: () => undefined };
   const zip = await capture(stage, { ...settings, seconds: 0.1, rate: 24 }, task);
   stage.dispose();

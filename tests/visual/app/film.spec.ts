@@ -1,6 +1,6 @@
 /** `npm run film`: the files of shards, of killed runs and of one run, and the pictures of other ways to the same frame. */
-import { execFile, spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { execFile, spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -27,8 +27,12 @@ interface Ending {
   errors: string;
 }
 
-function film(link: string, frames: string, out: string, ...words: string[]): Promise<Ending> {
-  const parameters = [SCRIPT, link, '--frames', frames, '--out', join(folder, out), ...SMALL, ...words];
+function wordsOf(link: string, frames: string, out: string, ...words: string[]): string[] {
+  return [link, '--frames', frames, '--out', join(folder, out), ...SMALL, ...words];
+}
+
+function film(...given: Parameters<typeof wordsOf>): Promise<Ending> {
+  const parameters = [SCRIPT, ...wordsOf(...given)];
   return new Promise((resolve) => {
     execFile(process.execPath, parameters, { cwd: ROOT }, (error, _output, errors) =>
       resolve({ status: error ? Number(error.code) : 0, errors }),
@@ -36,14 +40,18 @@ function film(link: string, frames: string, out: string, ...words: string[]): Pr
   });
 }
 
-/** Starts a run and kills it, without a chance to clean up, when a file is there. */
-async function killedAt(file: string, link: string, frames: string, out: string, ...words: string[]): Promise<void> {
-  const parameters = [SCRIPT, link, '--frames', frames, '--out', join(folder, out), ...SMALL, ...words];
-  const child = spawn(process.execPath, parameters, { cwd: ROOT, stdio: 'ignore' });
-  const ended = new Promise((resolve) => child.once('close', resolve));
-  while (child.exitCode === null && !existsSync(join(folder, out, file))) await wait(5);
-  child.kill('SIGKILL');
-  await ended;
+/**
+ * Starts a run and sends it a signal when a file is there. The run has a folder of its own for temporary files.
+ * @returns its exit status, null if the signal ended it
+ */
+async function stoppedAt(file: string, signal: NodeJS.Signals, words: readonly string[]): Promise<number | null> {
+  mkdirSync(join(folder, 'temporary'), { recursive: true });
+  const env = { ...process.env, TMPDIR: join(folder, 'temporary') };
+  const child = spawn(process.execPath, [SCRIPT, ...words], { cwd: ROOT, env, stdio: 'ignore' });
+  const ended = new Promise<number | null>((resolve) => child.once('close', resolve));
+  while (child.exitCode === null && !existsSync(join(folder, file))) await wait(5);
+  child.kill(signal);
+  return ended;
 }
 
 /** Content of the files in a folder, by name, in base64. */
@@ -64,13 +72,17 @@ test('shards, killed runs and one run write the same files, also from the states
   ).evaluate((cases, hash) => cases.disturbed(hash), HASH);
   expect(await film(link, '10-21', 'one')).toMatchObject({ status: 0 });
   const states = ['--states', join(folder, 'states'), '--states-every', '4'];
-  await killedAt('frame-0012.json', link, '10-21', 'shards', '--shard', '1/2', ...states);
+  const shard = wordsOf(link, '10-21', 'shards', '--shard', '1/2', ...states);
+  expect(await stoppedAt('shards/frame-0010.json', 'SIGINT', shard)).toBe(130);
+  expect(Object.keys(filesIn('shards')).filter((name) => name.endsWith('.part'))).toEqual([]);
+  expect(readdirSync(join(folder, 'temporary')), 'what the browser left').toEqual([]);
+  expect(await stoppedAt('shards/frame-0012.json', 'SIGKILL', shard)).toBeNull();
   const unfinished = Object.keys(filesIn('shards'));
   expect(unfinished).toContain('/frame-0011.json');
   expect(unfinished).not.toContain('/frame-0015.json');
   const began = Object.keys(filesIn('states'));
-  for (const shard of ['2/2', '1/2']) {
-    expect(await film(link, '10-21', 'shards', '--shard', shard, ...states)).toMatchObject({ status: 0 });
+  for (const part of ['2/2', '1/2']) {
+    expect(await film(link, '10-21', 'shards', '--shard', part, ...states)).toMatchObject({ status: 0 });
   }
   // The second shard starts from a state of the first one.
   expect(began).toContain('/state-000010.bin');
@@ -85,26 +97,31 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(other.errors).toMatch(/frame-0010\.json, the link is ".*preset=lamp.*", here it is ".*preset=wisp/);
 });
 
-test('a frame is the same picture as in the PNG sequence of the page and as the poster, also in OpenEXR', async ({
+test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
+  blank,
   load,
 }) => {
   const link = `?t=2.5${HASH}`;
-  expect(await film(link, '0-1', 'png')).toMatchObject({ status: 0 });
+  expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
   const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-000${frame}.png`))));
   const cases = await load<Cases>('/tests/visual/app/film.cases.ts');
-  const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 160, 90), HASH);
+  const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
   expect(sequence).toHaveLength(2);
   expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
     true,
     true,
   ]);
   expect(first.equals(second)).toBe(false);
+  const session = await blank.context().newCDPSession(blank);
+  const metrics = { width: 640, height: 360, deviceScaleFactor: 2, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', metrics);
   const posters = await load<Posters>('/tests/visual/element/poster.cases.ts');
-  const order = { link: `https://example.org/${link}`, width: 160, height: 90, isTransparent: false };
+  const order = { link: `https://example.org/${link}`, width: 80, height: 45, isTransparent: false };
   const { png } = await posters.evaluate((module, given) => module.poster(given), order);
+  await session.send('Emulation.clearDeviceMetricsOverride');
   expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
 
-  expect(await film(link, '0', 'exr', '--format', 'exr', '--layers')).toMatchObject({ status: 0 });
+  expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
   const exr = exrIn('exr/frame-0000.exr');
   expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
   const depth = exrIn('exr/depth/0000.exr');
@@ -169,4 +186,22 @@ test('mistakes in a link end the run before the first frame', async () => {
   expect(status).toBe(1);
   expect(errors.trim().split('\n').at(-1)).toMatch(/^The link has mistakes: There is no preset .fog.;.*emission\.rat/);
   expect(Object.keys(filesIn('bad'))).toEqual([]);
+});
+
+test('a full disk ends the run with one line, and the files on it are whole', () => {
+  const isMountable = spawnSync('unshare', ['--mount', 'true']).status === 0;
+  test.skip(!isMountable, 'Only root on Linux can mount a small disk');
+  const [disk, copy] = ['disk', 'copy'].map((name) => join(folder, name));
+  for (const place of [disk, copy]) mkdirSync(place);
+  // The mount ends with the processes in the namespace.
+  const commands = 'mount -t tmpfs -o size=96k tmpfs "$1" && shift && "$@"; status=$?; cp -r disk/. copy; exit $status';
+  const run = [process.execPath, join(ROOT, SCRIPT), ...wordsOf(HASH, '0-60', 'disk')];
+  const parameters = ['--mount', 'sh', '-c', commands, 'sh', disk, ...run];
+  const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8' });
+  expect(status).toBe(1);
+  expect(stderr.trim().split('\n').at(-1)).toMatch(/^The disk is full: .*frame-00\d\d\.(png|json) was not written\.$/);
+  const names = readdirSync(copy);
+  expect(names.length).toBeGreaterThan(4);
+  expect(names.filter((name) => !/^frame-00\d\d\.(png|json)$/.test(name))).toEqual([]);
+  for (const name of names.filter((each) => each.endsWith('.png'))) pixelsOf(readFileSync(join(copy, name)));
 });

@@ -46,7 +46,7 @@ export async function shareDevice(): Promise<{ between: number; disturbed: numbe
     puffs: [0, 1].map((side) => ({ place: [side - 0.5, 0, 0], radius: 0.6, variation: side, seed: 7 })),
   };
   const smoke = (shapes?: readonly PuffShape[]) =>
-    new SmokeRenderer(device, { capacity: 2, surfaces: [], puffs: bakedPuffs(shapes) });
+    new SmokeRenderer(device, { capacity: 2, puffs: bakedPuffs(shapes) });
   const draw = (drawn: SmokeRenderer): Uint32Array => {
     drawFrame(drawn, inputOf(scene));
     const pixels = new Uint32Array(WIDTH * HEIGHT);

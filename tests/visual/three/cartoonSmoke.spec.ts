@@ -6,6 +6,7 @@ type Ink = typeof import('./ink.cases.ts');
 type Meshes = typeof import('./meshes.cases.ts');
 type Output = typeof import('./output.cases.ts');
 type Errors = typeof import('./errors.cases.ts');
+type Hostile = typeof import('./hostile.cases.ts');
 type Shadow = typeof import('./shadow.cases.ts');
 const BILLBOARDS = '/tests/visual/three/billboards.cases.ts';
 const INK = '/tests/visual/three/ink.cases.ts';
@@ -108,12 +109,26 @@ for (const kind of ['pane', 'sprite'] as const) {
   });
 }
 
-test('the state of the renderer is restored', async ({ load }) => {
+for (const place of ['canvas', 'target'] as const) {
+  test(`the state of the renderer is restored: ${place}`, async ({ load }) => {
+    const cases = await load<Output>(OUTPUT);
+    const { before, after, changed, drawn } = await cases.evaluate(
+      (module, where) => module.stateAsFound(where),
+      place,
+    );
+    expect(after).toEqual(before);
+    expect(drawn).toBeGreaterThan(1000);
+    expect(changed).toBe(0);
+  });
+}
+
+test('two smokes hide each other and both shadow the scene, but do not shade each other', async ({ load }) => {
   const cases = await load<Output>(OUTPUT);
-  const { before, after, changed, drawn } = await cases.evaluate((module) => module.stateAsFound());
-  expect(after).toEqual(before);
-  expect(drawn).toBeGreaterThan(1000);
+  const { lower, changed, shadow, wrong } = await cases.evaluate((module) => module.twoSmokes());
+  expect(lower).toBeGreaterThan(500);
   expect(changed).toBe(0);
+  expect(shadow).toBeGreaterThan(500);
+  expect(wrong).toBe(0);
 });
 
 test('two cameras draw the same smoke independently', async ({ load }) => {
@@ -186,6 +201,24 @@ test.describe('errors', () => {
     expect(said.call).toMatch(/^SimulatorError: .*disposed/);
     expect(said.disposed).toMatch(/^SimulatorError: .*disposed/);
   });
+});
+
+test.describe('mistakes of a page', () => {
+  // three.js warns of attributes that are missing, WebGL of sizes.
+  test.use({ allowed: /THREE|GL_INVALID/ });
+
+  for (const seed of [1, 2]) {
+    test(`never make update or a render throw, and nothing is lost: sequence ${seed}`, async ({ load }) => {
+      const cases = await load<Hostile>('/tests/visual/three/hostile.cases.ts');
+      const seen = await cases.evaluate((module, first) => module.survive(first, 120), seed);
+      expect(seen.thrown).toEqual([]);
+      expect(seen.foreign).toEqual([]);
+      expect(seen.unclear).toEqual([]);
+      expect(seen.renders).toBeGreaterThan(60);
+      expect(seen.smoke).toBeGreaterThan(500);
+      expect(seen.shadow).toBeGreaterThan(50);
+    });
+  }
 });
 
 test.describe('billboards that are not loaded yet', () => {

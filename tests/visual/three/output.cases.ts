@@ -9,6 +9,7 @@ import {
   makeRenderer,
   readCanvas,
   smokeIn,
+  smokePixels,
   WIDTH,
   type Host,
   type Pixels,
@@ -56,22 +57,40 @@ function stateOf({ renderer, scene, keyLight }: Host): Record<string, unknown> {
 /**
  * The state after a frame without smoke and after one with it, and the difference of frames without smoke before and
  * after.
+ * @param place the canvas or a target without stencil
  */
-export async function stateAsFound(): Promise<{ before: object; after: object; changed: number; drawn: number }> {
+export async function stateAsFound(
+  place: 'canvas' | 'target',
+): Promise<{ before: object; after: object; changed: number; drawn: number }> {
   const host = furnishedHost();
+  const target = new WebGLRenderTarget(WIDTH, HEIGHT, { samples: 4 });
+  if (place === 'target') host.renderer.setRenderTarget(target);
   host.renderer.setClearColor('#123456', 0.5);
   host.renderer.shadowMap.enabled = true;
   host.keyLight.castShadow = true;
   host.scene.traverse((object) => ('isMesh' in object ? (object.castShadow = object.receiveShadow = true) : false));
-  const untouched = draw(host);
+  const untouched = drawHere(host);
   const before = stateOf(host);
   const smoke = await smokeIn(host);
-  const drawn = changedPixels(draw(host), untouched);
+  drawHere(host);
+  await smoke.complete();
+  const drawn = changedPixels(drawHere(host), untouched);
   host.scene.remove(smoke);
   const after = stateOf(host);
-  const changed = changedPixels(draw(host), untouched);
-  dispose(smoke, host.renderer);
+  const changed = changedPixels(drawHere(host), untouched);
+  dispose(smoke, target, host.renderer);
   return { before, after, changed, drawn };
+}
+
+/** Draws into the current target. */
+function drawHere(host: Host): Pixels {
+  const { renderer } = host;
+  const target = renderer.getRenderTarget();
+  if (!target) return draw(host);
+  renderer.render(host.scene, host.camera);
+  const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+  renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, pixels);
+  return pixels;
 }
 
 /** Two cameras share a canvas: difference of each half from the picture of its camera alone. */
@@ -101,6 +120,52 @@ export async function twoCameras(): Promise<{ left: number; right: number; betwe
   dispose(...smokes, pair.renderer, single.renderer);
   const [left, right] = halves.map((half, index) => changedPixels(half, alone[index]));
   return { left, right, between: changedPixels(halves[0], halves[1]), sameState };
+}
+
+export interface TwoSmokes {
+  /** Pixels of the lower smoke beside the upper one, and those of them that the upper one changes. */
+  lower: number;
+  changed: number;
+  /** Pixels beside both that only one of them shadows, and pixels that are not as dark as the darker of their two pictures. */
+  shadow: number;
+  wrong: number;
+}
+
+/** Two smokes, one between the light and the other. */
+export async function twoSmokes(): Promise<TwoSmokes> {
+  const host = furnishedHost();
+  const lower = await smokeIn(host);
+  const upper = await smokeIn(host);
+  upper.position.set(0.35, 0.7, 0.5);
+  upper.step(60);
+  lower.step(60);
+  const pictures = [[lower], [upper], [lower, upper]].map((shown) => {
+    for (const smoke of [lower, upper]) smoke.visible = shown.includes(smoke);
+    return draw(host);
+  });
+  for (const smoke of [lower, upper]) smoke.visible = true;
+  const [isLower, isUpper] = [lower, upper].map((smoke) => {
+    smoke.removeFromParent();
+    return smokePixels(host, smoke);
+  });
+  const [one, other, both] = pictures.map((pixels) =>
+    Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels.subarray(4 * pixel, 4 * pixel + 3)),
+  );
+  const lightOf = (color: Pixels) => color.reduce((sum, value) => sum + value, 0);
+  const seen = { lower: 0, changed: 0, shadow: 0, wrong: 0 };
+  both.forEach((color, pixel) => {
+    if (isUpper[pixel]) return;
+    const darker = lightOf(one[pixel]) < lightOf(other[pixel]) ? one[pixel] : other[pixel];
+    if (isLower[pixel]) {
+      seen.lower += 1;
+      seen.changed += String(color) === String(one[pixel]) ? 0 : 1;
+      return;
+    }
+    seen.shadow += String(one[pixel]) === String(other[pixel]) ? 0 : 1;
+    seen.wrong += String(color) === String(darker) ? 0 : 1;
+  });
+  dispose(lower, upper, host.renderer);
+  return seen;
 }
 
 /** The picture in a linear half-float target, encoded in the test, compared with the canvas. */

@@ -41,7 +41,7 @@ import {
 } from './scene.ts';
 
 /** The furnished scene without the shader that ignores the colour space of its target. */
-function plainHost(samples: number): Host {
+export function plainHost(samples: number): Host {
   const host = furnishedHost(makeRenderer({ antialias: samples > 0 }));
   host.scene.children.pop();
   return host;
@@ -59,7 +59,7 @@ export function composed({ renderer, scene, camera }: Host, samples: number, ...
 }
 
 /** Mean difference of the channels of two pictures, as a share of white. */
-function meanDifference(a: Pixels, b: Pixels): number {
+export function meanDifference(a: Pixels, b: Pixels): number {
   return a.reduce((sum, value, at) => sum + Math.abs(value - b[at]), 0) / a.length / 255;
 }
 

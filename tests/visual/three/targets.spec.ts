@@ -2,7 +2,9 @@
 import { expect, test } from '../../support/fixtures.ts';
 
 type Targets = typeof import('./targets.cases.ts');
+type Composers = typeof import('./composers.cases.ts');
 type FogCases = typeof import('./fog.cases.ts');
+const COMPOSERS = '/tests/visual/three/composers.cases.ts';
 const FOG = '/tests/visual/three/fog.cases.ts';
 const TARGETS = '/tests/visual/three/targets.cases.ts';
 
@@ -24,6 +26,30 @@ for (const samples of [0, 4]) {
     expect(distinct).toBeLessThan(44);
   });
 }
+
+for (const samples of [0, 4]) {
+  test(`the composer of pmndrs/postprocessing with ${samples} samples shows the picture of the canvas`, async ({
+    load,
+  }) => {
+    const cases = await load<Composers>(COMPOSERS);
+    const { difference, bare, smoke, errors } = await cases.evaluate(
+      (module, count) => module.byPmndrs(count),
+      samples,
+    );
+    expect(errors).toEqual([]);
+    expect(smoke).toBeGreaterThan(2000);
+    expect(bare).toBeLessThan(0.005);
+    expect(difference - bare).toBeLessThan(0.0005);
+  });
+}
+
+test('a renderer with an output buffer maps the tones of smoke as a composer does', async ({ load }) => {
+  const cases = await load<Composers>(COMPOSERS);
+  const { difference, bare, smoke, errors } = await cases.evaluate((module) => module.byOutputBuffer());
+  expect(errors).toEqual([]);
+  expect(smoke).toBeGreaterThan(2000);
+  expect(difference - bare).toBeLessThan(0.0005);
+});
 
 test('a mirror shows smoke and its shadow, and keeps its picture where it is in the shadow itself', async ({
   load,
@@ -50,6 +76,21 @@ test('passes that draw the scene with one material do not show smoke, so that it
   expect(normals).toBe(0);
   // What is near behind smoke is still darkened, as behind any transparent object.
   expect(darkened / smoke).toBeLessThan(0.05);
+});
+
+test('SSAOPass leaves smoke as it is', async ({ load }) => {
+  const cases = await load<Composers>(COMPOSERS);
+  const { darkened, smoke } = await cases.evaluate((module) => module.bySsao());
+  expect(smoke).toBeGreaterThan(1000);
+  expect(darkened / smoke).toBeLessThan(0.05);
+});
+
+test('BokehPass blurs smoke with what is behind it, and leaves it sharp in focus', async ({ load }) => {
+  const cases = await load<Composers>(COMPOSERS);
+  const { sharp, blurred, smoke } = await cases.evaluate((module) => module.byBokeh());
+  expect(smoke).toBeGreaterThan(2000);
+  expect(sharp).toBe(0);
+  expect(blurred).toBeGreaterThan(2000);
 });
 
 test('bloom leaves white smoke as it is', async ({ load }) => {

@@ -181,3 +181,22 @@ export async function invalid(): Promise<{ said: string[]; changed: number[]; al
   dispose(smoke, host.renderer);
   return { said, changed, alive };
 }
+
+/**
+ * Pixels that change in the shadow of a box while the smoke has another scale than at the latest `update`, and those of the
+ * shadow.
+ */
+export async function rescaled(): Promise<{ changed: number; shadow: number }> {
+  const host = furnishedHost();
+  const box = new Mesh(new BoxGeometry(0.5, 0.5, 0.5), new MeshStandardMaterial());
+  box.position.set(0.2, 1, 0.5);
+  host.scene.add(box);
+  const without = draw(host);
+  const smoke = await smokeIn(host, { 'emission.rate': 0 }, { space: 'local' });
+  smoke.cast(box);
+  const before = draw(host);
+  smoke.scale.setScalar(2.5);
+  const after = draw(host);
+  dispose(smoke, host.renderer);
+  return { changed: changedPixels(before, after, 8), shadow: changedPixels(without, before, 8) };
+}

@@ -40,3 +40,10 @@ test('an invalid transform is one error event, and the smoke stays', async ({ lo
   expect(changed).toEqual([0, 0]);
   expect(new Set(alive).size).toBe(1);
 });
+
+test('a scale that changes between update and render leaves the shadows of objects as they are', async ({ load }) => {
+  const cases = await load<Transforms>(TRANSFORMS);
+  const { changed, shadow } = await cases.evaluate((module) => module.rescaled());
+  expect(shadow).toBeGreaterThan(300);
+  expect(changed).toBeLessThan(5);
+});

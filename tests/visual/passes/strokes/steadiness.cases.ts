@@ -49,10 +49,10 @@ export async function changesOfOpacity(preset: string, starts: readonly number[]
 
 /** The arcs of the latest picture that have samples. */
 function strokesOf({ context: gl, passes: { bodies, renderer, extras } }: SceneLab): Stroke[] {
-  const { arcs, standings, ranges } = extras.strokes!;
+  const { arcs, separations, ranges } = extras.strokes!;
   const { width, height } = ranges;
   const samples = new Uint8Array(4 * width * height);
-  renderer.setRenderTarget(standings);
+  renderer.setRenderTarget(separations);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, samples);
   const strokes = new Uint32Array(4 * width * height);
   renderer.setRenderTarget(ranges);

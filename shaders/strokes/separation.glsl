@@ -1,5 +1,5 @@
-// How well a lobe stands before other smoke at a place on its arc. The depth of the picture on both sides of the outline says
-// so, at several distances, so that the result changes gradually as other smoke moves past. Needs arc.glsl.
+// Separation of a lobe from the smoke behind it at a place on its arc, 0..1, by the depth of the picture on both sides of the
+// outline. Several distances are sampled, so that it changes gradually as other smoke moves past. Needs arc.glsl.
 uniform float innerLine;
 uniform float innerTaper;
 uniform sampler2D lit;
@@ -44,7 +44,7 @@ bool isOwnLine(float gap, vec2 at, vec2 point) {
 }
 
 // The mean of some of the taps about a place on the arc: each with this stride.
-float standing(float along, int stride) {
+float separationAt(float along, int stride) {
   float size = lobe.w * radius;
   float sum = 0.0;
   for (int i = 0; i < TAPS; i += stride) {

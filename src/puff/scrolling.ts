@@ -1,0 +1,64 @@
+/** The scrolling boxes around the targets of calls. */
+import type { Sheet } from './overlay.ts';
+
+interface Offset {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Moves the canvas with a scrolling box of the page while all smoke comes from inside it. */
+export class Scrolling {
+  private readonly sheet: Sheet;
+  /** The boxes around each target. */
+  private readonly calls = new Set<ReadonlySet<Element>>();
+  private readonly offsets = new WeakMap<Element, Offset>();
+
+  constructor(sheet: Sheet) {
+    this.sheet = sheet;
+  }
+
+  /**
+   * Follows the boxes around the target of a call.
+   * @returns a function that stops
+   */
+  enter(target: Element | undefined): () => void {
+    const boxes = new Set(target ? boxesAround(target) : []);
+    const end = new AbortController();
+    this.calls.add(boxes);
+    for (const box of boxes) {
+      this.offsets.set(box, offsetOf(box));
+      box.addEventListener('scroll', () => this.follow(box), { passive: true, signal: end.signal });
+    }
+    return () => {
+      end.abort();
+      this.calls.delete(boxes);
+    };
+  }
+
+  private follow(box: Element): void {
+    const before = this.offsets.get(box)!;
+    const now = offsetOf(box);
+    this.offsets.set(box, now);
+    const hasAll = [...this.calls].every((boxes) => boxes.has(box));
+    if (hasAll) this.sheet.shift(before.x - now.x, before.y - now.y);
+  }
+}
+
+function offsetOf({ scrollLeft, scrollTop }: Element): Offset {
+  return { x: scrollLeft, y: scrollTop };
+}
+
+/** The elements whose scrolling moves an element, also across shadow trees. */
+function boxesAround(element: Element): Element[] {
+  const found: Element[] = [];
+  for (let each: Element | undefined = element; each; each = parentOf(each)) {
+    const { scrollHeight, clientHeight, scrollWidth, clientWidth } = each;
+    if (each !== element && (scrollHeight > clientHeight || scrollWidth > clientWidth)) found.push(each);
+    if (getComputedStyle(each).position === 'fixed') break;
+  }
+  return found;
+}
+
+function parentOf(element: Element): Element | undefined {
+  return element.assignedSlot ?? element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host;
+}
