@@ -158,11 +158,11 @@ function faceNormals(positions: Float32Array, corners: Uint32Array): Float32Arra
  * @param near number of the first vertex at the start of the volume
  * @param far number of the first vertex at its end
  * @param indices where to write, from index `at`; at most 3 for each face and 6 for each edge
- * @param isClosed if false, the volume has neither the far end nor the faces that the mesh itself hides
+ * @param isClosed whether the volume has a far end
  * @returns the index after the last one written
  */
 export function writeVolume(
-  { positions, corners, edges }: Extrusion,
+  { corners, edges }: Extrusion,
   facesLight: Uint8Array,
   near: number,
   far: number,
@@ -170,19 +170,13 @@ export function writeVolume(
   at: number,
   isClosed: boolean,
 ): number {
-  // The start is moved along the light. Only next to faces that look away can it come out of the mesh.
-  const isBeside = new Uint8Array(positions.length / 3);
-  for (let corner = 0; corner < corners.length; ++corner) {
-    isBeside[corners[corner]] |= 1 - facesLight[Math.floor(corner / 3)];
-  }
   for (let corner = 0; corner < corners.length; corner += 3) {
     const isLit = facesLight[corner / 3];
-    const [a, b, c] = [corners[corner], corners[corner + 1], corners[corner + 2]];
-    if (!isClosed && !(isLit && isBeside[a] | isBeside[b] | isBeside[c])) continue;
+    if (!isClosed && !isLit) continue;
     const first = isLit ? near : far;
-    indices[at++] = first + a;
-    indices[at++] = first + b;
-    indices[at++] = first + c;
+    indices[at++] = first + corners[corner];
+    indices[at++] = first + corners[corner + 1];
+    indices[at++] = first + corners[corner + 2];
   }
   for (let edge = 0; edge < edges.length; edge += 4) {
     const isLit = facesLight[edges[edge + 2]];

@@ -41,8 +41,8 @@ interface Caster {
  * stencil operations wrap. This pass must run before the volumes of particles, which clamp: the count of meshes over a
  * pixel must stay below 256.
  *
- * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs only the quads
- * at the silhouettes: no receiver is behind the far caps, and the lit faces are in front of the near caps.
+ * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs no far ends,
+ * because no receiver is behind them.
  */
 export class MeshVolumesPass {
   private readonly eye: FrameView;
@@ -51,7 +51,7 @@ export class MeshVolumesPass {
   private readonly transforms: SurfaceTransforms;
   private readonly volumes: DrawnMesh;
   private readonly indices: Uint32Array;
-  private hasCaps = false;
+  private isClosed = false;
 
   constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
     this.eye = eye;
@@ -84,7 +84,7 @@ export class MeshVolumesPass {
     this.follow(this.eye.uniforms.lightInWorld.value, countsFar || this.mayContainEye());
     const { KEEP, INCR_WRAP, DECR_WRAP } = WebGL2RenderingContext;
     const counting = (behind: number, before: number) =>
-      this.hasCaps ? { depthFail: behind, depthPass: KEEP } : { depthFail: KEEP, depthPass: before };
+      this.isClosed ? { depthFail: behind, depthPass: KEEP } : { depthFail: KEEP, depthPass: before };
     countFaces(this.volumes.mesh, counting(DECR_WRAP, INCR_WRAP), counting(INCR_WRAP, DECR_WRAP));
     this.volumes.draw(renderer);
   }
@@ -108,12 +108,12 @@ export class MeshVolumesPass {
   }
 
   /**
-   * Writes the triangles again if a caster has turned in the light, if one appeared or disappeared, or if the caps are
-   * needed or not needed any more.
+   * Writes the triangles again if a caster has turned in the light, if one appeared or disappeared, or if the far
+   * ends are needed or not needed any more.
    */
-  private follow(light: Vector4, hasCaps: boolean): void {
-    let isStale = this.hasCaps !== hasCaps;
-    this.hasCaps = hasCaps;
+  private follow(light: Vector4, isClosed: boolean): void {
+    let isStale = this.isClosed !== isClosed;
+    this.isClosed = isClosed;
     for (const [surface, caster] of this.casters) {
       const isVisible = this.transforms.isVisible(surface);
       const hasMoved = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
@@ -125,7 +125,7 @@ export class MeshVolumesPass {
     const vertices = geometry.getAttribute('position').count / 2;
     let end = 0;
     for (const { mesh, first, facesLight, isVisible } of this.casters.values()) {
-      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end, hasCaps);
+      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end, isClosed);
     }
     const index = geometry.index!;
     geometry.setDrawRange(0, end);
