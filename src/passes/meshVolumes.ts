@@ -41,8 +41,8 @@ interface Caster {
  * stencil operations wrap. This pass must run before the volumes of particles, which clamp: the count of meshes over a
  * pixel must stay below 256.
  *
- * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs no far ends,
- * because no receiver is behind them.
+ * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs no far ends
+ * while the camera looks along with the light, because no receiver is behind them.
  */
 export class MeshVolumesPass {
   private readonly eye: FrameView;
@@ -81,7 +81,7 @@ export class MeshVolumesPass {
   /** @param countsFar whether the counts of pixels at the far plane must be right, too */
   draw(renderer: WebGLRenderer, countsFar = true): void {
     if (this.casters.size === 0) return;
-    this.follow(this.eye.uniforms.lightInWorld.value, countsFar || this.mayContainEye());
+    this.follow(this.eye.uniforms.lightInWorld.value, countsFar || this.needsFarEnds());
     const { KEEP, INCR_WRAP, DECR_WRAP } = WebGL2RenderingContext;
     const counting = (behind: number, before: number) =>
       this.isClosed ? { depthFail: behind, depthPass: KEEP } : { depthFail: KEEP, depthPass: before };
@@ -94,12 +94,14 @@ export class MeshVolumesPass {
     this.volumes.material.dispose();
   }
 
-  /** Returns true if the near plane may intersect a volume. */
-  private mayContainEye(): boolean {
+  /** Returns true if the near plane may intersect a volume, or if a view ray may enter a volume through its far end. */
+  private needsFarEnds(): boolean {
     const { casters, eye, transforms } = this;
     if (!eye.isLitBySun) return true;
-    const { place, nearReach } = eye;
+    const { place, nearReach, forward, steepestSlope } = eye;
     const travel = eye.travelAt(place);
+    // Else all view rays go along with the light.
+    if (forward.dot(travel) * Math.hypot(1, steepestSlope) <= steepestSlope) return true;
     return [...casters].some(([surface, caster]) => {
       const { center, radius } = sphere.copy(caster.sphere).applyMatrix4(transforms.worldFromModel(surface));
       const isNear = ray.set(center, travel).distanceToPoint(place) < radius + SHADOW_INSET + nearReach;

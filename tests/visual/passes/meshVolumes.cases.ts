@@ -31,9 +31,9 @@ export function staleAfterSun(): { shadowed: number; stale: number } {
 /**
  * Pixels of a ground whose shadow is not that of the closed volumes, which the view of the counts draws, and pixels of
  * the backdrop that the shadow changes.
- * @param place, target of the camera
+ * @param place, target of the camera, and the direction towards the light
  */
-export function shadowSeenFrom([place, target]: readonly (readonly [number, number, number])[]) {
+export function shadowSeenFrom([place, target, towardsLight]: readonly (readonly [number, number, number])[]) {
   const scene: LabScene = {
     width: 200,
     height: 150,
@@ -45,7 +45,7 @@ export function shadowSeenFrom([place, target]: readonly (readonly [number, numb
       { name: 'slab', mesh: box([-1, 1, 0], [0.2, 0.01, 0.5]), color: [60, 60, 200], casts: true, inked: false },
     ],
     backdrop: { top: [40, 90, 160], bottom: [220, 220, 255] },
-    towardsLight: [0.1, 1, 0.05],
+    towardsLight,
     readCounts: true,
   };
   scene.camera!.position.set(...place);
