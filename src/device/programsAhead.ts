@@ -23,12 +23,21 @@ export class ProgramsAhead {
   private readonly programs = new Map<string, RawShaderMaterial>();
 
   /** Compiles a program unless it was compiled before. Does not wait for the result. */
-  compile(renderer: WebGLRenderer, shaders: Shaders): void {
+  compile(renderer: WebGLRenderer, { vertexShader, fragmentShader, defines }: Shaders): void {
+    const shaders = { vertexShader, fragmentShader, defines };
     const key = JSON.stringify(shaders);
     if (this.programs.has(key)) return;
     const material = new RawShaderMaterial({ ...shaders, glslVersion: GLSL3 });
     this.programs.set(key, material);
     new DrawnMesh(material, triangle()).compile(renderer);
+  }
+
+  /** Compiles the programs of what a pass draws with: its fields, and the elements of its arrays. */
+  compilePass(renderer: WebGLRenderer, pass: object): void {
+    for (const part of Object.values(pass).flat()) {
+      const material = part?.material ?? part;
+      if (material instanceof RawShaderMaterial) this.compile(renderer, material as Shaders);
+    }
   }
 
   /**
@@ -41,7 +50,9 @@ export class ProgramsAhead {
     const until = performance.now() + TIMEOUT_MS;
     const programs = renderer.info.programs as unknown as readonly Compiled[];
     const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
-    while (!context.isContextLost() && !isReady() && performance.now() < until) {
+    while (!context.isContextLost() && performance.now() < until) {
+      // Reads their uniforms now: in the first frame this would wait for the draw calls before it.
+      if (isReady()) return programs.forEach((program) => program.getUniforms());
       await new Promise((resolve) => setTimeout(resolve, POLL_MS));
     }
   }
@@ -56,4 +67,5 @@ export class ProgramsAhead {
 interface Compiled {
   /** Whether the browser has finished it; always true without KHR_parallel_shader_compile. */
   isReady(): boolean;
+  getUniforms(): unknown;
 }

@@ -7,6 +7,8 @@ import type { Style } from './style.ts';
 
 /** The part of a simulator that a frame needs. The result may be reused by the next call. */
 export interface Arranger {
+  /** Number of particles; unknown if absent. */
+  readonly alive?: number;
   arrange(view: View): Arranged;
 }
 

@@ -1,15 +1,21 @@
+import { BackdropPass } from '../passes/backdrop.ts';
 import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
+import { MaskPass } from '../passes/mask.ts';
 import { memoizedExtrusion } from '../passes/meshVolumes.ts';
+import { ResolvePass } from '../passes/resolve.ts';
 import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import { inPieces, type Work } from '../puffs/work.ts';
 import type { Device } from '../device/device.ts';
+import { FrameView } from '../device/frameView.ts';
+import { RampTexture } from '../device/ramps.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
-import { isSimplified } from './extraPasses.ts';
+import { codeOf, fetchExtras, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
-import { styleOf } from './style.ts';
+import { SceneSurfaces } from './sceneSurfaces.ts';
+import { styleOf, styleUniforms } from './style.ts';
 
 /**
  * Computes everything that passes derive from surfaces, in steps of one mesh or one pair of meshes. Results are
@@ -37,18 +43,29 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promis
 }
 
 /**
- * Compiles the two slowest programs, the bodies and the volumes of lobe puffs, while other resources load, and resolves
- * when they are ready. Other programs are small or rarely used.
+ * Compiles the programs of a picture while other resources load, and resolves when they are ready. Those of rarely used
+ * passes are compiled when they first draw.
  */
-export async function compileAhead(device: Device, values: Values): Promise<void> {
-  if (!device.isUsable || values['puff.form'] !== 'lobes') return;
+export async function compileAhead(
+  { isUsable, programs, renderer, writesDepth }: Device,
+  values: Values,
+): Promise<void> {
+  if (!isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
   const { isDeformed } = style;
-  const kind = { isFlat: !device.writesDepth, isShaded: isSimplified(style), isDeformed };
-  device.programs.compile(device.renderer, lobeBodyShaders(lobes, kind));
-  device.programs.compile(device.renderer, volumeShaders(lobes, isDeformed));
-  await device.programs.finished(device.renderer);
+  const isShaded = isSimplified(style);
+  programs.compile(renderer, lobeBodyShaders(lobes, { isFlat: !writesDepth, isShaded, isDeformed }));
+  programs.compile(renderer, volumeShaders(lobes, isDeformed));
+  const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
+  const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
+  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass(), new ResolvePass(eye)];
+  for (const pass of passes) programs.compilePass(renderer, pass);
+  if (isShaded) {
+    await fetchExtras(style);
+    programs.compilePass(renderer, new (codeOf('simplify').SimplifyPass)(eye, ramps));
+  }
+  await programs.finished(renderer);
 }
 
 /** Time slice in milliseconds, short enough to keep the page responsive. */

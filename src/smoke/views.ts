@@ -12,6 +12,8 @@ import { COVERS_LIMIT, STEEPEST } from '../constants.ts';
 
 /** Largest distance of ink from a silhouette, in puff radii; see shaders/lib/ink.glsl. */
 const WIDEST_RING = 0.3;
+/** Up to this number of particles, finding those that are hidden takes longer than drawing them. */
+const FEW = 100;
 
 /** What a view is computed from, besides the input of the frame. */
 export interface ViewSources {
@@ -76,12 +78,12 @@ function common({ eye, extents }: ViewSources, { blend, cull }: FrameInput) {
 
 function coverageOf(
   { eye, extents, boxes, minCap, isFlat }: ViewSources,
-  { style, pixelRatio }: FrameInput,
+  { style, pixelRatio, simulator }: FrameInput,
   covers: number,
 ): CoverageView | undefined {
   // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
   // are transparent. The solids do not match flat puffs.
-  if (style.renderer !== 'nailboards' || isFlat) return undefined;
+  if (style.renderer !== 'nailboards' || isFlat || (simulator.alive ?? Infinity) <= FEW) return undefined;
   const { capRange, depth, solids } = extents;
   const [nearest, farthest] = eye.range;
   return {

@@ -38,6 +38,12 @@ export async function measurePasses(quick: boolean): Promise<Figure[]> {
       whole.times.map(({ frame }, round) => frame / culled.times[round].frame),
       'frame without culling / frame with it; both pictures are the same to the bit',
     ),
+    figure(
+      'render.volumesPerPixel',
+      '',
+      [culled.volumes.rasterised / (WIDTH * HEIGHT)],
+      'tests of a caster against a pixel, over pixels; goal <= 2',
+    ),
     ...fragmentFigures(culled, ''),
     ...fragmentFigures(whole, '.unculled'),
   ];

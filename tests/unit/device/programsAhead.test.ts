@@ -1,5 +1,5 @@
 /** When programs count as compiled, with stubs of the context: with KHR_parallel_shader_compile and without. */
-import type { WebGLRenderer } from 'three';
+import { RawShaderMaterial, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { ProgramsAhead } from '../../../src/device/programsAhead.ts';
 
@@ -23,9 +23,16 @@ class Browser {
   };
   readonly renderer = {
     getContext: () => this.context,
-    info: { programs: [{ isReady: () => true }, { isReady: () => this.isReady }] },
+    info: {
+      programs: [true, false].map((always) => ({
+        isReady: () => always || this.isReady,
+        getUniforms: () => void this.read++,
+      })),
+    },
   } as unknown as WebGLRenderer;
   hasFinished = false;
+  /** Programs whose uniforms were read. */
+  read = 0;
 
   wait(): void {
     void new ProgramsAhead().finished(this.renderer).then(() => (this.hasFinished = true));
@@ -42,8 +49,10 @@ test('with the extension, programs are ready when the browser says so', async ()
   browser.wait();
   browser.fence = SIGNALED;
   expect(await hasFinished(browser)).toBe(false);
+  expect(browser.read).toBe(0);
   browser.isReady = true;
   expect(await hasFinished(browser)).toBe(true);
+  expect(browser.read).toBe(2);
 });
 
 test('without the extension, they are ready when the GPU has passed the fence', async () => {
@@ -71,4 +80,22 @@ test('a browser that never finishes delays the start by ten seconds at most', as
   browser.wait();
   expect(await hasFinished(browser, 9_900)).toBe(false);
   expect(await hasFinished(browser, 200)).toBe(true);
+});
+
+test('a pass is compiled with the materials of its fields and of what it draws, each once', () => {
+  const material = (fragmentShader: string) => new RawShaderMaterial({ fragmentShader });
+  const compiled: string[] = [];
+  const renderer = {
+    compile: ({ children: [drawn] }: { children: { material: RawShaderMaterial }[] }) =>
+      void compiled.push(drawn.material.fragmentShader),
+  } as unknown as WebGLRenderer;
+  const pass = {
+    size: 1,
+    missing: undefined,
+    drawn: { material: material('drawn') },
+    own: material('own'),
+    several: [{ material: material('first') }, { material: material('own') }],
+  };
+  new ProgramsAhead().compilePass(renderer, pass);
+  expect(compiled).toEqual(['drawn', 'own', 'first']);
 });

@@ -1,0 +1,19 @@
+import { PerspectiveCamera, Vector4 } from 'three';
+import { expect, test } from 'vitest';
+import { FrameView } from '../../../src/device/frameView.ts';
+import { defaults } from '../../../src/preset/values.ts';
+import type { FrameInput } from '../../../src/smoke/frameInput.ts';
+import { styleOf, styleUniforms } from '../../../src/smoke/style.ts';
+import { eyeView, type ViewSources } from '../../../src/smoke/views.ts';
+
+test('hidden puffs are culled among more than 100 particles, and if their number is unknown', () => {
+  const eye = new FrameView(styleUniforms());
+  eye.look(new PerspectiveCamera(), new Vector4(0, 1, 0, 0), 64, 48);
+  const extents = { reach: 1, depth: 1, capRange: [0, 1], solids: {} } as unknown as ViewSources['extents'];
+  const sources: ViewSources = { eye, extents, boxes: [], minCap: 0, isFlat: false };
+  const isCulled = (alive: number | undefined): boolean => {
+    const input = { simulator: { alive }, style: styleOf(defaults()), pixelRatio: 1, cull: true, blend: 1 };
+    return eyeView(sources, input as unknown as FrameInput).coverage !== undefined;
+  };
+  expect([0, 100, 101, undefined].map(isCulled)).toEqual([false, false, true, true]);
+});
