@@ -91,3 +91,23 @@ export const SEAM_RAISED = [3, 0.05] as const;
 export const HULL_RAISED = [6, 0.05] as const;
 /** Distance by which the shadow of a mesh starts below its lit faces, metres. */
 export const SHADOW_INSET = 0.012;
+
+/** Cells of the grid of the whole smoke's form along each axis, and the least size of a cell in mean radii of particles. */
+export const FORM_CELLS = 32;
+export const FORM_CELL = 0.75;
+/** Half of that grid: in standard deviations of the places, and in mean radii. */
+export const FORM_SPREAD = 2.2;
+export const FORM_MARGIN = 3;
+/** Cells at its border without particles, and the next ones, in which particles fade. */
+export const FORM_EMPTY = 3;
+export const FORM_FADING = 2;
+/** How often its density is smoothed. Each time adds half of a squared cell to the variance. */
+export const FORM_ROUNDS = 2;
+/** Length of a vector of the form where the density changes by its own amount within a cell. */
+export const FORM_SLOPE = 1.5;
+/** Density, in that of a mean particle in one cell, below which a form fades. */
+export const FORM_FAINT = 0.05;
+/** Steps of a component of a vector of the form. */
+export const FORM_STEPS = 127;
+/** N . L of the form from which it adds to the light, so that as much of the smoke stays lit. */
+export const FORM_MIDDLE = 0.35;

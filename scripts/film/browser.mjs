@@ -16,7 +16,7 @@ const MISSING =
   'No browser was found: install Chromium or Chrome, run npx playwright install chromium, or set CHROMIUM_PATH to one.';
 
 /** A browser that was told to close is killed after this time, milliseconds. */
-const PATIENCE = 3000;
+const CLOSE_LIMIT = 3000;
 
 /**
  * The path of a Chromium that starts: $CHROMIUM_PATH, otherwise Playwright's newest, otherwise one of the system.
@@ -106,7 +106,7 @@ export async function openBrowser(usesGpu) {
     child.removeAllListeners('exit');
     // A browser that is killed at once leaves files outside its profile.
     protocol.send('Browser.close').catch(() => undefined);
-    const timer = setTimeout(() => kill(child), PATIENCE);
+    const timer = setTimeout(() => kill(child), CLOSE_LIMIT);
     await ended;
     clearTimeout(timer);
     removeProfile(profile);

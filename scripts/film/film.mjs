@@ -93,7 +93,7 @@ class Session {
       case 'POST begin':
         return { body: JSON.stringify(await this.#begin(await jsonOf(body))) };
       case 'PUT file':
-        if (!/^(frame-|[a-z]+\/)\d{4,}\.(png|exr)$/.test(name)) return undefined;
+        if (!/^(frame-|[a-z]+\/)\d{6}\.(png|exr)$/.test(name)) return undefined;
         await this.#folder.receive(name, body);
         return {};
       case 'POST finish':

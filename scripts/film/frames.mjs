@@ -6,7 +6,7 @@ import { basename, dirname, join } from 'node:path';
 import { UserError } from '../lib/userError.mjs';
 import { prepareFolder, removeLeftovers, writeWhole } from './files.mjs';
 
-const SIDECAR = /^frame-(\d{4,})\.json$/;
+const SIDECAR = /^frame-\d{6}\.json$/;
 
 /**
  * What all frames of a folder have in common.
@@ -58,7 +58,7 @@ export class FrameFolder {
   prepare(frames) {
     prepareFolder(this.#folder);
     const own = new Set(frames);
-    const isOwn = (/** @type {string} */ name) => own.has(Number(/(\d{4,})\.\w+$/.exec(name)?.[1] ?? -1));
+    const isOwn = (/** @type {string} */ name) => own.has(Number(/(\d{6})\.\w+$/.exec(name)?.[1] ?? -1));
     removeLeftovers(this.#folder, isOwn);
     for (const layer of ['flats', 'shadow', 'ink', 'surfaces', 'depth']) {
       const folder = join(this.#folder, layer);
@@ -126,7 +126,7 @@ export class FrameFolder {
 }
 
 function stem(/** @type {number} */ frame) {
-  return `frame-${String(frame).padStart(4, '0')}`;
+  return `frame-${String(frame).padStart(6, '0')}`;
 }
 
 /**

@@ -20,7 +20,7 @@ export function requireFfmpeg() {
  */
 export async function encodeByFfmpeg(file, { folder, first, last, fps }) {
   const part = join(dirname(file), `.${basename(file, '.mov')}.part.mov`);
-  const input = ['-framerate', String(fps), '-start_number', String(first), '-i', join(folder, 'frame-%04d.png')];
+  const input = ['-framerate', String(fps), '-start_number', String(first), '-i', join(folder, 'frame-%06d.png')];
   const codec = ['-c:v', 'prores_ks', '-profile:v', '4444', '-pix_fmt', 'yuva444p10le', '-vendor', 'apl0'];
   const count = ['-frames:v', String(last - first + 1)];
   const child = spawn('ffmpeg', ['-v', 'error', '-y', ...input, ...codec, ...count, part], {

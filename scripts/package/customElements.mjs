@@ -17,6 +17,7 @@ const { attributes, cssParts, cssProperties, events, methods, slots } =
 
 /** The index in names of a list's first item, `emitters-0-speed` and `emitters0Speed`. */
 const FIRST_ITEM = /(?<=[a-z])0(?=[A-Z])|(?<=-)0(?=-)/;
+const OF_FIRST_ITEM = ' For the first of eight items, 0 to 7.';
 const MODULE = 'dist/element.js';
 const CLASS = 'CartoonSmokeElement';
 const TAG = 'cartoon-smoke';
@@ -76,11 +77,9 @@ export function webTypes(manifest, version) {
   const attributesOf = all.map((each) => {
     const values = choicesOf(each);
     const type = values.length > 0 ? values.map((value) => `'${value}'`).join(' | ') : each.type.text;
-    return { ...named(each), description: each.description, default: each.default, value: { type } };
+    return { ...named(each), default: each.default, value: { type } };
   });
-  const properties = members
-    .filter(({ kind }) => kind === 'field')
-    .map((member) => ({ ...named(member), description: member.description }));
+  const properties = members.filter(({ kind }) => kind === 'field').map(named);
   const js = { events: own.map(({ name, description: text }) => ({ name, description: text })), properties };
   const elements = [{ name: tagName, description, attributes: attributesOf, js }];
   return {
@@ -92,11 +91,11 @@ export function webTypes(manifest, version) {
   };
 }
 
-/** A name of web types, with the pattern of all items. @param {{ name: string }} of */
-function named({ name }) {
-  return FIRST_ITEM.test(name)
-    ? { name: name.replace(FIRST_ITEM, '#'), pattern: name.replace(FIRST_ITEM, '[0-7]') }
-    : { name };
+/** Name and description in web types, with the pattern of all items. @param {{ name: string, description: string }} of */
+function named({ name, description }) {
+  if (!FIRST_ITEM.test(name)) return { name, description };
+  const all = description.replace(OF_FIRST_ITEM, '').replace('.0.', '.#.');
+  return { name: name.replace(FIRST_ITEM, '#'), pattern: name.replace(FIRST_ITEM, '[0-7]'), description: all };
 }
 
 /** The values of a choice. @param {{ type: { text: string } }} of */
@@ -111,7 +110,7 @@ function camelCase(/** @type {string} */ name) {
 /** @param {Parameter} row */
 function describe(row) {
   const name = names.find(({ key }) => key === row.key);
-  const items = /^\w+\.0\./.test(row.key) ? ' For the first of eight items, 0 to 7.' : '';
+  const items = /^\w+\.0\./.test(row.key) ? OF_FIRST_ITEM : '';
   return {
     name: name?.attribute ?? row.key,
     fieldName: name?.property ?? row.key,

@@ -10,11 +10,27 @@ uniform sampler2D ramps;
 uniform vec3 deepShadow;
 uniform vec3 rimColor;
 uniform float litFrom;
+#ifdef FORM
+uniform highp sampler2D depth;
+// Of src/passes/simplify/plumeForm.ts.
+uniform highp sampler3D form;
+uniform mat4 formFromView;
+uniform mat4 viewFromWorld;
+uniform mat4 clipFromView;
+uniform vec2 viewport;
+uniform vec4 lightInView;
+uniform float plumeForm;
+#endif
 
 out vec4 pixel;
 
 #include ../lib/shading.glsl
 #include ../lib/smoothing.glsl
+#ifdef FORM
+#include ../lib/depth.glsl
+#include ../lib/light.glsl
+#include ../lib/pixel.glsl
+#endif
 
 const float RAMP_ROWS = 4.0;
 
@@ -22,6 +38,24 @@ vec3 rampAt(float material, float row, float facing) {
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
   return textureLod(ramps, vec2(facing, (RAMP_ROWS * material + row + 0.5) * pitch), 0.0).rgb;
 }
+
+#ifdef FORM
+// Mixes the light of a pixel of smoke with that of the form of the whole smoke.
+vec4 leaning(vec4 light, ivec2 at) {
+  const float FORM_STEPS = 127.0;
+  // N.L of the form from which it adds to the light, so that as much of the smoke stays lit.
+  const float FORM_MIDDLE = 0.35;
+  float z = viewZOf(clipFromView, texelFetch(depth, at, 0).r);
+  vec3 place = vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, z), z);
+  vec4 texel = texture(form, (formFromView * vec4(place, 1.0)).xyz);
+  vec3 outward = (255.0 * texel.xyz - (FORM_STEPS + 1.0)) / FORM_STEPS;
+  float facing = dot(mat3(viewFromWorld) * outward, towardsLightFrom(lightInView, place));
+  float share = mix(light.r, 0.5 + 0.5 * (facing - FORM_MIDDLE), plumeForm);
+  float own = light.r > 0.0 ? light.g / light.r : litFrom;
+  float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;
+  return vec4(share, share * mix(own, facing, plumeForm), (1.0 - share) * darkness, light.a);
+}
+#endif
 
 // The tone that the averaged fields select, without the gradient.
 vec3 toneOf(vec4 light, float material) {
@@ -46,6 +80,9 @@ void main() {
     pixel = vec4(rimColor, shadowed.a);
     return;
   }
+#ifdef FORM
+  light = leaning(light, at);
+#endif
   vec3 plain = rampAt(own.material, own.isFilled ? 2.0 : 0.0, own.facing);
   vec3 gradient = shadowed.rgb / max(plain, 1.0 / 255.0);
   pixel = vec4(min(toneOf(light, own.material) * gradient, 1.0), shadowed.a);

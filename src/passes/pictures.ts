@@ -1,6 +1,6 @@
 import type { Texture, WebGLRenderer } from 'three';
 import { pictureTarget } from '../device/pictureTarget.ts';
-import type { ResolvePass } from './resolve.ts';
+import type { ChooseTones, ResolvePass } from './resolve.ts';
 import type { Targets } from './targets.ts';
 
 /**
@@ -11,17 +11,19 @@ export class SmokePictures {
   private readonly litTarget = pictureTarget();
   private readonly unlitTarget = pictureTarget();
   private readonly deepTarget = pictureTarget();
+  /** Whether the picture of lit smoke has its shadow, so that it stands for all. */
+  private isOne = false;
 
   get lit(): Texture {
     return this.litTarget.texture;
   }
 
   get unlit(): Texture {
-    return this.unlitTarget.texture;
+    return this.isOne ? this.lit : this.unlitTarget.texture;
   }
 
   get deep(): Texture {
-    return this.deepTarget.texture;
+    return this.isOne ? this.lit : this.deepTarget.texture;
   }
 
   /**
@@ -29,6 +31,7 @@ export class SmokePictures {
    * @param hasDeep whether to resolve the picture in deep shadow, too
    */
   take(renderer: WebGLRenderer, { unlit, lit, width, height }: Targets, resolve: ResolvePass, hasDeep: boolean): void {
+    this.isOne = false;
     for (const target of [this.litTarget, this.unlitTarget]) target.setSize(width, height);
     resolve.draw(renderer, { unlit, lit, width, height }, this.litTarget);
     // The alpha of unlit is the alpha of the page, which is 1 for smoke. Read as the mask, it puts all smoke in shadow.
@@ -36,6 +39,13 @@ export class SmokePictures {
     if (!hasDeep) return;
     this.deepTarget.setSize(width, height);
     resolve.drawDeep(renderer, { unlit, lit, width, height }, this.deepTarget);
+  }
+
+  /** Resolves the puffs once, with their shadow, after the mask is drawn. */
+  takeShadowed(renderer: WebGLRenderer, targets: Targets, resolve: ResolvePass, choose: ChooseTones): void {
+    this.isOne = true;
+    this.litTarget.setSize(targets.width, targets.height);
+    resolve.draw(renderer, targets, this.litTarget, choose);
   }
 
   dispose(): void {

@@ -152,7 +152,7 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
   },
   /** A fountain: small puffs shoot up, spread and fall. */
   burst: {
-    isAround: false,
+    isAround: true,
     direction: 90,
     emissions: ({ halfWidth, halfHeight }) => [
       made({
@@ -251,15 +251,15 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
     emissions: ({ halfWidth, halfHeight }) =>
       [-1, 1].map((side) =>
         made({
-          x: side * (halfWidth + 1),
+          x: side * (halfWidth + 0.8),
           halfHeight: halfHeight + 0.25,
           direction: side < 0 ? 0 : 180,
           spread: 12,
-          // Comes to rest within the half of the target on its side.
-          speed: DRAG * (1 + 0.7 * halfWidth),
+          // Most of it is over the middle of a small target when that fades in, and comes to rest a little beyond.
+          speed: DRAG * (1.05 + 0.7 * halfWidth),
           speedVariation: Math.min(0.9, (0.1 + halfWidth / 2) / (1 + halfWidth / 2)),
           size: 0.23,
-          life: 1.15,
+          life: 1.3,
           lifeVariation: 0.15,
           duration: 0.25,
           count: 11 * crowd({ halfWidth, halfHeight }),

@@ -109,14 +109,7 @@ export class Engine {
   /** Waits for the next end of a call. */
   private alarm: Alarm | undefined;
 
-  constructor(
-    stage: RemoteStage,
-    sheet: Sheet,
-    placement: Placement,
-    values: Values,
-    look: Values,
-    onEnd: () => void,
-  ) {
+  constructor(stage: RemoteStage, sheet: Sheet, placement: Placement, values: Values, look: Values, onEnd: () => void) {
     this.stage = stage;
     this.sheet = sheet;
     this.placement = placement;
@@ -398,10 +391,7 @@ export class Engine {
   /** Empties the paused stage. Its emitters must not start again when it plays, before those of the next call arrive. */
   private async reset(): Promise<void> {
     this.emitters.clear();
-    await Promise.all([
-      this.set({ ...this.obstacles.release(), ...this.emitters.values() }),
-      this.stage.restart(),
-    ]);
+    await Promise.all([this.set({ ...this.obstacles.release(), ...this.emitters.values() }), this.stage.restart()]);
   }
 
   private endPlay(): void {

@@ -2,7 +2,7 @@
 import type { Effect } from './options.ts';
 
 /** Milliseconds in which an element fades, and how long it waits for the smoke. */
-const FADE = { vanish: { duration: 450, delay: 60 }, appear: { duration: 320, delay: 380 } } as const;
+const FADE = { vanish: { duration: 450, delay: 60 }, appear: { duration: 240, delay: 520 } } as const;
 
 /** The change of an element's visibility. */
 export interface VisibilityChange {

@@ -38,6 +38,8 @@ export interface PictureKind {
   readonly volumes: Volumes;
   /** Distance over which light is smoothed, CSS pixels. */
   readonly simplify: number;
+  /** How far light follows the form of the whole smoke, 0..1. */
+  readonly plumeForm: number;
   readonly outlines: boolean;
   /** Number of strokes inside the silhouette, 0..1. */
   readonly strokes: number;
@@ -48,9 +50,13 @@ export interface PictureKind {
   readonly isTiled?: boolean;
 }
 
-/** Whether a style's light is smoothed. Other renderers than nailboards do not. */
-export function isSimplified({ renderer, simplify }: Pick<PictureKind, 'renderer' | 'simplify'>): boolean {
-  return renderer === 'nailboards' && simplify > 0;
+/** Whether a style's light is smoothed or follows the whole form. Other renderers than nailboards do not. */
+export function isSimplified({
+  renderer,
+  simplify,
+  plumeForm,
+}: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm'>): boolean {
+  return renderer === 'nailboards' && simplify + plumeForm > 0;
 }
 
 /** Whether a style has strokes. They are lines, on lobes only. */

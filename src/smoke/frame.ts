@@ -1,7 +1,9 @@
-import { Vector3, type WebGLRenderTarget } from 'three';
+import { Vector3, type Texture } from 'three';
+import type { ChooseTones } from '../passes/resolve.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
 import type { Rows } from '../sim/rows.ts';
+import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
@@ -46,21 +48,41 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, { style, output }, { bodies, casters }, surfaceDepth) => {
+const drawNailboards: DrawSmoke = (passes, input, { bodies, casters }, surfaceDepth) => {
   const { renderer, targets, mask } = passes;
-  const simplify = isSimplified(style) ? passes.extras.simplify! : undefined;
-  if (simplify) targets.beginShading(renderer);
-  passes.body.draw(renderer, bodies.geometry, surfaceDepth);
-  const shading = simplify && targets.endShading(renderer);
+  const { style, output } = input;
+  const shading = drawBodies(passes, style, bodies, surfaceDepth);
   drawStrokes(passes, style, bodies, surfaceDepth);
   if (casters) {
     const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
     countVolumes(passes, style, casters.geometry, limit);
     mask.draw(renderer);
   }
-  const choose = shading && ((tones: WebGLRenderTarget) => simplify.draw(renderer, targets, shading, tones));
-  passes.resolve.draw(renderer, targets, output, choose);
+  passes.resolve.draw(renderer, targets, output, shading && simplifying(passes, input, shading));
 };
+
+/** Draws puffs into the targets, and returns their shading if the light of the style is simplified. */
+export function drawBodies(
+  { renderer, targets, body }: SmokePasses,
+  style: Style,
+  { geometry }: PuffRows,
+  surfaceDepth?: SurfaceDepth,
+): Texture | undefined {
+  const isShaded = isSimplified(style);
+  if (isShaded) targets.beginShading(renderer);
+  body.draw(renderer, geometry, surfaceDepth);
+  return isShaded ? targets.endShading(renderer) : undefined;
+}
+
+/** Chooses tones by simplified light, after the mask is drawn. */
+export function simplifying(
+  { renderer, targets, extras }: SmokePasses,
+  { simulator, blend, style }: FrameInput,
+  shading: Texture,
+): ChooseTones {
+  const all = style.plumeForm > 0 ? simulator.arrange({ ...ALL_THAT_LIVES, blend }).rows : undefined;
+  return (output) => extras.simplify!.draw(renderer, targets, shading, output, all);
+}
 
 /** Draws the strokes of the drawn bodies, if the style has any. */
 export function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {

@@ -39,6 +39,7 @@ const PLAIN_PICTURE = {
   form: 'lobes',
   volumes: 'receiver',
   simplify: 0,
+  plumeForm: 0,
   strokes: 0,
   isEroded: false,
 } as const;

@@ -56,7 +56,8 @@ type Combined =
   | 'wash'
   | 'washColor'
   | 'gradientBottom'
-  | 'gradientTop';
+  | 'gradientTop'
+  | 'form';
 
 /**
  * The style of smoke: the paper's four effects, each on or off, and their colours. Parameters of the table
@@ -64,6 +65,8 @@ type Combined =
  */
 export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
   form: PuffForm;
+  /** How far light follows the form of the whole smoke, 0..1. */
+  plumeForm: number;
   /** Greatest ratio of the axes of a puff, 1 for puffs that do not stretch. */
   stretch: number;
   /** Part by which the lobes of young puffs are folded, 0..1. */
@@ -99,10 +102,11 @@ const rows = table.filter(({ key, reader }) => key.startsWith('style.') && reade
 export function styleOf(values: Values): Style {
   const fields = Object.fromEntries(rows.map((row) => [nameOf(row), fieldOf(row, values[row.key])])) as Fields;
   const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
-  const { wash, washColor, gradientBottom, gradientTop, ...same } = others;
+  const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
   return {
     ...same,
     form: values['puff.form'] as PuffForm,
+    plumeForm,
     ...deformationOf(values),
     isEroded:
       values['puff.form'] === 'lobes' &&

@@ -63,7 +63,7 @@ export class Attachment extends Handle {
 const pose = newPose();
 
 function requireItem(item: string): void {
-  const isItem = ['rigid', 'envelope.duration'].every((key) => findParameter(`${item}.${key}`));
-  if (typeof item !== 'string' || !isItem)
-    throw new ParameterError('attach', item, 'an item of a list of forces or emitters, such as vortices.0');
+  const isItem =
+    typeof item === 'string' && ['rigid', 'envelope.duration'].every((key) => findParameter(`${item}.${key}`));
+  if (!isItem) throw new ParameterError('attach', item, 'an item of a list of forces or emitters, such as vortices.0');
 }

@@ -9,7 +9,7 @@ import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
-import { fetchExtras } from '../smoke/extraPasses.ts';
+import { fetchExtras, hasStrokes, isSimplified } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
 import type { Style } from '../smoke/style.ts';
 import { Attachment } from './attachment.ts';
@@ -273,19 +273,19 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
 
   /**
    * Changes values by their flat keys. If one value is invalid, throws a ParameterError and changes none. The code of
-   * billboards is fetched when `puff.form` first selects them. Until it arrives, or if the fetch fails, smoke renders
-   * nailboards of lobes. A failure emits one `error` event. Later `set` calls retry only if they change `puff.form` to
-   * billboards again; `complete` also retries.
+   * billboards, simplified light, strokes and bites is fetched when a value first selects it. Until it arrives, or if the
+   * fetch fails, smoke renders plain nailboards of lobes. A failure emits one `error` event. Later `set` calls retry only
+   * if they select it again; `complete` also retries.
    */
   set(values: Values): void {
     this.requireAlive();
     requireChangeable(values);
-    const { form } = this.style;
+    const before = codeFor(this.style);
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.values = { ...this.values, ...values };
     this.style = hostStyle(this.values);
     this.puffs.follow(this.values);
-    if (this.style.form !== form) this.completion.begin();
+    if (codeFor(this.style) !== before) this.completion.begin();
   }
 
   /**
@@ -461,4 +461,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     this.requireAlive();
     if (this.simulator.steps === 0) this.place(1);
   }
+}
+
+/** What selects the code that a style needs. */
+function codeFor(style: Style): string {
+  return [style.form, style.isEroded, isSimplified(style), hasStrokes(style)].join();
 }

@@ -130,7 +130,8 @@ const burst = BURST_NUMBERS.slice();
  */
 export function burstNumbers(options: BurstOptions, frame?: SmokeFrame): Float64Array {
   burst.set(BURST_NUMBERS);
-  write('burst', frame?.isMoved ? placedIn(options, frame) : options, BURST_FIELDS, burst, 'count');
+  const isPlaced = frame?.isMoved && isObject(options);
+  write('burst', isPlaced ? placedIn(options, frame) : options, BURST_FIELDS, burst, 'count');
   requireCount('burst', options.count);
   if (options.position === undefined)
     throw new ParameterError('burst.position', undefined, 'a vector x, y, z in metres');
@@ -147,12 +148,13 @@ function placedIn(options: BurstOptions, frame: SmokeFrame): BurstOptions {
   return moved;
 }
 
-function isObject(given: unknown): given is Vector3Like {
+function isObject(given: unknown): given is object {
   return typeof given === 'object' && given !== null;
 }
 
+/** A missing component stays missing, which is an error, instead of 0. */
 function copyOf({ x, y, z }: Vector3Like): Vector3 {
-  return new Vector3(x, y, z);
+  return Object.assign(new Vector3(), { x, y, z });
 }
 
 /** @throws ParameterError unless `count` is a number of puffs */

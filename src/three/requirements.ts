@@ -1,6 +1,7 @@
 import {
   LinearSRGBColorSpace,
   SRGBColorSpace,
+  Vector4,
   type Camera,
   type Scene,
   type WebGLRenderer,
@@ -32,6 +33,12 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
     return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
   if (target && target.textures.length > 1)
     return new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
+  const { z: width, w: height } = renderer.getCurrentViewport(viewport);
+  const { maxTextureSize } = renderer.capabilities;
+  if (Math.max(width, height) > maxTextureSize)
+    return new UnsupportedError(
+      `Smoke cannot be drawn into a viewport of ${width} x ${height} pixels: this GPU allows ${maxTextureSize}.`,
+    );
   const { outputColorSpace } = renderer;
   if (outputColorSpace !== SRGBColorSpace && outputColorSpace !== LinearSRGBColorSpace)
     return new UnsupportedError(
@@ -39,6 +46,8 @@ export function requirementError(renderer: WebGLRenderer, camera: Camera): Unsup
     );
   return undefined;
 }
+
+const viewport = new Vector4();
 
 /** Whether shadow volumes can be counted in a target, or in the canvas (null), whose renderer was checked at creation. */
 export function hasStencilBuffer(target: WebGLRenderTarget | null): boolean {

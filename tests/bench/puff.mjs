@@ -28,7 +28,7 @@ const CALLS = 500;
 const BATCH = 25;
 /** Between preload() and a call, milliseconds. */
 const SETTLE_MS = 1000;
-/** After this time without smoke everything is gone: 5 s for the canvas, 5 s for the worker, and some more. */
+/** After this time without smoke everything is gone. */
 const IDLE_MS = 13_000;
 
 const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">
@@ -175,14 +175,19 @@ async function measureStarts(open, sent, rounds) {
 
 /** One page, so that both draw in the same window. */
 const CONTESTS = /** @type {const} */ ([
-  ['page.main0Ms', 'new Promise((resolve) => setTimeout(resolve, 2000))'],
-  ['puff.main1Ms', "puff(document.querySelector('button'))"],
-  ['confetti.main1Ms', 'confetti()'],
-  ['puff.main20Ms', 'Promise.all(Array.from({ length: 20 }, (_, at) => puff({ x: 30 * at, y: 200 })))'],
-  ['confetti.main20Ms', 'Promise.all(Array.from({ length: 20 }, () => confetti()))'],
+  ['puff', 1, "puff(document.querySelector('button'))"],
+  ['confetti', 1, 'confetti()'],
+  ['puff', 20, 'Promise.all(Array.from({ length: 20 }, (_, at) => puff({ x: 30 * at, y: 200 })))'],
+  ['confetti', 20, 'Promise.all(Array.from({ length: 20 }, () => confetti()))'],
 ]);
+const IDLE = 'new Promise((resolve) => setTimeout(resolve, 2000))';
 
-/** @param {Open} open @param {number} rounds @param {(line: string) => void} say @returns {Promise<Figure[]>} */
+/**
+ * Two pages of a host: one that is at rest, in which a frame is one that the effect draws, and one that animates
+ * something itself, in which the time of its own frames counts.
+ *
+ * @param {Open} open @param {number} rounds @param {(line: string) => void} say @returns {Promise<Figure[]>}
+ */
 async function measureCosts(open, rounds, say) {
   const page = await open('both');
   const session = await page.context().newCDPSession(page);
@@ -190,30 +195,72 @@ async function measureCosts(open, rounds, say) {
   await session.send('Performance.enable', { timeDomain: 'threadTicks' });
   await page.evaluate('puff.preload()');
   await page.evaluate('Promise.all([puff(), confetti()])');
-  const seconds = async () => valueOf((await session.send('Performance.getMetrics')).metrics, 'TaskDuration');
+  // Both draw in a worker.
+  const workers = page.workers();
+  for (const worker of workers) await worker.evaluate(countPictures);
+  const milliseconds = async () =>
+    1000 * valueOf((await session.send('Performance.getMetrics')).metrics, 'TaskDuration');
+  const drawn = async () => {
+    const all = await Promise.all(workers.map((worker) => worker.evaluate('pictures')));
+    return /** @type {number[]} */ (all).reduce((sum, each) => sum + each, 0);
+  };
   /** @type {Record<string, number[]>} */
-  const found = Object.fromEntries(CONTESTS.map(([name]) => [name, []]));
+  const found = {};
+  const note = (/** @type {string} */ name, /** @type {number} */ value) => (found[name] ??= []).push(value);
   for (let round = 0; round < rounds; round++) {
-    for (const [name, code] of CONTESTS) {
-      say(`main thread, ${name}, round ${round + 1} of ${rounds}`);
-      const before = await seconds();
+    say(`main thread, round ${round + 1} of ${rounds}`);
+    const animated = async (/** @type {string} */ code) => {
+      const before = await milliseconds();
       const frames = /** @type {number} */ (await page.evaluate(`framesOf(() => ${code})`));
-      found[name].push((1000 * ((await seconds()) - before)) / frames);
+      return ((await milliseconds()) - before) / frames;
+    };
+    note('page.main0Ms', await animated(IDLE));
+    for (const [what, calls, code] of CONTESTS) {
+      const [before, framesBefore] = [await milliseconds(), await drawn()];
+      await page.evaluate(code);
+      const spent = (await milliseconds()) - before;
+      note(`${what}.main${calls}Ms`, spent / ((await drawn()) - framesBefore));
+      note(`${what}.main${calls}TotalMs`, spent);
+      note(`${what}.animated${calls}Ms`, await animated(code));
     }
   }
   await page.context().close();
-  const ratio = (/** @type {number} */ count) =>
-    found[`puff.main${count}Ms`].map((ms, round) => ms / found[`confetti.main${count}Ms`][round]);
-  return [
-    ...CONTESTS.map(([name]) => ({
-      name,
-      ...spread(found[name]),
-      unit: 'ms',
-      note: 'processor time of the main thread for each frame',
-    })),
-    { name: 'puff.main1Ratio', ...spread(ratio(1)), unit: 'x', note: `of ${CONFETTI} ${VERSION}; at most 1` },
-    { name: 'puff.main20Ratio', ...spread(ratio(20)), unit: 'x', note: `of ${CONFETTI} ${VERSION}` },
-  ];
+  const ratios = [1, 20].flatMap((calls) =>
+    ['main', 'animated'].map((measure) => {
+      const name = `${measure}${calls}`;
+      const values = found[`puff.${name}Ms`].map((ms, round) => ms / found[`confetti.${name}Ms`][round]);
+      const goal = name === 'main1' ? '; at most 1' : '';
+      return { name: `puff.${name}Ratio`, ...spread(values), unit: 'x', note: `of ${CONFETTI} ${VERSION}${goal}` };
+    }),
+  );
+  const noteOf = (/** @type {string} */ name) => {
+    if (name.endsWith('TotalMs')) return 'processor time of the main thread for the whole effect, page at rest';
+    const frames = /\.main[1-9]/.test(name) ? 'the effect, page at rest' : 'the page, which animates itself';
+    return `processor time of the main thread for each frame of ${frames}`;
+  };
+  const times = Object.entries(found).map(([name, values]) => ({
+    name,
+    ...spread(values),
+    unit: 'ms',
+    note: noteOf(name),
+  }));
+  return [...times, ...ratios];
+}
+
+/** Runs in a worker, and counts the pictures that it presents: by a bitmap, or by clearing and drawing on a 2D canvas. */
+function countPictures() {
+  const scope = /** @type {any} */ (globalThis);
+  scope.pictures = 0;
+  const count = (/** @type {any} */ prototype, /** @type {string} */ method) => {
+    const native = prototype[method];
+    /** @this {unknown} @param {unknown[]} given */
+    prototype[method] = function (...given) {
+      scope.pictures += 1;
+      return native.apply(this, given);
+    };
+  };
+  count(ImageBitmapRenderingContext.prototype, 'transferFromImageBitmap');
+  count(OffscreenCanvasRenderingContext2D.prototype, 'clearRect');
 }
 
 /** @param {Open} open @param {number} count @returns {Promise<Figure[]>} */

@@ -70,7 +70,8 @@ function run(place: string, program: string, parameters: readonly string[]): voi
       cwd: place,
       stdio: 'pipe',
       encoding: 'utf8',
-      env: { ...process.env, CI: '1' },
+      // Vite's development server sets NODE_ENV in this process, and a later build would be one for development.
+      env: { ...process.env, NODE_ENV: undefined, CI: '1' },
     });
   } catch (error) {
     const { stdout, stderr } = error as { stdout: string; stderr: string };

@@ -91,6 +91,7 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     smokeColor: smokeColorOf(style),
     smokeRamps: ramps,
     bands,
+    litFrom: litThresholdOf(style),
     rim: style.shading ? style.rim : 0,
     volumes: style.volumes,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,

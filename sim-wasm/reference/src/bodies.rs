@@ -6,6 +6,7 @@ use glam::{DMat3, DVec2, DVec3};
 use crate::attributes::{PackedAttributes, stretching};
 use crate::billboards::Billboards;
 use crate::contact::{Ground, Ring};
+use crate::form::Form;
 use crate::ink::{self, Line};
 use crate::light::Light;
 use crate::lobes::Lobes;
@@ -28,6 +29,7 @@ pub struct Body<'a> {
     up: DVec3,
     /// Unit vector from the centre to the light, in view space. The whole puff uses it.
     light: DVec3,
+    form: Option<&'a Form<'a>>,
 }
 
 enum Puff<'a> {
@@ -67,6 +69,7 @@ impl<'a> Body<'a> {
         billboards: Option<&'a Billboards>,
         camera: &Camera,
         light: &Light,
+        form: Option<&'a Form<'a>>,
         row: Row,
     ) -> Option<Self> {
         let attributes = PackedAttributes(row.attributes);
@@ -113,6 +116,7 @@ impl<'a> Body<'a> {
             ),
             up: turn.y_axis,
             light,
+            form,
         })
     }
 
@@ -142,7 +146,8 @@ impl<'a> Body<'a> {
         let z = self.center.z + met.height * self.radius;
         let is_ink = is_ring || met.is_edge || ground.is_seam(at, z, met.form_normal, self.pixel, width);
         let height = self.row.place[1] + self.up.dot(ray.at(-z) - self.center);
-        let shade = self.shade(place, height, met.normal, screen);
+        let whole = self.form.map(|form| (form, form.facing(ray.at(-z))));
+        let shade = self.shade(place, height, met.normal, screen, whole);
         Some(BodyHit {
             depth: if is_ring {
                 ground.ring_depth(at, &self.ring(z, &met, width))
@@ -220,12 +225,12 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// `height`: world height (m).
-    fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64) -> Shade {
+    /// `height`: world height (m). `whole`: the form of the whole smoke, and its cosine to the light.
+    fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64, whole: Option<(&Form, f64)>) -> Shade {
         let style = &self.scene.style;
         let ramp = &style.smoke_ramps[self.attributes.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(place.y, height, screen));
-        Shade::of_puff(style, ramp, normal, self.light, gradient)
+        Shade::of_puff(style, ramp, normal, self.light, whole).graded(gradient)
     }
 
     fn along(&self, puff: f64, height: f64, screen: f64) -> Along {

@@ -8,6 +8,7 @@ mod bites;
 mod bodies;
 mod contact;
 mod creases;
+mod form;
 mod hull;
 mod ink;
 mod light;

@@ -8,6 +8,7 @@ use crate::billboards::Billboards;
 use crate::bodies::{Body, BodyHit};
 use crate::contact::Ground;
 use crate::creases::ribbons_of;
+use crate::form::Form;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
@@ -76,8 +77,10 @@ pub fn draw(scene: &Scene) -> Picture {
         depths: seen.iter().map(|seen| seen.window_depth).collect(),
     };
     let billboards = scene.puffs.layers.as_ref().map(Billboards::new);
+    let form = Form::new(scene, &painter.camera, &painter.light);
     for (index, &row) in scene.bodies.iter().enumerate() {
-        if let Some(body) = Body::new(scene, billboards.as_ref(), &painter.camera, &painter.light, row) {
+        let (camera, light) = (&painter.camera, &painter.light);
+        if let Some(body) = Body::new(scene, billboards.as_ref(), camera, light, form.as_ref(), row) {
             painter.draw_body(&body, index as u32, &ground, &mut seen);
         }
     }

@@ -70,6 +70,10 @@ pub struct Style {
     /// Width of the rim along silhouettes that face away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
+    /// How far light leans on the form of the whole smoke, 0 to 1; with one shadow step.
+    pub plume_form: f64,
+    /// Cosine from which lit smoke differs from smoke in shadow.
+    pub lit_from: f64,
     pub volumes: Volumes,
     /// Number of volumes of deep shadow, and the factor on its colours; none for a single shadow step.
     pub shadow_depth: Option<u32>,

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::form::Form;
 use crate::scene::{Gradient, Ramp, Style, Tone, Triple};
 
 /// Minimum cosine to the fill light.
@@ -25,6 +26,11 @@ pub enum Part {
         lit: usize,
         unlit: usize,
         is_filled: bool,
+    },
+    /// Where light leans on the form of the whole smoke: colours in light and in shadow.
+    Leaning {
+        lit: [u64; 3],
+        unlit: [u64; 3],
     },
     Rim,
     Ink,
@@ -60,7 +66,7 @@ impl Shade {
     }
 
     /// Shading of smoke, in view space. A rim covers silhouettes where the puff faces away from the light.
-    pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, gradient: DVec3) -> Self {
+    pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, whole: Option<(&Form, f64)>) -> Self {
         let facing = normal.dot(light);
         // As a share of the radius of a ball.
         let band = 0.5 * style.rim * (0.5 - facing).clamp(0.0, 1.0);
@@ -68,11 +74,65 @@ impl Shade {
             return Self::same(DVec3::from(style.rim_color), Part::Rim);
         }
         let shade = Self::of(ramp, facing, normal.dot(towards_fill(light)) > FILL_BORDER);
-        Self {
-            lit: shade.lit * gradient,
-            unlit: shade.unlit * gradient,
-            ..shade
+        match whole {
+            Some((form, whole)) => shade.leaning(ramp, facing, style.lit_from, form, whole),
+            None => shade,
         }
+    }
+
+    /// Multiplies tones by a gradient.
+    pub fn graded(self, gradient: DVec3) -> Self {
+        match self.part {
+            Part::Tones { .. } | Part::Leaning { .. } => Self {
+                lit: self.lit * gradient,
+                unlit: self.unlit * gradient,
+                ..self
+            },
+            _ => self,
+        }
+    }
+
+    /// Light and shadow where the light leans on the form of the whole smoke. `own`, `whole`: cosines to the light.
+    fn leaning(self, ramp: &Ramp, own: f64, lit_from: f64, form: &Form, whole: f64) -> Self {
+        let lit_at = |own: f64| {
+            let facing = own + form.lean * (whole - own);
+            Self::of(ramp, facing.max(lit_from), false).as_lit()
+        };
+        let is_lit = |share| form.share(share, whole) > 0.5;
+        let in_shadow = if is_lit(0.0) { lit_at(lit_from) } else { self.as_unlit() };
+        let in_light = match own < lit_from {
+            true => in_shadow,
+            false if is_lit(1.0) => lit_at(own),
+            false => Self::of(ramp, 0.0, false).as_unlit(),
+        };
+        Self {
+            lit: in_light.lit,
+            unlit: in_shadow.unlit,
+            part: Part::Leaning {
+                lit: in_light.shown(),
+                unlit: in_shadow.shown(),
+            },
+        }
+    }
+
+    /// The same in light and in shadow.
+    fn as_lit(self) -> Self {
+        Self {
+            unlit: self.lit,
+            ..self
+        }
+    }
+
+    fn as_unlit(self) -> Self {
+        Self {
+            lit: self.unlit,
+            ..self
+        }
+    }
+
+    /// The colour of something that is the same in light and in shadow, as a number.
+    fn shown(&self) -> [u64; 3] {
+        self.lit.to_array().map(f64::to_bits)
     }
 
     pub fn inked(self, ink: DVec3, share: f64) -> Self {

@@ -68,6 +68,6 @@ export interface DrawnFrame {
 
 /** Names of the files of a frame, by layer; the whole picture has no layer. */
 export function nameOf(frame: number, layer: string | undefined, format: FilmOrder['format']): string {
-  const number = String(frame).padStart(4, '0');
+  const number = String(frame).padStart(6, '0');
   return `${layer ? `${layer}/` : 'frame-'}${number}.${format}`;
 }

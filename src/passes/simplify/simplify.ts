@@ -1,4 +1,12 @@
-import { NearestFilter, NoColorSpace, RedFormat, WebGLRenderTarget, type Texture, type WebGLRenderer } from 'three';
+import {
+  Matrix4,
+  NearestFilter,
+  NoColorSpace,
+  RedFormat,
+  WebGLRenderTarget,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
 import acrossShader from '../../../shaders/simplify/across.frag';
 import fieldsShader from '../../../shaders/simplify/fields.frag';
 import flatShader from '../../../shaders/simplify/flat.frag';
@@ -10,9 +18,12 @@ import { FullScreen } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
 import type { RampTexture } from '../../device/ramps.ts';
 import type { Targets } from '../targets.ts';
+import { PlumeForm, type Particles } from './plumeForm.ts';
 
 /** Distance that is averaged, in standard deviations. */
 const REACH = 2;
+/** Keeps the weights finite without smoothing, pixels. */
+const MIN_DEVIATION = 0.1;
 
 /**
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
@@ -30,6 +41,7 @@ export class SimplifyPass {
     isBanded: { value: true },
     reach: { value: 0 },
     deviation: { value: 1 },
+    formFromView: { value: new Matrix4() },
   };
 
   private readonly fields = fieldTarget();
@@ -37,22 +49,25 @@ export class SimplifyPass {
   private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
   private readonly passes: readonly FullScreen[];
+  private readonly form = new PlumeForm();
+  /** The last pass where light follows the form of the whole smoke. */
+  private readonly leaningTones: FullScreen;
+  private readonly eye: FrameView;
 
   constructor(eye: FrameView, ramps: RampTexture) {
     const [fields, links] = this.fields.textures.map((value) => ({ value }));
     const [tiles, flatTiles] = [this.tiles, this.flatTiles].map(({ texture }) => ({ value: texture }));
     const common = { ...eye.uniforms, ...this.uniforms, links, tiles, flatTiles };
+    const tones = { ...common, fields: { value: this.across.texture }, ramps: { value: ramps.texture } };
     this.passes = [
       new FullScreen(fieldsShader, common),
       new FullScreen(tilesShader, { ...common, fields }),
       new FullScreen(flatShader, common),
       new FullScreen(acrossShader, { ...common, fields }),
-      new FullScreen(tonesShader, {
-        ...common,
-        fields: { value: this.across.texture },
-        ramps: { value: ramps.texture },
-      }),
+      new FullScreen(tonesShader, tones),
     ];
+    this.leaningTones = new FullScreen(tonesShader, { ...tones, form: { value: this.form.texture } }, LEANING);
+    this.eye = eye;
   }
 
   /**
@@ -62,7 +77,7 @@ export class SimplifyPass {
    */
   follow(deviation: number, isBanded: boolean, litFrom: number): void {
     const { uniforms } = this;
-    uniforms.deviation.value = deviation;
+    uniforms.deviation.value = Math.max(deviation, MIN_DEVIATION);
     uniforms.reach.value = Math.ceil(REACH * deviation);
     uniforms.isBanded.value = isBanded;
     uniforms.litFrom.value = litFrom;
@@ -71,9 +86,20 @@ export class SimplifyPass {
   /**
    * Draws the tones of the targets, after the mask is drawn.
    * @param shading the shading that the bodies wrote
+   * @param particles all particles, culled or not, if light follows their form
    */
-  draw(renderer: WebGLRenderer, targets: Targets, shading: Texture, output: WebGLRenderTarget): void {
-    const { uniforms, fields, tiles, flatTiles, across, passes } = this;
+  draw(
+    renderer: WebGLRenderer,
+    targets: Targets,
+    shading: Texture,
+    output: WebGLRenderTarget,
+    particles?: Particles,
+  ): void {
+    const { uniforms, fields, tiles, flatTiles, across, passes, form, eye } = this;
+    if (particles) {
+      form.follow(particles);
+      uniforms.formFromView.value.copy(eye.uniforms.viewFromWorld.value).invert().premultiply(form.fromWorld);
+    }
     const { unlit, lit, depth, width, height } = targets;
     Object.entries({ unlit, lit, shading, depth }).forEach(([name, texture]) => {
       uniforms[name as keyof typeof uniforms].value = texture;
@@ -83,7 +109,7 @@ export class SimplifyPass {
       target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
     [fields, tiles, flatTiles, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
-      passes[index].draw(renderer);
+      (particles && target === output ? this.leaningTones : passes[index]).draw(renderer);
     });
   }
 
@@ -93,10 +119,13 @@ export class SimplifyPass {
   }
 
   dispose(): void {
-    for (const pass of this.passes) pass.dispose();
+    for (const pass of [...this.passes, this.leaningTones, this.form]) pass.dispose();
     this.rest();
   }
 }
+
+/** Makes shaders mix in the light of the whole form. */
+const LEANING = { defines: { FORM: '' } };
 
 /** Four numbers, and the links between pixels in a channel of its own. */
 function fieldTarget(): WebGLRenderTarget {

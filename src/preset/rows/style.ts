@@ -81,6 +81,14 @@ export const styleRows = [
     label: 'Simplify',
     text: 'Merges small patches of light and shade into large shapes; 0 keeps them all.',
   }),
+  quantity('style.form', 'style', 'style', {
+    min: 0,
+    max: 1,
+    step: 0.05,
+    default: 0,
+    label: 'Form',
+    text: 'How far light and shade follow the form of the whole smoke instead of that of each puff.',
+  }),
   quantity('style.strokes', 'style', 'style', {
     min: 0,
     max: 1,

@@ -1,5 +1,15 @@
-/** Smoke in a host's three.js scene: what handles leave behind, bursts, and smoke without particles. */
-import { BoxGeometry, Mesh, MeshBasicMaterial, MeshStandardMaterial, PlaneGeometry, Vector3 } from 'three';
+/** Smoke in a host's three.js scene: what handles leave behind, bursts, smoke without particles, and targets. */
+import {
+  BoxGeometry,
+  HalfFloatType,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  Vector2,
+  Vector3,
+  WebGLRenderTarget,
+} from 'three';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { SmokeHandle } from '../../../src/three/handle.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
@@ -16,6 +26,9 @@ const BURSTS = 50;
 const PUFFS = 12;
 const FRAMES = 60;
 const IDLE_FRAMES = 600;
+/** Opaque objects, and frames of a round. */
+const OBJECTS = 300;
+const TARGET_FRAMES = 6;
 const VALUES = { 'emission.rate': 0, 'emission.lifetime': 1, 'simulation.maxParticles': 2000 };
 
 export async function measure(isQuick: boolean): Promise<Figure[]> {
@@ -25,7 +38,9 @@ export async function measure(isQuick: boolean): Promise<Figure[]> {
   await say('bursts');
   const bursts = await measureBursts(rounds);
   await say('no particles');
-  return [...handles, ...bursts, ...(await measureIdle(rounds))];
+  const idle = await measureIdle(rounds);
+  await say('targets');
+  return [...handles, ...bursts, ...idle, ...(await measureTargets(rounds))];
 }
 
 async function smokeOf({ renderer, keyLight, scene }: Host, values = VALUES): Promise<CartoonSmoke> {
@@ -131,6 +146,43 @@ async function measureBursts(rounds: number): Promise<Figure[]> {
     ),
     figure('host.bursts.calls', '%', calls, 'of a frame, the calls alone'),
     figure('host.frame', 'ms', frames, 'of the frame with the emitter, on this machine'),
+  ];
+}
+
+/** Frames of a scene with many objects in a target with a stencil and in one without, where the objects are drawn again. */
+async function measureTargets(rounds: number): Promise<Figure[]> {
+  const host = emptyHost();
+  const { renderer, scene, camera } = host;
+  const [geometry, material] = [new BoxGeometry(0.2, 0.2, 0.2), new MeshStandardMaterial()];
+  for (let index = 0; index < OBJECTS; index++) {
+    const box = new Mesh(geometry, material);
+    box.position.set((index % 20) / 5 - 2, 0.2 * Math.floor(index / 60), (Math.floor(index / 20) % 3) - 2);
+    scene.add(box);
+  }
+  const smoke = await smokeOf(host, { ...VALUES, 'emission.rate': 60 });
+  smoke.step(FRAMES);
+  const [size, pixel] = [renderer.getSize(new Vector2()), new Uint16Array(4)];
+  const frameIn = (target: WebGLRenderTarget) => {
+    renderer.setRenderTarget(target);
+    const ms = time(() => {
+      for (let frame = 0; frame < TARGET_FRAMES; frame++) renderer.render(scene, camera);
+      renderer.readRenderTargetPixels(target, 0, 0, 1, 1, pixel);
+    });
+    return { ms, calls: renderer.info.render.calls };
+  };
+  const [counted, bare] = [true, false].map(
+    (stencilBuffer) => new WebGLRenderTarget(size.x, size.y, { type: HalfFloatType, stencilBuffer }),
+  );
+  frameIn(bare);
+  await smoke.complete();
+  const calls = [bare, counted].map((target) => frameIn(target).calls);
+  const ratios: number[] = [];
+  for (let round = 0; round < rounds; round++) ratios.push(frameIn(bare).ms / frameIn(counted).ms);
+  renderer.forceContextLoss();
+  const note = `a frame without stencil in the target, in frames with one; ${OBJECTS} objects`;
+  return [
+    figure('host.target.frame', 'x', ratios, note),
+    figure('host.target.calls', '', [calls[0] - calls[1]], 'more draw calls of it'),
   ];
 }
 

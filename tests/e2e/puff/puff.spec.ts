@@ -321,18 +321,24 @@ test('an element that goes away in mid-puff does not stop it', async ({ page, ho
   const box = (await page.locator('#button').boundingBox())!;
   const over = page.evaluate(async () => {
     const [button, text] = ['#button', '#below'].map((each) => document.querySelector(each)!);
-    const calls = [puff(text), puff(button), puff(button, { effect: 'trail' }), puff(button, { effect: 'vanish' })];
+    Object.assign(window, { trail: puff(button, { effect: 'trail', duration: 60 }) });
+    const calls = [puff(text), puff(button), puff(button, { effect: 'vanish' })];
     // Before the code has arrived.
     text.remove();
     return (await Promise.allSettled(calls)).map(({ status }) => status);
   });
   await expect.poll(async () => (await smoke(page)).amount).toBeGreaterThan(1000);
   await page.evaluate(() => document.querySelector('button')!.remove());
-  await frames(page, 10);
-  const { amount, y } = await smoke(page);
+  expect(await over).toEqual(Array(3).fill('fulfilled'));
+  // The trail goes on where the button was.
+  const { amount, x, y } = await smoke(page);
   expect(amount).toBeGreaterThan(1000);
+  expect(Math.abs(x - box.x - box.width / 2)).toBeLessThan(60);
   expect(Math.abs(y - box.y - box.height / 2)).toBeLessThan(80);
-  expect(await over).toEqual(Array(4).fill('fulfilled'));
+  await page.evaluate(() => {
+    puff.clear();
+    return Reflect.get(window, 'trail') as Promise<void>;
+  });
 });
 
 test('invalid arguments reject with a ParameterError that lists what is accepted', async ({ page, host }) => {

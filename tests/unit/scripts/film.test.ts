@@ -195,8 +195,8 @@ describe('cameraAt', () => {
 });
 
 it('names files so that all shards use the same names', () => {
-  expect(nameOf(7, undefined, 'png')).toBe('frame-0007.png');
-  expect(nameOf(12345, 'ink', 'exr')).toBe('ink/12345.exr');
+  expect(nameOf(7, undefined, 'png')).toBe('frame-000007.png');
+  expect(nameOf(12345, 'ink', 'exr')).toBe('ink/012345.exr');
 });
 
 interface Folder {
@@ -220,8 +220,8 @@ async function opened(shot: object = SHOT): Promise<Folder> {
 
 async function write(frame: number): Promise<void> {
   const one = await opened();
-  await one.receive(`frame-000${frame}.png`, chunks('pic', 'ture'));
-  await one.receive(`ink/000${frame}.png`, chunks('ink'));
+  await one.receive(`frame-00000${frame}.png`, chunks('pic', 'ture'));
+  await one.receive(`ink/00000${frame}.png`, chunks('ink'));
   await one.finish({ frame, step: 5, hash: 'abc' });
 }
 
@@ -230,10 +230,10 @@ describe('the folder of a shot', () => {
     await write(1);
     expect(await (await opened()).isFinished(0)).toBe(false);
     expect(await (await opened()).isFinished(1)).toBe(true);
-    writeFileSync(join(folder, 'ink/0001.png'), 'in');
+    writeFileSync(join(folder, 'ink/000001.png'), 'in');
     expect(await (await opened()).isFinished(1)).toBe(false);
     await write(1);
-    writeFileSync(join(folder, 'frame-0001.json'), '{');
+    writeFileSync(join(folder, 'frame-000001.json'), '{');
     expect(await (await opened()).isFinished(1)).toBe(false);
   });
 
@@ -244,17 +244,21 @@ describe('the folder of a shot', () => {
       yield Buffer.from('pic');
       throw new Error('The connection ended.');
     };
-    await expect(one.receive('frame-0001.png', broken())).rejects.toThrow('The connection ended.');
-    expect(readdirSync(folder).sort()).toEqual(['frame-0001.json', 'frame-0001.png', 'ink']);
-    expect(readFileSync(join(folder, 'frame-0001.png'), 'utf8')).toBe('picture');
+    await expect(one.receive('frame-000001.png', broken())).rejects.toThrow('The connection ended.');
+    expect(readdirSync(folder).sort()).toEqual(['frame-000001.json', 'frame-000001.png', 'ink']);
+    expect(readFileSync(join(folder, 'frame-000001.png'), 'utf8')).toBe('picture');
   });
 
   it('removes what a killed run left of its own frames only', async () => {
     mkdirSync(join(folder, 'ink'));
-    const parts = ['.frame-0001.png.0123abcd.part', '.frame-0002.png.0123abcd.part', 'ink/.0000.png.0123abcd.part'];
+    const parts = [
+      '.frame-000001.png.0123abcd.part',
+      '.frame-000002.png.0123abcd.part',
+      'ink/.000000.png.0123abcd.part',
+    ];
     for (const part of parts) writeFileSync(join(folder, part), 'pic');
     await opened();
-    expect(readdirSync(folder)).toEqual(['.frame-0002.png.0123abcd.part', 'ink']);
+    expect(readdirSync(folder)).toEqual(['.frame-000002.png.0123abcd.part', 'ink']);
     expect(readdirSync(join(folder, 'ink'))).toEqual([]);
   });
 

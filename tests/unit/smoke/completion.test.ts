@@ -26,7 +26,7 @@ function begun() {
   const wanted: { renderer: PictureKind['renderer'] } = { renderer: 'selle' };
   const notified: string[] = [];
   const completion = completionOf(
-    () => ({ ...wanted, form: 'lobes', volumes: 'receiver', simplify: 0, outlines: true, strokes: 0, isEroded: false }),
+    () => ({ ...wanted, form: 'lobes', volumes: 'receiver', simplify: 0, plumeForm: 0, outlines: true, strokes: 0, isEroded: false }),
     () => notified.push('shown'),
     ({ message }) => notified.push(message),
   );

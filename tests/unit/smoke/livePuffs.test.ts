@@ -22,6 +22,7 @@ beforeAll(() =>
     form: 'billboards',
     volumes: 'receiver',
     simplify: 0,
+    plumeForm: 0,
     outlines: true,
     strokes: 0,
     isEroded: false,

@@ -73,13 +73,13 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(await film(link, '10-21', 'one')).toMatchObject({ status: 0 });
   const states = ['--states', join(folder, 'states'), '--states-every', '4'];
   const shard = wordsOf(link, '10-21', 'shards', '--shard', '1/2', ...states);
-  expect(await stoppedAt('shards/frame-0010.json', 'SIGINT', shard)).toBe(130);
+  expect(await stoppedAt('shards/frame-000010.json', 'SIGINT', shard)).toBe(130);
   expect(Object.keys(filesIn('shards')).filter((name) => name.endsWith('.part'))).toEqual([]);
   expect(readdirSync(join(folder, 'temporary')), 'what the browser left').toEqual([]);
-  expect(await stoppedAt('shards/frame-0012.json', 'SIGKILL', shard)).toBeNull();
+  expect(await stoppedAt('shards/frame-000012.json', 'SIGKILL', shard)).toBeNull();
   const unfinished = Object.keys(filesIn('shards'));
-  expect(unfinished).toContain('/frame-0011.json');
-  expect(unfinished).not.toContain('/frame-0015.json');
+  expect(unfinished).toContain('/frame-000011.json');
+  expect(unfinished).not.toContain('/frame-000015.json');
   const began = Object.keys(filesIn('states'));
   for (const part of ['2/2', '1/2']) {
     expect(await film(link, '10-21', 'shards', '--shard', part, ...states)).toMatchObject({ status: 0 });
@@ -94,7 +94,7 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(new Set(Object.values(one)).size, 'no two frames are the same').toBe(24);
   const other = await film(link.replace('lamp', 'wisp'), '10-21', 'shards');
   expect(other.status).toBe(1);
-  expect(other.errors).toMatch(/frame-0010\.json, the link is ".*preset=lamp.*", here it is ".*preset=wisp/);
+  expect(other.errors).toMatch(/frame-000010\.json, the link is ".*preset=lamp.*", here it is ".*preset=wisp/);
 });
 
 test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
@@ -103,7 +103,7 @@ test('a frame is the picture of the PNG sequence of the page and of the poster, 
 }) => {
   const link = `?t=2.5${HASH}`;
   expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
-  const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-000${frame}.png`))));
+  const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
   const cases = await load<Cases>('/tests/visual/app/film.cases.ts');
   const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
   expect(sequence).toHaveLength(2);
@@ -122,9 +122,9 @@ test('a frame is the picture of the PNG sequence of the page and of the poster, 
   expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
 
   expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
-  const exr = exrIn('exr/frame-0000.exr');
+  const exr = exrIn('exr/frame-000000.exr');
   expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
-  const depth = exrIn('exr/depth/0000.exr');
+  const depth = exrIn('exr/depth/000000.exr');
   const near = depth.filter((value, at) => at % 4 === 0 && Number.isFinite(value));
   // The camera of the scene is 6.3 m from the lamp, which stands on a table 2 m wide.
   expect(near.length).toBeGreaterThan(1000);
@@ -199,9 +199,11 @@ test('a full disk ends the run with one line, and the files on it are whole', ()
   const parameters = ['--mount', 'sh', '-c', commands, 'sh', disk, ...run];
   const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8' });
   expect(status).toBe(1);
-  expect(stderr.trim().split('\n').at(-1)).toMatch(/^The disk is full: .*frame-00\d\d\.(png|json) was not written\.$/);
+  expect(stderr.trim().split('\n').at(-1)).toMatch(
+    /^The disk is full: .*frame-0000\d\d\.(png|json) was not written\.$/,
+  );
   const names = readdirSync(copy);
   expect(names.length).toBeGreaterThan(4);
-  expect(names.filter((name) => !/^frame-00\d\d\.(png|json)$/.test(name))).toEqual([]);
+  expect(names.filter((name) => !/^frame-0000\d\d\.(png|json)$/.test(name))).toEqual([]);
   for (const name of names.filter((each) => each.endsWith('.png'))) pixelsOf(readFileSync(join(copy, name)));
 });

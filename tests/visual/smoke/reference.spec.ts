@@ -91,6 +91,11 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ],
   ['backlit', [{ stops: STOPS, fill: 0.4, rim: 0.3 }]],
 ];
+/** Light by the form of the whole smoke. */
+const FORMS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{ plumeForm: 0.6 }, { plumeForm: 1, tones: 3 }]],
+  ['byLamp', [{ plumeForm: 0.6, fill: 0.4, rim: 0.3 }]],
+];
 const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
   ['lampFull', [{}, { gradient: 'puff' }, { shadowSteps: 2, shadowDepth: 3 }]],
@@ -109,6 +114,7 @@ for (const [what, scenes, reversedDepth] of [
   ['volumes counted by entry and exit', COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
+  ['puffs with the light of their whole form', FORMS, false],
   ['the lamp', LAMPS, false],
 ] as const) {
   test(`${what}: the picture equals the reference`, async ({ load }, testInfo) => {

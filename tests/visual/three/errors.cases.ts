@@ -72,6 +72,10 @@ export async function errors(): Promise<Record<string, string>> {
   host.renderer.render(host.scene, array);
   update('array', 0);
   update('again', 0);
+  host.renderer.setViewport(0, 0, 1e6, 50);
+  host.renderer.render(host.scene, host.camera);
+  update('viewport', 0);
+  host.renderer.setViewport(0, 0, 200, 140);
   host.renderer.xr.isPresenting = true;
   host.renderer.render(host.scene, host.camera);
   update('session', 0);

@@ -24,7 +24,7 @@ type Mistake = (
 ) => () => void;
 
 /** Sets a property and returns what restores it. */
-function broken<Owner extends object, Key extends keyof Owner>(owner: Owner, key: Key, value: unknown): () => void {
+function broken<Owner extends object>(owner: Owner, key: keyof Owner, value: unknown): () => void {
   const before = owner[key];
   owner[key] = value as never;
   return () => void (owner[key] = before);
@@ -153,9 +153,10 @@ export async function survive(seed: number, count: number): Promise<Survived> {
     const value = pick(WRONG_VALUES);
     try {
       call(smoke, value as never);
-      seen.unclear.push(`${String(call)} took ${String(value)}`);
+      seen.unclear.push(`${String(call)} took wrong value ${WRONG_VALUES.indexOf(value)}`);
     } catch (error) {
-      if (!(error instanceof SmokeError)) seen.unclear.push(`${String(call)} of ${String(value)}: ${String(error)}`);
+      if (!(error instanceof SmokeError))
+        seen.unclear.push(`${String(call)} of wrong value ${WRONG_VALUES.indexOf(value)}: ${String(error)}`);
     }
   }
   smoke.update(0.1);

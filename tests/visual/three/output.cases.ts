@@ -5,6 +5,7 @@ import {
   dispose,
   draw,
   furnishedHost,
+  HANGING,
   HEIGHT,
   makeRenderer,
   readCanvas,
@@ -123,7 +124,7 @@ export async function twoCameras(): Promise<{ left: number; right: number; betwe
 }
 
 export interface TwoSmokes {
-  /** Pixels of the lower smoke beside the upper one, and those of them that the upper one changes. */
+  /** Pixels inside the lower smoke and beside the upper one, and those of them that the upper one changes. */
   lower: number;
   changed: number;
   /** Pixels beside both that only one of them shadows, and pixels that are not as dark as the darker of their two pictures. */
@@ -134,27 +135,28 @@ export interface TwoSmokes {
 /** Two smokes, one between the light and the other. */
 export async function twoSmokes(): Promise<TwoSmokes> {
   const host = furnishedHost();
-  const lower = await smokeIn(host);
-  const upper = await smokeIn(host);
-  upper.position.set(0.35, 0.7, 0.5);
-  upper.step(60);
-  lower.step(60);
+  // The lights and the floor: no object is in front of smoke.
+  host.scene.remove(...host.scene.children.slice(3));
+  // Outlines close where the smokes touch.
+  const plain = { ...HANGING, 'style.outlines': 0 };
+  const lower = await smokeIn(host, plain);
+  const towardsLight = { 'emitters.0.position.x': 0.7, 'emitters.0.position.y': 1.95, 'emitters.0.position.z': 0.45 };
+  const upper = await smokeIn(host, { ...plain, ...towardsLight });
   const pictures = [[lower], [upper], [lower, upper]].map((shown) => {
     for (const smoke of [lower, upper]) smoke.visible = shown.includes(smoke);
     return draw(host);
   });
   for (const smoke of [lower, upper]) smoke.visible = true;
-  const [isLower, isUpper] = [lower, upper].map((smoke) => {
-    smoke.removeFromParent();
-    return smokePixels(host, smoke);
-  });
+  const [isLower, isUpper] = [lower, upper].map((smoke) => smokePixels(host, smoke));
   const [one, other, both] = pictures.map((pixels) =>
     Array.from({ length: WIDTH * HEIGHT }, (_, pixel) => pixels.subarray(4 * pixel, 4 * pixel + 3)),
   );
   const lightOf = (color: Pixels) => color.reduce((sum, value) => sum + value, 0);
   const seen = { lower: 0, changed: 0, shadow: 0, wrong: 0 };
   both.forEach((color, pixel) => {
-    if (isUpper[pixel]) return;
+    // The edges of smoke are mixed with what is behind them.
+    const beside = [-1, 0, 1, -WIDTH, WIDTH].map((step) => pixel + step);
+    if (beside.some((each) => isUpper[each] || isLower[each] !== isLower[pixel])) return;
     const darker = lightOf(one[pixel]) < lightOf(other[pixel]) ? one[pixel] : other[pixel];
     if (isLower[pixel]) {
       seen.lower += 1;

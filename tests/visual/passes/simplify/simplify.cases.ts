@@ -99,10 +99,13 @@ export function allTones(): { changed: number; added: string[] } {
 
 /** Pixels that differ between a picture and the same one after another frame. */
 export function repeated(): number {
-  const lab = labFor([LARGE], [disc(0, 0, 30)], 1);
-  const [first, , again] = [disc(0, 0, 20), disc(0.2, 0.1, 30), disc(0, 0, 20)].map((caster) =>
-    lab.draw(sceneOf([LARGE], [caster], 1, { ...STYLE, simplify: 4 })),
-  );
+  const lab = labFor([LARGE, LARGE], [disc(0, 0, 30)], 1);
+  const there: LabPuff = { ...LARGE, place: [0.3, 0.2, 0] };
+  const [first, , again] = [
+    { puffs: [LARGE], caster: disc(0, 0, 20) },
+    { puffs: [there, LARGE], caster: disc(0.2, 0.1, 30) },
+    { puffs: [LARGE], caster: disc(0, 0, 20) },
+  ].map(({ puffs, caster }) => lab.draw(sceneOf(puffs, [caster], 1, { ...STYLE, simplify: 4, plumeForm: 0.6 })));
   lab.dispose();
   return differing(first, again);
 }

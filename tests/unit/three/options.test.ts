@@ -1,0 +1,20 @@
+import { expect, test } from 'vitest';
+import { ParameterError } from '../../../src/preset/errors.ts';
+import { findPreset } from '../../../src/preset/presets.ts';
+import { loadPreset, startValues } from '../../../src/three/options.ts';
+
+test('the values of a preset are above the defaults and below those of the caller', async () => {
+  await loadPreset('lamp');
+  const preset = findPreset('lamp')!.values;
+  const others = Object.entries(preset).filter(([key]) => key !== 'emission.rate');
+  const values = startValues({ preset: 'lamp', values: { 'emission.rate': 3 } });
+  expect(values).toMatchObject({ ...preset, 'emission.rate': 3 });
+  const plain = startValues({});
+  expect(others.filter(([key, value]) => plain[key] !== value).length).toBeGreaterThan(5);
+});
+
+test('an unknown preset is an error that lists the known ones', async () => {
+  await expect(loadPreset('lampp')).rejects.toThrow(ParameterError);
+  await expect(loadPreset('lampp')).rejects.toThrow(/^preset cannot be “lampp”: it takes lamp, /);
+  await expect(loadPreset(undefined)).resolves.toBeUndefined();
+});

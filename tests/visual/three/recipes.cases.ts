@@ -1,0 +1,166 @@
+/** The recipes of docs/three.md as pictures. */
+import {
+  BoxGeometry,
+  Color,
+  ConeGeometry,
+  CylinderGeometry,
+  Fog,
+  HalfFloatType,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PlaneGeometry,
+  SphereGeometry,
+  Vector2,
+  WebGLRenderTarget,
+} from 'three';
+import { Reflector } from 'three/examples/jsm/objects/Reflector.js';
+import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer.js';
+import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
+import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
+import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
+import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
+import { emptyHost, makeRenderer, type Host } from './scene.ts';
+
+const [WIDTH, HEIGHT] = [400, 225];
+
+const LOOK: Values = {
+  'emission.rate': 0,
+  'emission.lifetime': 4,
+  'emission.growthTime': 0.8,
+  'buoyancy.acceleration': 0.5,
+  'style.smokeColor': '#fff4e0',
+  'style.outlineWidth': 1.5,
+};
+
+export type Recipe = 'composer' | 'mirror' | 'fog' | 'bursts';
+
+interface Setting extends Host {
+  smoke: CartoonSmoke;
+  chimney: Mesh;
+}
+
+/** A house with a smoking chimney on a lawn. */
+async function houseWithSmoke(values: Values = {}): Promise<Setting> {
+  const host = emptyHost(makeRenderer({ antialias: true }, [WIDTH, HEIGHT]));
+  const { scene, camera, keyLight, renderer } = host;
+  scene.background = new Color('#8fc7e8');
+  scene.add(new HemisphereLight('#cfe8ff', '#6a8a50', 1.2));
+  keyLight.position.set(-3, 4.5, 4);
+  camera.aspect = WIDTH / HEIGHT;
+  camera.position.set(0.9, 1.9, 5.4);
+  camera.lookAt(0.45, 1.5, 0);
+  camera.updateProjectionMatrix();
+  const solid = (geometry: BoxGeometry | ConeGeometry | CylinderGeometry | PlaneGeometry, color: string) => {
+    const mesh = new Mesh(geometry, new MeshLambertMaterial({ color }));
+    scene.add(mesh);
+    return mesh;
+  };
+  solid(new PlaneGeometry(60, 60), '#86b35e').rotation.x = -Math.PI / 2;
+  const wall = solid(new BoxGeometry(1.7, 1, 1.2), '#f0d8b0');
+  wall.position.set(-0.4, 0.5, 0);
+  const roof = solid(new ConeGeometry(1.45, 0.8, 4, 1), '#c05a48');
+  roof.rotation.y = Math.PI / 4;
+  roof.scale.z = 0.85;
+  roof.position.set(-0.4, 1.4, 0);
+  const chimney = solid(new CylinderGeometry(0.12, 0.14, 0.6, 12), '#8a5a50');
+  chimney.position.set(-0.05, 1.6, 0.1);
+  for (const x of [1.6, 2.3]) solid(new ConeGeometry(0.42, 1.5, 12), '#3f7d5a').position.set(x, 0.75, -0.8);
+  const smoke = await CartoonSmoke.create({ renderer, keyLight, values: { ...LOOK, ...values } });
+  scene.add(smoke);
+  return { ...host, smoke, chimney };
+}
+
+function smokeRises({ smoke, chimney }: Setting): void {
+  smoke.emitFrom(chimney, { rate: 13, size: 0.55, speed: 0.8, spread: 0.5 });
+  smoke.set({ 'forces.wind.x': 0.45 });
+  smoke.step(200);
+}
+
+const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
+  async composer() {
+    const setting = await houseWithSmoke();
+    const { renderer, scene, camera } = setting;
+    scene.background = new Color('#2c3a66');
+    const lamp = new Mesh(new SphereGeometry(0.16), new MeshBasicMaterial({ color: new Color(9, 6, 2.5) }));
+    lamp.position.set(1.3, 1.4, 0.7);
+    scene.add(lamp);
+    smokeRises(setting);
+    const target = new WebGLRenderTarget(WIDTH, HEIGHT, { type: HalfFloatType, samples: 4 });
+    const composer = new EffectComposer(renderer, target);
+    const bloom = new UnrealBloomPass(new Vector2(WIDTH, HEIGHT), 0.7, 0.5, 1);
+    for (const pass of [new RenderPass(scene, camera), bloom, new OutputPass()]) composer.addPass(pass);
+    return [setting, () => composer.render(0)];
+  },
+
+  async mirror() {
+    const setting = await houseWithSmoke();
+    const { renderer, scene, camera } = setting;
+    const pond = new Reflector(new PlaneGeometry(9, 5.4), { textureWidth: 800, textureHeight: 450, color: 0xa8c8d8 });
+    pond.rotation.x = -Math.PI / 2;
+    pond.position.set(0.4, 0.01, 3.5);
+    scene.add(pond);
+    camera.position.set(0.8, 1.3, 7.4);
+    camera.lookAt(0.4, 0.75, 0);
+    smokeRises(setting);
+    return [setting, () => renderer.render(scene, camera)];
+  },
+
+  async fog() {
+    const setting = await houseWithSmoke();
+    const { renderer, scene, camera, smoke, keyLight } = setting;
+    scene.background = new Color('#d8e2ea');
+    scene.fog = new Fog('#d8e2ea', 4, 15);
+    for (const z of [-3, -6, -9]) {
+      const from = new Mesh(new CylinderGeometry(0.14, 0.16, 1.4, 12), new MeshLambertMaterial({ color: '#8a5a50' }));
+      from.position.set(1.3 - z / 2.2, 0.7, z);
+      scene.add(from);
+      smoke.emitFrom(from, { rate: 9, size: 0.6, speed: 1 });
+    }
+    keyLight.position.set(-3, 4.5, 4);
+    smokeRises(setting);
+    return [setting, () => renderer.render(scene, camera)];
+  },
+
+  async bursts() {
+    const setting = await houseWithSmoke({
+      'emission.lifetime': 1.6,
+      'emission.growthTime': 0.2,
+      'buoyancy.acceleration': 0.2,
+    });
+    const { renderer, scene, camera, smoke } = setting;
+    const steps: [number, number, number, number][] = [
+      [-0.9, 0.15, 1.6, 22],
+      [0.1, 0.15, 1.8, 20],
+      [1.1, 0.15, 1.9, 16],
+      [2.1, 0.15, 2, 10],
+    ];
+    for (const [x, y, z, age] of steps) {
+      smoke.burst({
+        position: { x, y, z },
+        direction: { x: 0, y: 1, z: 0 },
+        count: 18,
+        speed: 1.3,
+        size: 0.42,
+        spread: 0.9,
+      });
+      smoke.step(age);
+    }
+    return [setting, () => renderer.render(scene, camera)];
+  },
+};
+
+/** A recipe as a PNG. */
+export async function pictureOf(recipe: Recipe): Promise<Blob> {
+  const [{ renderer, smoke }, render] = await RECIPES[recipe]();
+  render();
+  await smoke.complete();
+  render();
+  const blob = await (renderer.domElement as unknown as OffscreenCanvas).convertToBlob({ type: 'image/png' });
+  smoke.dispose();
+  renderer.dispose();
+  renderer.forceContextLoss();
+  return blob;
+}
