@@ -22,7 +22,7 @@ export interface Follower {
 export function follow(placement: Placement, source: Source, { from, isOwn, move }: Follower): () => void {
   const end = new AbortController();
   const { signal } = end;
-  const placeOf = source.followsPointer ? pointerPlace(source, signal) : source.box;
+  const placeOf = source.followsPointer ? pointerPlace(source, signal) : () => source.box();
   let before = from;
   let wasMoving = false;
   let isBehind = false;

@@ -11,7 +11,7 @@ const SIGHT = { plane: { right: [0.01, 0, 0], up: [0, 0.01, 0] }, centre: [0, 1,
 /** What the code reads of a stage that shows a preset. */
 async function stageOf(name: string, changed: Values = {}): Promise<Stage> {
   const values = { ...presetValues(presets.find((preset) => preset.name === name)!), ...changed };
-  const { rig = {} } = await sceneEntries[String(values.scene)].load();
+  const { rig } = await sceneEntries[String(values.scene)].load();
   const stage = { rig: { ...rig, ...CAMERA }, get: () => values, sight: SIGHT, canvas: { clientHeight: 360 } };
   return stage as unknown as Stage;
 }
