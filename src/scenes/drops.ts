@@ -1,6 +1,7 @@
 /** Balls and crates that are kept far below the scene until the user drops them. */
 import type { Color } from '../device/ramps.ts';
 import type { RigidDescription } from '../sim/rigid.ts';
+import { Dropped } from './dropped.ts';
 import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import type { Scene } from './scene.ts';
 
@@ -24,7 +25,14 @@ const THINGS: readonly (readonly [Color, Color] | undefined)[] = [
 
 /** Adds droppable objects, unless the scene defines its own. */
 export function withDrops(scene: Scene): Scene {
-  if (scene.drops) return scene;
+  return dropping(scene.drops ? scene : withThings(scene));
+}
+
+function dropping(scene: Scene): Scene {
+  return { ...scene, createDropped: () => new Dropped(scene.drops!, scene.rigids) };
+}
+
+function withThings(scene: Scene): Scene {
   const first = scene.rigids.length;
   const drops = THINGS.map((_, index) => first + index);
   const [ball, crate] = [ballModel(BALL), crateModel(CRATE)];

@@ -3,6 +3,7 @@ import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import type { Quaternion } from '../sim/exact/rotation.ts';
 import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
+import type { Dropped } from './dropped.ts';
 
 /** A position or a displacement in metres, or a direction. */
 export type Vector = readonly [x: number, y: number, z: number];
@@ -132,6 +133,8 @@ export interface Scene {
   handle?: Handle;
   /** Rigids that the user can drop into the scene. Default: the objects of `drops.ts`. */
   drops?: readonly number[];
+  /** Creates the state of the objects that the user drops. `withDrops` sets it. */
+  createDropped?: () => Dropped;
   /** Colliders for dropped objects, in addition to the scene's rigids. */
   ground?: readonly RigidPart[];
   camera: CameraPose;

@@ -1,6 +1,7 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
+import type { Dropped } from '../scenes/dropped.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
@@ -8,7 +9,6 @@ import { ATTRIBUTE_WORDS, POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
-import { Dropped, TUMBLED } from './dropped.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { SavedStates } from './states.ts';
 
@@ -32,7 +32,7 @@ export class Simulation {
   private current: Simulator;
   private start: Values;
   private inputsSeen = 0;
-  private readonly dropped: Dropped;
+  private readonly dropped: Dropped | undefined;
   /** Step at which the spring releases the movable rigid; undefined while the spring is inactive. */
   private heldUntil: number | undefined;
   private heldFrom = 0;
@@ -43,7 +43,7 @@ export class Simulation {
     this.scene = scene;
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
-    this.dropped = new Dropped(scene);
+    this.dropped = scene.createDropped?.();
     this.states = new SavedStates(historyBytes);
     this.current = this.create(values);
     this.start = values;
@@ -146,19 +146,21 @@ export class Simulation {
 
   /** How many objects can be dropped; 0 in scenes without any. */
   get dropCount(): number {
-    return this.dropped.count;
+    return this.dropped?.count ?? 0;
   }
 
   /**
    * Drops an object at a position, in metres: the one farthest away that is not held. Unused objects are very far away.
    */
   drop(place: Vector3): void {
-    const from = this.dropped.above(place);
+    const { dropped } = this;
+    if (!dropped) return;
+    const from = dropped.above(place);
     const held = this.heldUntil === undefined ? undefined : this.scene.handle!.rigid;
-    const rigid = this.dropped.next(from, this.current.rigidPoses(1), held);
+    const rigid = dropped.next(from, this.current.rigidPoses(1), held);
     if (rigid === undefined) return;
-    this.input((simulator) => simulator.inputPose(rigid, from.toArray(), TUMBLED));
-    this.dropped.put(rigid, from);
+    this.input((simulator) => simulator.inputPose(rigid, from.toArray(), dropped.tumbled));
+    dropped.put(rigid, from);
   }
 
   /** Applies a user input. If a take is being replayed, the rest of it is discarded. */
@@ -182,7 +184,7 @@ export class Simulation {
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
       this.letGoWhenSettled();
-      this.dropped.clear();
+      this.dropped?.clear();
       this.guide();
       this.sendParts();
       this.current.step();
@@ -225,8 +227,11 @@ export class Simulation {
   rigids(blend: number): readonly Matrix4[] {
     const poses = this.current.rigidPoses(blend);
     this.matrices.forEach((matrix, rigid) => put(matrix, placementIn(poses, rigid)));
-    this.dropped.show(this.matrices);
-    return this.matrices;
+    const { dropped, matrices } = this;
+    if (!dropped) return matrices;
+    const { rotation } = dropped;
+    for (const [rigid, place] of dropped.waiting) put(matrices[rigid], { position: place.toArray(), rotation });
+    return matrices;
   }
 
   /** World transforms of the scene's parts by index, at the time of `rigids`. */
@@ -328,7 +333,7 @@ export class Simulation {
   private resetDrag(): void {
     const { handle } = this.scene;
     this.heldUntil = undefined;
-    this.dropped.clear();
+    this.dropped?.clear();
     if (!handle) return;
     this.drag = new Drag(handle);
     this.drag.target.fromArray(this.current.rigidPoses(1), POSE_FLOATS * handle.rigid);

@@ -1,9 +1,11 @@
-import { Quaternion, Vector3, type Matrix4 } from 'three';
-import type { Scene } from '../scenes/scene.ts';
+import { Vector3 } from 'three';
+import type { Quaternion } from '../sim/exact/rotation.ts';
+import { hypot } from '../sim/exact/sine.ts';
 import { POSE_FLOATS } from '../sim/layout.ts';
+import type { RigidDescription } from '../sim/rigid.ts';
 
-/** Initial rotation of dropped objects, a quaternion: it shows a crate's face from above its edge. */
-export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
+/** It shows a crate's face from above its edge. */
+const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
 
 /**
  * Objects start at least this high, metres; the ground is at a height of about 0. A fixed rigid below CELLAR is not
@@ -11,20 +13,24 @@ export const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;
  */
 const MIN_HEIGHT = 0.7;
 const CELLAR = -100;
-const UNSCALED = new Vector3(1, 1, 1);
 
 /**
- * Objects that the user drops into a scene. Selects the next one and draws it at its start position until the next
- * step.
+ * Objects that the user drops into a scene. Selects the next one and keeps its start position until the next step.
  */
 export class Dropped {
+  /** Initial rotation of dropped objects, a quaternion, and the same of length 1. */
+  readonly tumbled = TUMBLED;
+  readonly rotation = unit(TUMBLED);
   private readonly rigids: readonly number[];
   /** Lowest start height, metres. */
   private readonly least: number;
   private readonly places = new Map<number, Vector3>();
-  private readonly rotation = new Quaternion(...TUMBLED).normalize();
 
-  constructor({ drops = [], rigids }: Scene) {
+  /**
+   * @param drops indices of the objects
+   * @param rigids all rigids of the scene
+   */
+  constructor(drops: readonly number[], rigids: readonly RigidDescription[]) {
     this.rigids = drops;
     const hasGround = rigids.some(({ kind, position }) => kind === 'fixed' && position[1] > CELLAR);
     this.least = hasGround ? MIN_HEIGHT : -Infinity;
@@ -54,13 +60,19 @@ export class Dropped {
     this.places.set(rigid, place);
   }
 
-  /** Writes the world transforms of the objects that have a start position and do not fall yet. */
-  show(matrices: readonly Matrix4[]): void {
-    for (const [rigid, place] of this.places) matrices[rigid].compose(place, this.rotation, UNSCALED);
+  /** The start positions of the objects that do not fall yet. */
+  get waiting(): Iterable<readonly [rigid: number, place: Vector3]> {
+    return this.places;
   }
 
   /** Forgets the start positions: the objects fall now, or the simulation was reset. */
   clear(): void {
     this.places.clear();
   }
+}
+
+function unit(quaternion: Quaternion): Quaternion {
+  const length = hypot(...quaternion);
+  const [x, y, z, w] = quaternion.map((component) => component / length);
+  return [x, y, z, w];
 }
