@@ -33,8 +33,6 @@ export class FrameView {
   readonly clipFromWorld = new Matrix4();
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
-  /** The camera in world space. */
-  readonly place = new Vector3();
   /** Depth of the camera along `forward`, measured from the world origin. */
   private depth = 0;
 
@@ -73,7 +71,7 @@ export class FrameView {
     uniforms.lightInView.value.copy(light).applyMatrix4(camera.matrixWorldInverse);
     this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
-    this.depth = this.place.setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
+    this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
   }
 
   /** Unit vector along which the light travels at a point, world space. */
@@ -103,12 +101,6 @@ export class FrameView {
     const e = this.uniforms.clipFromView.value.elements;
     if (e[11] === 0) return 0;
     return Math.hypot((1 + Math.abs(e[8])) / e[0], (1 + Math.abs(e[9])) / e[5]);
-  }
-
-  /** Radius of a ball about the camera that contains the near plane of the picture; infinite for an orthographic camera. */
-  get nearReach(): number {
-    const { near, clipFromView } = this.uniforms;
-    return clipFromView.value.elements[11] === 0 ? Infinity : near.value * Math.hypot(1, this.steepestSlope);
   }
 
   /** World units that one pixel spans, per unit of clip w. */

@@ -158,7 +158,6 @@ function faceNormals(positions: Float32Array, corners: Uint32Array): Float32Arra
  * @param near number of the first vertex at the start of the volume
  * @param far number of the first vertex at its end
  * @param indices where to write, from index `at`; at most 3 for each face and 6 for each edge
- * @param isClosed whether the volume has a far end
  * @returns the index after the last one written
  */
 export function writeVolume(
@@ -168,12 +167,9 @@ export function writeVolume(
   far: number,
   indices: Uint32Array,
   at: number,
-  isClosed: boolean,
 ): number {
   for (let corner = 0; corner < corners.length; corner += 3) {
-    const isLit = facesLight[corner / 3];
-    if (!isClosed && !isLit) continue;
-    const first = isLit ? near : far;
+    const first = facesLight[corner / 3] ? near : far;
     indices[at++] = first + corners[corner];
     indices[at++] = first + corners[corner + 1];
     indices[at++] = first + corners[corner + 2];

@@ -1,11 +1,9 @@
 import {
-  Box3,
   BufferAttribute,
   BufferGeometry,
   DynamicDrawUsage,
   Matrix4,
-  Ray,
-  Sphere,
+  Vector3,
   Vector4,
   type WebGLRenderer,
 } from 'three';
@@ -28,8 +26,6 @@ interface Caster {
   /** Number of its first vertex among those of all casters. */
   readonly first: number;
   readonly facesLight: Uint8Array;
-  /** Bounding sphere in model space. */
-  readonly sphere: Sphere;
   /** As in the triangles that were written last. */
   isVisible: boolean;
   /** The light of `facesLight` in the frame of the model, and whether it is a lamp (w); NaN at first. */
@@ -37,12 +33,9 @@ interface Caster {
 }
 
 /**
- * Counts the shadow volumes of closed meshes. All meshes are one draw call. Triangles of a mesh come in any order, so the
- * stencil operations wrap. This pass must run before the volumes of particles, which clamp: the count of meshes over a
- * pixel must stay below 256.
- *
- * Depth fail is correct even if the camera is inside a volume, but needs closed volumes. Depth pass needs no far ends
- * while the camera looks along with the light, because no receiver is behind them.
+ * Counts the shadow volumes of closed meshes by depth fail, which is correct even if the camera is inside a volume. All
+ * meshes are one draw call. Triangles of a mesh come in any order, so the stencil operations wrap. This pass must run
+ * before the volumes of particles, which clamp: the count of meshes over a pixel must stay below 256.
  */
 export class MeshVolumesPass {
   private readonly eye: FrameView;
@@ -51,7 +44,6 @@ export class MeshVolumesPass {
   private readonly transforms: SurfaceTransforms;
   private readonly volumes: DrawnMesh;
   private readonly indices: Uint32Array;
-  private isClosed = false;
 
   constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
     this.eye = eye;
@@ -76,16 +68,16 @@ export class MeshVolumesPass {
       },
     });
     this.volumes = new DrawnMesh(material, geometryOf(this.casters, this.indices));
+    countFaces(
+      this.volumes.mesh,
+      { depthFail: WebGL2RenderingContext.DECR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
+      { depthFail: WebGL2RenderingContext.INCR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
+    );
   }
 
-  /** @param countsFar whether the counts of pixels at the far plane must be right, too */
-  draw(renderer: WebGLRenderer, countsFar = true): void {
+  draw(renderer: WebGLRenderer): void {
     if (this.casters.size === 0) return;
-    this.follow(this.eye.uniforms.lightInWorld.value, countsFar || this.needsFarEnds());
-    const { KEEP, INCR_WRAP, DECR_WRAP } = WebGL2RenderingContext;
-    const counting = (behind: number, before: number) =>
-      this.isClosed ? { depthFail: behind, depthPass: KEEP } : { depthFail: KEEP, depthPass: before };
-    countFaces(this.volumes.mesh, counting(DECR_WRAP, INCR_WRAP), counting(INCR_WRAP, DECR_WRAP));
+    this.follow(this.eye.uniforms.lightInWorld.value);
     this.volumes.draw(renderer);
   }
 
@@ -94,28 +86,9 @@ export class MeshVolumesPass {
     this.volumes.material.dispose();
   }
 
-  /** Returns true if the near plane may intersect a volume, or if a view ray may enter a volume through its far end. */
-  private needsFarEnds(): boolean {
-    const { casters, eye, transforms } = this;
-    if (!eye.isLitBySun) return true;
-    const { place, nearReach, forward, steepestSlope } = eye;
-    const travel = eye.travelAt(place);
-    // Else all view rays go along with the light.
-    if (forward.dot(travel) * Math.hypot(1, steepestSlope) <= steepestSlope) return true;
-    return [...casters].some(([surface, caster]) => {
-      const { center, radius } = sphere.copy(caster.sphere).applyMatrix4(transforms.worldFromModel(surface));
-      const isNear = ray.set(center, travel).distanceToPoint(place) < radius + SHADOW_INSET + nearReach;
-      return isNear && transforms.isVisible(surface);
-    });
-  }
-
-  /**
-   * Writes the triangles again if a caster has turned in the light, if one appeared or disappeared, or if the far
-   * ends are needed or not needed any more.
-   */
-  private follow(light: Vector4, isClosed: boolean): void {
-    let isStale = this.isClosed !== isClosed;
-    this.isClosed = isClosed;
+  /** Writes the triangles again if a caster has turned in the light, or if one appeared or disappeared. */
+  private follow(light: Vector4): void {
+    let isStale = false;
     for (const [surface, caster] of this.casters) {
       const isVisible = this.transforms.isVisible(surface);
       const hasMoved = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
@@ -127,7 +100,7 @@ export class MeshVolumesPass {
     const vertices = geometry.getAttribute('position').count / 2;
     let end = 0;
     for (const { mesh, first, facesLight, isVisible } of this.casters.values()) {
-      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end, isClosed);
+      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end);
     }
     const index = geometry.index!;
     geometry.setDrawRange(0, end);
@@ -142,7 +115,6 @@ function casterOf(mesh: Extrusion, first: number): Caster {
     mesh,
     first,
     facesLight: new Uint8Array(mesh.corners.length / 3),
-    sphere: new Box3().setFromArray(mesh.positions).getBoundingSphere(new Sphere()),
     isVisible: false,
     light: new Vector4(NaN, NaN, NaN, NaN),
   };
@@ -163,30 +135,35 @@ function geometryOf(casters: ReadonlyMap<number, Caster>, indices: Uint32Array):
   return geometry;
 }
 
+const light = new Vector3();
 const seen = new Vector4();
-const modelFromWorld = new Matrix4();
-const ray = new Ray();
-const sphere = new Sphere();
+const point = new Vector3();
+const stretch = new Matrix4();
 
 /**
  * Finds the faces of a caster that face the light.
  * @returns false if they are known: the light has not moved in the frame of the model
  */
-function followLight(caster: Caster, worldFromModel: Matrix4, light: Vector4): boolean {
+function followLight(caster: Caster, worldFromModel: Matrix4, { x, y, z, w }: Vector4): boolean {
   const { mesh, facesLight } = caster;
-  const { x, y, z, w } = seen.copy(light).applyMatrix4(modelFromWorld.copy(worldFromModel).invert());
+  const e = worldFromModel.elements;
+  // A normal n of the model is M n in the world. Its product with a world direction d is that of n with M^T d. The
+  // light travels along p - L towards a point p, and along -L for a sun.
+  light.set(w * e[12] - x, w * e[13] - y, w * e[14] - z);
+  const [lightX, lightY, lightZ] = [0, 4, 8].map((at) => e[at] * light.x + e[at + 1] * light.y + e[at + 2] * light.z);
+  seen.set(lightX, lightY, lightZ, w);
   if (caster.light.equals(seen)) return false;
   caster.light.copy(seen);
+  stretch.copy(worldFromModel).setPosition(0, 0, 0).transpose().multiply(worldFromModel).setPosition(0, 0, 0);
   const { corners, normals, positions } = mesh;
   for (let face = 0; face < facesLight.length; ++face) {
     const first = 3 * face;
-    const corner = 3 * corners[first];
-    // Towards the light from a point p: L - p for a lamp at L, L for a sun.
-    const facing =
-      normals[first] * (x - w * positions[corner]) +
-      normals[first + 1] * (y - w * positions[corner + 1]) +
-      normals[first + 2] * (z - w * positions[corner + 2]);
-    facesLight[face] = facing > 0 ? 1 : 0;
+    let travel = normals[first] * lightX + normals[first + 1] * lightY + normals[first + 2] * lightZ;
+    if (w > 0) {
+      point.fromArray(positions, 3 * corners[first]).applyMatrix4(stretch);
+      travel += normals[first] * point.x + normals[first + 1] * point.y + normals[first + 2] * point.z;
+    }
+    facesLight[face] = travel < 0 ? 1 : 0;
   }
   return true;
 }

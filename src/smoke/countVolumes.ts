@@ -12,17 +12,10 @@ const CLOSE = 10;
 /**
  * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
  * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
- * @param countsFar whether the counts of pixels at the far plane must be right, too
  */
-export function countVolumes(
-  passes: SmokePasses,
-  style: Style,
-  casters: RowGeometry,
-  limit: number,
-  countsFar = false,
-): void {
+export function countVolumes(passes: SmokePasses, style: Style, casters: RowGeometry, limit: number): void {
   const { renderer, targets, extras, isFlat } = passes;
-  passes.scene?.volumes.draw(renderer, countsFar);
+  passes.scene?.volumes.draw(renderer);
   passes.mask.countOnce(renderer);
   // Counting needs the depth that fragments write.
   if (style.volumes === 'counted' && !isFlat) {

@@ -25,7 +25,7 @@ export class DebugViews {
     if (view === 'normals') this.pass.drawNormals(renderer, body, rows, surfaceDepth);
     else body.draw(renderer, rows, surfaceDepth);
     if (view === 'counts') {
-      if (casters) countVolumes(passes, style, casters.geometry, MAX_COUNT, true);
+      if (casters) countVolumes(passes, style, casters.geometry, MAX_COUNT);
       this.pass.copyCounts(renderer);
     }
     if (view === 'overdraw') {

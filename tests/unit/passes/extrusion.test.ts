@@ -17,7 +17,7 @@ function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number
     normals[3 * face] * travel[0] + normals[3 * face + 1] * travel[1] + normals[3 * face + 2] * travel[2] < 0 ? 1 : 0,
   );
   const indices = new Uint32Array(corners.length + 1.5 * edges.length);
-  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0, true);
+  const end = writeVolume(extrusion, facesLight, 0, vertices, indices, 0);
   const corner = (vertex: number): Triple => {
     const carried = vertex < vertices ? 0 : extent;
     const [x, y, z] = positions.subarray(3 * (vertex % vertices), 3 * (vertex % vertices) + 3);
@@ -59,25 +59,6 @@ describe('extrude', () => {
     const flipped = { ...CUBE, indices: CUBE.indices.slice() };
     flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
     expect(() => extrude(flipped)).toThrow(RangeError);
-  });
-});
-
-describe('writeVolume', () => {
-  it('leaves out the faces at the far end of an open volume', () => {
-    const extrusion = extrude(ballMesh(1, 24));
-    const { normals, corners, edges, positions } = extrusion;
-    const facesLight = Uint8Array.from({ length: corners.length / 3 }, (_, face) => Number(normals[3 * face + 1] > 0));
-    const vertices = positions.length / 3;
-    const written = (isClosed: boolean): Uint32Array => {
-      const indices = new Uint32Array(corners.length + 1.5 * edges.length);
-      return indices.subarray(0, writeVolume(extrusion, facesLight, 0, vertices, indices, 0, isClosed));
-    };
-    const far = facesLight.filter((isLit) => !isLit).length;
-    expect(far).toBeGreaterThan(1000);
-    expect(written(true).length - written(false).length).toBe(3 * far);
-    // What is left at the far end are the vertices of the silhouette, the equator.
-    const ends = written(false).filter((vertex) => vertex >= vertices);
-    expect(Math.max(...Array.from(ends, (end) => Math.abs(positions[3 * (end - vertices) + 1])))).toBeLessThan(0.01);
   });
 });
 
