@@ -10,7 +10,6 @@ import { blendPose, poseNumbers } from './pose.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { RigidDescription } from './rigid.ts';
 import type * as RigidNumbers from './rigidNumbers.ts';
-import type { RigidPath, RigidSpin } from './rigidPath.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
 import { viewLength, writeView, type View } from './view.ts';
 
@@ -122,21 +121,6 @@ export class Simulator {
    */
   moveRigid(index: number, position: ArrayLike<number>, rotation?: ArrayLike<number>): void {
     this.#attempt(() => this.#handle.moveRigid(index, ...poseNumbers(position, rotation)));
-  }
-
-  /** Sets the path of a kinematic rigid, as a function of simulation time. Removes it if `path` is omitted. */
-  setPath(index: number, path?: RigidPath): void {
-    const numbers = this.#rigids.pathNumbers(path);
-    this.#attempt(() => this.#handle.setRigidPath(index, numbers));
-  }
-
-  /**
-   * Sets the spin of a kinematic rigid, added to its other motion, or stops it if `spin` is omitted. The rigid
-   * continues from its current rotation.
-   */
-  setSpin(index: number, spin?: RigidSpin): void {
-    const numbers = this.#rigids.spinNumbers(spin);
-    this.#attempt(() => this.#handle.setRigidSpin(index, ...numbers));
   }
 
   /**

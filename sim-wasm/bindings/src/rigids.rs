@@ -7,7 +7,7 @@ use crate::simulator::Simulator;
 
 #[cfg(feature = "rigids")]
 mod with_rapier {
-    use sim::rigids::{Grab, JointDescription, Path, RigidDescription, RigidNumbers, Rigids, pose_of};
+    use sim::rigids::{Grab, JointDescription, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
     use crate::error::parameter_error;
@@ -20,15 +20,6 @@ mod with_rapier {
     pub fn move_to(rigids: &mut Rigids, index: u32, pose: &[f32]) -> Result<(), JsValue> {
         let pose = pose_of(pose).map_err(parameter_error)?;
         rigids.move_to(index, pose).map_err(parameter_error)
-    }
-
-    pub fn set_path(rigids: &mut Rigids, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
-        let path = Path::from_numbers(numbers).map_err(parameter_error)?;
-        rigids.set_path(index, path).map_err(parameter_error)
-    }
-
-    pub fn set_spin(rigids: &mut Rigids, index: u32, axis: [f32; 3], rate: f32) -> Result<(), JsValue> {
-        rigids.set_spin(index, axis, rate).map_err(parameter_error)
     }
 
     pub fn drag(
@@ -115,26 +106,6 @@ impl Simulator {
     ) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::move_to(self.simulator.rigids_mut(), index, &[x, y, z, i, j, k, w]);
-        #[cfg(not(feature = "rigids"))]
-        Err(without_rapier())
-    }
-
-    /// Sets the path of a kinematic rigid; no numbers remove it. See `sim::rigids::path` for the numbers.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
-    #[wasm_bindgen(js_name = setRigidPath)]
-    pub fn set_rigid_path(&mut self, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
-        #[cfg(feature = "rigids")]
-        return with_rapier::set_path(self.simulator.rigids_mut(), index, numbers);
-        #[cfg(not(feature = "rigids"))]
-        Err(without_rapier())
-    }
-
-    /// Spins a kinematic rigid about an axis in its own space, in rad/s.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
-    #[wasm_bindgen(js_name = setRigidSpin)]
-    pub fn set_rigid_spin(&mut self, index: u32, x: f32, y: f32, z: f32, rate: f32) -> Result<(), JsValue> {
-        #[cfg(feature = "rigids")]
-        return with_rapier::set_spin(self.simulator.rigids_mut(), index, [x, y, z], rate);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }
