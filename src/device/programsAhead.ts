@@ -23,7 +23,7 @@ export class ProgramsAhead {
   private readonly programs = new Map<string, RawShaderMaterial>();
 
   /** Compiles a program unless it was compiled before. Does not wait for the result. */
-  compile(renderer: WebGLRenderer, { vertexShader, fragmentShader, defines }: Shaders): void {
+  compile(renderer: WebGLRenderer, { vertexShader, fragmentShader, defines = {} }: Shaders): void {
     const shaders = { vertexShader, fragmentShader, defines };
     const key = JSON.stringify(shaders);
     if (this.programs.has(key)) return;

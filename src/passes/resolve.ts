@@ -4,11 +4,13 @@ import edgesShader from '../../shaders/resolve/edges.frag';
 import edgesVertexShader from '../../shaders/resolve/edges.vert';
 import tilesShader from '../../shaders/resolve/tiles.frag';
 import tonesShader from '../../shaders/resolve/tones.frag';
+import vertexShader from '../../shaders/lib/fullScreen.vert';
 import { EDGE_TILE } from '../constants.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { DrawnPoints } from '../device/drawnPoints.ts';
 import { FullScreen } from '../device/fullScreen.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import type { Targets } from './targets.ts';
 
 /** The colours to resolve, and their size in pixels. */
@@ -21,6 +23,12 @@ export interface InkOverlay {
 
 /** Draws the tones of all pixels into a target. */
 export type ChooseTones = (output: WebGLRenderTarget) => void;
+
+/** The shaders of the pass. */
+export const RESOLVE_SHADERS: readonly Shaders[] = [
+  ...[tonesShader, tilesShader, copyShader].map((fragmentShader) => ({ vertexShader, fragmentShader })),
+  { vertexShader: edgesVertexShader, fragmentShader: edgesShader },
+];
 
 /**
  * Chooses lit or unlit by the mask, smooths edges, and writes premultiplied colour to the canvas or to a render target.

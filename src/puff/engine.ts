@@ -24,6 +24,8 @@ const LEAD = 0.05;
 const IDLE_MS = 10_000;
 /** Simulated seconds after which the smoke of `warmUp` is large enough to run all shaders. */
 const WARM_UP = 0.2;
+/** Time without frames of the page after which it counts as hidden, milliseconds. */
+const HIDDEN_MS = 200;
 /** Simulated seconds after which the simulation starts again. Emitters cannot start after 3600 s. */
 const LATEST = 3000;
 
@@ -145,6 +147,7 @@ export class Engine {
         onBegin: () => undefined,
       });
     } finally {
+      await pictureShown();
       style.setProperty('visibility', ...before);
       this.isStarting = false;
     }
@@ -415,6 +418,14 @@ function isLayered({ call }: Pick<Waiting, 'call'>): boolean {
 /** Seconds from the start of an emission until its last particle is gone. */
 function lifeOf({ delay: wait, duration, life, lifeVariation }: PlacedEmission): number {
   return wait + duration + life * (1 + lifeVariation);
+}
+
+/** Resolves when the page has the picture that the worker drew last: at the second frame, or soon in a hidden tab. */
+function pictureShown(): Promise<void> {
+  return new Promise((resolve) => {
+    setTimeout(resolve, HIDDEN_MS);
+    requestAnimationFrame(() => requestAnimationFrame(() => resolve()));
+  });
 }
 
 function delay(milliseconds: number): Promise<void> {

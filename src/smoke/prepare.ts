@@ -2,7 +2,7 @@ import { BackdropPass } from '../passes/backdrop.ts';
 import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { memoizedExtrusion } from '../passes/meshVolumes.ts';
-import { ResolvePass } from '../passes/resolve.ts';
+import { RESOLVE_SHADERS } from '../passes/resolve.ts';
 import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import { inPieces, type Work } from '../puffs/work.ts';
@@ -59,8 +59,9 @@ export async function compileAhead(
   programs.compile(renderer, volumeShaders(lobes, isDeformed));
   const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
   const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
-  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass(), new ResolvePass(eye)];
+  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
   for (const pass of passes) programs.compilePass(renderer, pass);
+  for (const shaders of RESOLVE_SHADERS) programs.compile(renderer, shaders);
   if (isShaded) {
     await fetchExtras(style);
     programs.compilePass(renderer, new (codeOf('simplify').SimplifyPass)(eye, ramps));
