@@ -49,9 +49,9 @@ export class SimplifyPass {
   private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
   private readonly passes: readonly FullScreen[];
-  private readonly form = new PlumeForm();
-  /** The last pass where light follows the form of the whole smoke. */
-  private readonly leaningTones: FullScreen;
+  private readonly toneUniforms;
+  /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
+  private leaning: { readonly form: PlumeForm; readonly tones: FullScreen } | undefined;
   private readonly eye: FrameView;
 
   constructor(eye: FrameView, ramps: RampTexture) {
@@ -66,7 +66,7 @@ export class SimplifyPass {
       new FullScreen(acrossShader, { ...common, fields }),
       new FullScreen(tonesShader, tones),
     ];
-    this.leaningTones = new FullScreen(tonesShader, { ...tones, form: { value: this.form.texture } }, LEANING);
+    this.toneUniforms = tones;
     this.eye = eye;
   }
 
@@ -95,8 +95,10 @@ export class SimplifyPass {
     output: WebGLRenderTarget,
     particles?: Particles,
   ): void {
-    const { uniforms, fields, tiles, flatTiles, across, passes, form, eye } = this;
-    if (particles) {
+    const { uniforms, fields, tiles, flatTiles, across, passes, eye } = this;
+    const leaning = particles && (this.leaning ??= this.createLeaning());
+    if (leaning) {
+      const { form } = leaning;
       form.follow(particles);
       uniforms.formFromView.value.copy(eye.uniforms.viewFromWorld.value).invert().premultiply(form.fromWorld);
     }
@@ -109,7 +111,7 @@ export class SimplifyPass {
       target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
     [fields, tiles, flatTiles, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
-      (particles && target === output ? this.leaningTones : passes[index]).draw(renderer);
+      (leaning && target === output ? leaning.tones : passes[index]).draw(renderer);
     });
   }
 
@@ -119,8 +121,16 @@ export class SimplifyPass {
   }
 
   dispose(): void {
-    for (const pass of [...this.passes, this.leaningTones, this.form]) pass.dispose();
+    for (const pass of this.passes) pass.dispose();
+    this.leaning?.tones.dispose();
+    this.leaning?.form.dispose();
     this.rest();
+  }
+
+  private createLeaning() {
+    const form = new PlumeForm();
+    const uniforms = { ...this.toneUniforms, form: { value: form.texture } };
+    return { form, tones: new FullScreen(tonesShader, uniforms, LEANING) };
   }
 }
 
