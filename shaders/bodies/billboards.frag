@@ -84,14 +84,9 @@ void main() {
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, material, shades.isFilled, shades.isRim, ink > 0.0, radius));
 #endif
-#ifdef NORMALS
-  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
-  unlit = vec4(0.5 + 0.5 * normal, 1.0);
-  lit = vec4(unlit.rgb, 0.5);
-#endif
 
   float outside = distanceOutside * radius;
   float depth = windowDepth(clipFromView, viewZ);
-  if (isRing) depth = ringDepth(clipFromView, here, vec2(viewZ, depth), viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5));
+  if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5));
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

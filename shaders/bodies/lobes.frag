@@ -149,7 +149,8 @@ void main() {
   vec2 outward = normalize(viewPoint(point - middleAndInkReach.xy));
   float reach = middleAndInkReach.w * swelling(outward, towardsLight, inkSwell);
   reach *= boiling(outward, pointAndGradient.w, boil);
-  float linePixels = reach * radius / pixel;
+  float pixels = radius / pixel;
+  float linePixels = reach * pixels;
   // Where a surface hides the nearest lobe, the line of a neighbouring lobe may still be in front of that surface.
 #ifdef FLAT
   float surface = NOWHERE;
@@ -195,7 +196,7 @@ void main() {
 #ifndef FLAT
   isInk = isInk || isSeam(clipFromView, here.y, viewZ, viewNormal, pixel, linePixels);
 #endif
-  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
+  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), pixels) : 0.0;
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
 #endif
@@ -207,17 +208,12 @@ void main() {
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, depthsAndRamp.w, shades.isFilled, shades.isRim, ink > 0.0, radius));
 #endif
-#ifdef NORMALS
-  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
-  unlit = vec4(0.5 + 0.5 * normalize(normal), 1.0);
-  lit = vec4(unlit.rgb, 0.5);
-#endif
 
 #ifndef FLAT
-  float outside = line.w * radius;
-  vec2 inward = normalize(viewGradient(line.xy - point)) * (outside / pixel + 0.5);
+  float outside = line.w * pixels;
+  vec2 inward = normalize(viewGradient(line.xy - point)) * (outside + 0.5);
   float depth = windowDepth(clipFromView, viewZ);
-  if (isRing) depth = ringDepth(clipFromView, here, vec2(viewZ, depth), viewZ - lineDrop * sinking(outside / pixel, linePixels, innerTaper), outside, inward);
+  if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - lineDrop * sinking(outside, linePixels, innerTaper), line.w * radius, inward);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
 }

@@ -39,14 +39,14 @@ float lift(float here) {
 }
 
 // Window depth of a ring of ink with view z `sunkenZ`. If the surface is behind the puff at the silhouette, `inward`
-// pixels away, the ring is in front of the surface. `here` is that of surfaceHere, `rim` the z and window depth of the rim.
-float ringDepth(mat4 clipFromView, vec2 here, vec2 rim, float sunkenZ, float outside, vec2 inward) {
+// pixels away, the ring is in front of the surface. `here` is that of surfaceHere.
+float ringDepth(mat4 clipFromView, vec2 here, float rimZ, float sunkenZ, float outside, vec2 inward) {
   float depth = windowDepth(clipFromView, sunkenZ);
   ivec2 last = textureSize(surfaceDepth, 0) - 1;
   float atRim = texelFetch(surfaceDepth, clamp(ivec2(gl_FragCoord.xy + inward), ivec2(0), last), 0).r;
+  bool isBefore = viewZOf(clipFromView, atRim) < rimZ;
+  bool isSlope = here.y < rimZ + STEEPEST * outside;
   float order = depthOrder(clipFromView);
-  bool isBefore = order * (atRim - rim.y) > 0.0;
-  bool isSlope = here.y < rim.x + STEEPEST * outside;
   return hasSurfaces && isBefore && isSlope ? order * min(order * depth, order * here.x - lift(here.x)) : depth;
 }
 

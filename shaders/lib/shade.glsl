@@ -37,7 +37,8 @@ Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, ve
   if (hasRim) return Shades(rim.rgb, rim.rgb, facing, false, true);
 #endif
   bool isFilled = dot(normal, towardsFill(towardsLight)) > FILL_BORDER;
-  ivec2 texel = ivec2(clamp(facing, 0.0, 1.0 - 1.0 / RAMP_TEXELS) * RAMP_TEXELS, RAMP_ROWS * material + (isFilled ? 2.0 : 0.0));
+  float column = clamp(facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
+  ivec2 texel = ivec2(column, RAMP_ROWS * material + (isFilled ? 2.0 : 0.0));
   vec3 unlit = texelFetch(ramps, texel, 0).rgb * gradient;
   vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb * gradient;
   return Shades(unlit, lit, facing, isFilled, hasRim);
