@@ -111,14 +111,12 @@ export function spreadOf(ratio: number): number {
  * farthest lit point of their lobes, instead of where the table says.
  */
 function deformed(lobes: FormTextures, ratio: number): FormTextures {
-  const { startCaps, casterTable, casterLobes, capTable, solids } = lobes;
+  const { casterTable, casterLobes, solids } = lobes;
   const spread = spreadOf(ratio);
   const reach = spread * lobes.reach;
   return {
-    startCaps,
     casterTable,
     casterLobes,
-    capTable,
     reach,
     spread,
     depth: spread * lobes.depth,
@@ -132,19 +130,29 @@ function deformed(lobes: FormTextures, ratio: number): FormTextures {
 class LobeTextures implements FormTextures {
   readonly puffs: LobePuffs;
   readonly lobeTable: DataTexture;
-  readonly startCaps: DataArrayTexture;
-  readonly capRange: readonly [number, number];
-  readonly capTable: StartCaps;
   readonly solids: PuffSolids;
+  // An object, because puffs with bites inherit from this one.
+  private readonly caps: { texture?: DataArrayTexture; range?: [number, number] } = {};
 
   constructor(puffs: LobePuffs) {
     this.puffs = puffs;
     this.lobeTable = new DataTexture(puffs.table, puffs.lobeCount + 1, puffs.count, RGBAFormat, FloatType);
     this.lobeTable.needsUpdate = true;
-    this.startCaps = capTexture(puffs.startCaps);
-    this.capRange = capRange(puffs.startCaps);
-    this.capTable = puffs.startCaps;
     this.solids = puffs.solids;
+  }
+
+  get startCaps(): DataArrayTexture {
+    this.caps.texture ??= capTexture(this.puffs.startCaps);
+    return this.caps.texture;
+  }
+
+  get capTable(): StartCaps {
+    return this.puffs.startCaps;
+  }
+
+  get capRange(): [number, number] {
+    this.caps.range ??= capRange(this.puffs.startCaps);
+    return this.caps.range;
   }
 
   get latestCap(): number {
@@ -173,6 +181,6 @@ class LobeTextures implements FormTextures {
 
   dispose(): void {
     this.lobeTable.dispose();
-    this.startCaps.dispose();
+    this.caps.texture?.dispose();
   }
 }

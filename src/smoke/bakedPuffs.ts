@@ -12,6 +12,14 @@ const cache = new LruCache<BakedPuffs>(8);
 /** Work in progress by shape. Concurrent requests for the same puffs share it. */
 const begun = new Map<string, Work<BakedPuffs>>();
 
+/** Parts of puffs that are otherwise baked synchronously on first access. */
+export interface PuffParts {
+  /** Start caps, which lobe puffs need unless they turn, stretch or unfold. */
+  readonly caps?: boolean;
+  /** Billboards, if their code is loaded. */
+  readonly billboards?: boolean;
+}
+
 /** Bakes puffs like {@link bakingPuffs}, but synchronously. Defaults to the built-in shapes. */
 export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
   return finished(bakingPuffs(shapes));
@@ -20,13 +28,13 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
 /**
  * Bakes lobe puffs in steps of about a millisecond, and then billboards in steps of a few milliseconds.
  * @param shapes one for each variation
- * @param withBillboards if false, or if their code is not loaded, billboards are baked synchronously on first access
  */
-export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
+export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
   for (;;) {
     const puffs = cache.get(key) ?? workOn(key, () => bakingNew(shapes));
-    if (puffs && withBillboards) yield* here.billboards?.bakingBillboards(shapes) ?? [];
+    if (puffs && parts.caps) yield* puffs.lobes.bakingCaps();
+    if (puffs && parts.billboards) yield* here.billboards?.bakingBillboards(shapes) ?? [];
     if (puffs) return puffs;
     yield;
   }

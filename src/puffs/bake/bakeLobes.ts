@@ -1,5 +1,5 @@
 /** Bakes lobe puffs to the tables that bodies and volumes use. */
-import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
+import { bakingCaps, bakingVariation, type LobeVariation, type VariationCaps } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
 import { solidsOf, type PuffSolids } from './solids.ts';
@@ -14,10 +14,13 @@ export interface LobePuffs {
   readonly count: number;
   /** Per variation: `lobeCount` lobes of four floats, centre and radius, then their centroid and a zero. */
   readonly table: Float32Array;
+  /** Like `latestCap`, baked on first access unless `bakingCaps` was finished before. */
   readonly startCaps: StartCaps;
-  readonly solids: PuffSolids;
-  /** See {@link latestCap}. */
+  /** See `latestCap` in src/puffs/bake/startCaps.ts. */
   readonly latestCap: number;
+  /** Bakes the start caps in slices of about a millisecond. */
+  bakingCaps(): Work<void>;
+  readonly solids: PuffSolids;
   /** Radius of the bounding sphere of all puffs about the particle's centre. */
   readonly reach: number;
   /** Upper bound on the depth of visible points behind the centre plane, over all view directions. */
@@ -42,21 +45,38 @@ export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): L
   return finished(bakingLobes(shapes, litThreshold));
 }
 
-/** As {@link bakeLobes}, in slices of about a millisecond. */
+/** As {@link bakeLobes}, in slices of about a millisecond, and without the start caps. */
 export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
   const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const variations: LobeVariation[] = [];
-  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
-  return together(variations, max);
+  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes));
+  return together(variations, max, litThreshold);
 }
 
-function together(variations: readonly LobeVariation[], lobeCount: number): LobePuffs {
+function together(variations: readonly LobeVariation[], lobeCount: number, litThreshold: number): LobePuffs {
+  const work = bakingAllCaps(variations, litThreshold);
+  let caps: readonly VariationCaps[] | undefined;
+  const bakeNow = () => {
+    finished(bakingAll());
+    return caps!;
+  };
+  // Callers share the work.
+  function* bakingAll(): Work<void> {
+    for (; !caps; yield) caps = work.next().value ?? undefined;
+  }
+  let startCaps: StartCaps | undefined;
   return {
     lobeCount,
     count: variations.length,
     table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
-    startCaps: joined(variations.map(({ startCaps }) => startCaps)),
-    latestCap: Math.max(...variations.map((variation) => variation.latestCap)),
+    get startCaps() {
+      startCaps ??= joined(bakeNow().map(({ table }) => table));
+      return startCaps;
+    },
+    get latestCap() {
+      return Math.max(...bakeNow().map(({ latest }) => latest));
+    },
+    bakingCaps: bakingAll,
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     solids: solidsOf(
@@ -66,6 +86,12 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };
+}
+
+function* bakingAllCaps(variations: readonly LobeVariation[], litThreshold: number): Work<readonly VariationCaps[]> {
+  const caps: VariationCaps[] = [];
+  for (const { lobes } of variations) caps.push(yield* bakingCaps(lobes, litThreshold));
+  return caps;
 }
 
 /** A shape's row of the table. Missing lobes are points inside the first one, so that they have no effect. */

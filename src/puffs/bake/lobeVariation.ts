@@ -10,41 +10,55 @@ import type { Work } from '../work.ts';
 /** All lengths in particle radii. */
 export interface LobeVariation {
   readonly lobes: readonly Lobe[];
-  /** Start cap table, see src/puffs/bake/startCaps.ts. */
-  readonly startCaps: Float32Array;
-  /** See {@link latestCap}. */
-  readonly latestCap: number;
   /** Radius of the bounding sphere of all lobes about the particle's centre. */
   readonly reach: number;
   /** Depth of the deepest visible point behind the centre plane, over the sampled orientations. */
   readonly depth: number;
 }
 
+/** The start caps of a variation, which puffs that turn, stretch or unfold do not need. Most of the work. */
+export interface VariationCaps {
+  /** See src/puffs/bake/startCaps.ts. */
+  readonly table: Float32Array;
+  /** See {@link latestCap}. */
+  readonly latest: number;
+}
+
 /** Number of orientations in which the depth is measured. */
 const SIDES = 16;
+/** Resetting a knob or adding a variation does not bake the same variation twice. */
+const variations = new LruCache<LobeVariation>(96);
 /** Each entry takes about 8 kB. */
-const cache = new LruCache<LobeVariation>(96);
+const capsOf = new LruCache<VariationCaps>(96);
 
-/**
- * Bakes a variation in slices, or returns it from the cache. Resetting a knob or adding a variation does not bake the
- * same variation twice.
- */
-export function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
-  const key = JSON.stringify([litThreshold, lobes]);
-  const variation = cache.get(key) ?? (yield* baking(lobes, litThreshold));
-  cache.add(key, variation);
+/** Bakes a variation in slices, or returns it from the cache. */
+export function* bakingVariation(lobes: readonly Lobe[]): Work<LobeVariation> {
+  const key = JSON.stringify(lobes);
+  const variation = variations.get(key) ?? (yield* measuring(lobes));
+  variations.add(key, variation);
   return variation;
 }
 
-function* baking(lobes: readonly Lobe[], litThreshold: number): Work<LobeVariation> {
+/** Bakes the start caps of a variation in slices, or returns them from the cache. */
+export function* bakingCaps(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {
+  const key = JSON.stringify([litThreshold, lobes]);
+  const caps = capsOf.get(key) ?? (yield* tabulating(lobes, litThreshold));
+  capsOf.add(key, caps);
+  return caps;
+}
+
+function* measuring(lobes: readonly Lobe[]): Work<LobeVariation> {
   let depth = 0;
   for (let side = 0; side < SIDES; side++) {
     const seen = rotatedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
     depth = Math.max(depth, deepestSeen(seen));
     yield;
   }
+  return { lobes, reach: reachOf(lobes), depth };
+}
+
+function* tabulating(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {
   const surface = surfaceOf(lobes);
   yield;
-  const startCaps = yield* bakingTable(surface, litThreshold);
-  return { lobes, startCaps, latestCap: latestCap(surface), reach: reachOf(lobes), depth };
+  return { table: yield* bakingTable(surface, litThreshold), latest: latestCap(surface) };
 }
