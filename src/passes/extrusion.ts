@@ -1,3 +1,4 @@
+import { EdgeTable } from './edges/edgeTable.ts';
 import { memoize } from './memoize.ts';
 import { PLACES_PER_METRE } from '../constants.ts';
 
@@ -90,24 +91,26 @@ export function hullNormals(mesh: TriangleMesh): Float32Array {
  */
 export function extrude(mesh: TriangleMesh): Extrusion {
   const { positions, corners } = withoutDuplicates(mesh);
-  const vertices = positions.length / 3;
-  /** The face of each half-edge, by start times `vertices` plus end. */
-  const faces = new Map<number, number>();
+  const table = new EdgeTable(corners.length);
   for (let corner = 0; corner < corners.length; ++corner) {
     const [start, end] = [corners[corner], corners[nextCorner(corner)]];
-    const key = start * vertices + end;
-    if (faces.has(key)) throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
-    faces.set(key, Math.floor(corner / 3));
+    if (table.add(start, end) < corner)
+      throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
   }
-  const edges: number[] = [];
-  for (const [key, face] of faces) {
-    const [start, end] = [Math.floor(key / vertices), key % vertices];
-    const opposite = faces.get(end * vertices + start);
-    if (opposite === undefined) throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
-    if (start < end) edges.push(start, end, face, opposite);
+  const edges = new Uint32Array(2 * corners.length);
+  let at = 0;
+  for (let corner = 0; corner < corners.length; ++corner) {
+    const [start, end] = [corners[corner], corners[nextCorner(corner)]];
+    const opposite = table.find(end, start);
+    if (opposite < 0) throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
+    if (start > end) continue;
+    edges[at++] = start;
+    edges[at++] = end;
+    edges[at++] = Math.floor(corner / 3);
+    edges[at++] = Math.floor(opposite / 3);
   }
   const normals = faceNormals(positions, corners);
-  return { positions, corners, normals, edges: Uint32Array.from(edges), longestEdge: longestEdge(positions, corners) };
+  return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }
 
 /** The vertices of a mesh, each position once. */
@@ -123,7 +126,7 @@ function withoutDuplicates({ positions, indices }: TriangleMesh): Pick<Extrusion
 }
 
 /** The next corner of the same triangle. */
-function nextCorner(corner: number): number {
+export function nextCorner(corner: number): number {
   return corner % 3 < 2 ? corner + 1 : corner - 2;
 }
 

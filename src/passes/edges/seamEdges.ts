@@ -1,18 +1,20 @@
+import { BOX_NUMBERS, BoxTree, isNear } from './boxTree.ts';
 import type { CreaseEdges } from './creaseEdges.ts';
-import type { TriangleMesh } from './extrusion.ts';
-import { memoize } from './memoize.ts';
-import { TOUCHING } from '../constants.ts';
+import { inOne, type TriangleMesh } from '../extrusion.ts';
+import { memoize } from '../memoize.ts';
+import { TOUCHING } from '../../constants.ts';
 
 type Vector = readonly [number, number, number];
 
-interface Box {
-  low: Vector;
-  high: Vector;
-}
-
-interface Face extends Box {
+interface Face {
   corners: readonly Vector[];
   normal: Vector;
+}
+
+/** Some triangles of a mesh, with the first index of each, and their boxes. */
+interface Triangles {
+  firsts: readonly number[];
+  boxes: Float32Array;
 }
 
 /**
@@ -21,81 +23,75 @@ interface Face extends Box {
  * faces looks away, close to the silhouette that hides it.
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
-  const faces = facesNear(one, memoizedBox(other));
-  const others = facesNear(other, memoizedBox(one)).sort((a, b) => a.low[0] - b.low[0]);
+  const near = trianglesNear(one, memoizedBox(other));
+  const others = fromLowToHigh(trianglesNear(other, memoizedBox(one)));
+  const tree = new BoxTree(others.boxes);
+  const faces = others.firsts.map((): Face | undefined => undefined);
   const ends: Vector[] = [];
-  for (const face of faces) {
-    for (const beside of others) {
-      if (beside.low[0] > face.high[0] + TOUCHING) break;
-      const seam = comesNear(face, beside) ? meet(face, beside) : undefined;
+  near.firsts.forEach((first, index) => {
+    const found = tree.near(near.boxes, BOX_NUMBERS * index);
+    const face = found.length > 0 ? faceOf(one, first) : undefined;
+    if (!face) return;
+    for (const number of found) {
+      const beside = (faces[number] ??= faceOf(other, others.firsts[number]));
+      const seam = beside && meet(face, beside);
       if (seam) ends.push(...seam);
     }
-  }
+  });
   const flat = new Float32Array(ends.flat());
   return { count: ends.length / 2, ends: flat, faceNormals: new Float32Array(flat.length) };
 }
 
-const memoizedBox = memoize(({ positions }: TriangleMesh): Box => {
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+const memoizedBox = memoize(({ positions }: TriangleMesh): Float32Array => {
+  const box = Float32Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
   for (let at = 0; at < positions.length; at++) {
-    low[at % 3] = Math.min(low[at % 3], positions[at]);
-    high[at % 3] = Math.max(high[at % 3], positions[at]);
+    const axis = at % 3;
+    if (positions[at] < box[axis]) box[axis] = positions[at];
+    if (positions[at] > box[3 + axis]) box[3 + axis] = positions[at];
   }
-  return { low, high };
+  return box;
 });
 
-/** Culls faces outside the box of the other mesh: most meshes of a scene overlap little or not at all. */
-function facesNear({ positions, indices }: TriangleMesh, box: Box): Face[] {
-  const faces: Face[] = [];
-  for (let at = 0; at < indices.length; at += 3) {
-    if (!isTriangleNear(positions, indices, at, box)) continue;
-    const face = faceOf(
-      cornerAt(positions, indices[at]),
-      cornerAt(positions, indices[at + 1]),
-      cornerAt(positions, indices[at + 2]),
-    );
-    if (face) faces.push(face);
+/** Culls triangles outside the box of the other mesh: most meshes of a scene overlap little or not at all. */
+function trianglesNear({ positions, indices }: TriangleMesh, box: Float32Array): Triangles {
+  const firsts: number[] = [];
+  const boxes: number[] = [];
+  const own = new Float32Array(BOX_NUMBERS);
+  for (let first = 0; first < indices.length; first += 3) {
+    for (let axis = 0; axis < 3; axis++) {
+      const a = positions[3 * indices[first] + axis];
+      const b = positions[3 * indices[first + 1] + axis];
+      const c = positions[3 * indices[first + 2] + axis];
+      own[axis] = Math.min(a, b, c);
+      own[3 + axis] = Math.max(a, b, c);
+    }
+    if (!isNear(own, 0, box, 0)) continue;
+    firsts.push(first);
+    boxes.push(...own);
   }
-  return faces;
+  return { firsts, boxes: Float32Array.from(boxes) };
 }
 
-function isTriangleNear(positions: Float32Array, indices: Uint32Array, at: number, { low, high }: Box): boolean {
-  for (let axis = 0; axis < 3; axis++) {
-    const a = positions[3 * indices[at] + axis];
-    const b = positions[3 * indices[at + 1] + axis];
-    const c = positions[3 * indices[at + 2] + axis];
-    if (Math.min(a, b, c) > high[axis] + TOUCHING || low[axis] > Math.max(a, b, c) + TOUCHING) return false;
-  }
-  return true;
+/** Sorts by the least x. */
+function fromLowToHigh({ firsts, boxes }: Triangles): Triangles {
+  const order = firsts.map((_, index) => index).sort((a, b) => boxes[BOX_NUMBERS * a] - boxes[BOX_NUMBERS * b]);
+  return {
+    firsts: order.map((index) => firsts[index]),
+    boxes: inOne(order.map((index) => boxes.subarray(BOX_NUMBERS * index, BOX_NUMBERS * (index + 1)))),
+  };
 }
 
 function cornerAt(positions: Float32Array, vertex: number): Vector {
   return [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]];
 }
 
-/** The face of three corners, or undefined if it is degenerate. */
-function faceOf(a: Vector, b: Vector, c: Vector): Face | undefined {
+/** A face of a mesh, or undefined if it is degenerate. */
+function faceOf({ positions, indices }: TriangleMesh, first: number): Face | undefined {
+  const [a, b, c] = [0, 1, 2].map((corner) => cornerAt(positions, indices[first + corner]));
   const [x, y, z] = cross(between(a, b), between(a, c));
   const length = Math.hypot(x, y, z);
   if (length < 1e-12) return undefined;
-  const normal: Vector = [x / length, y / length, z / length];
-  return { corners: [a, b, c], normal, low: lowest(a, b, c), high: highest(a, b, c) };
-}
-
-function lowest(a: Vector, b: Vector, c: Vector): Vector {
-  return [Math.min(a[0], b[0], c[0]), Math.min(a[1], b[1], c[1]), Math.min(a[2], b[2], c[2])];
-}
-
-function highest(a: Vector, b: Vector, c: Vector): Vector {
-  return [Math.max(a[0], b[0], c[0]), Math.max(a[1], b[1], c[1]), Math.max(a[2], b[2], c[2])];
-}
-
-function comesNear(a: Box, b: Box): boolean {
-  for (let axis = 0; axis < 3; axis++) {
-    if (a.low[axis] > b.high[axis] + TOUCHING || b.low[axis] > a.high[axis] + TOUCHING) return false;
-  }
-  return true;
+  return { corners: [a, b, c], normal: [x / length, y / length, z / length] };
 }
 
 /** The segment that two faces share on the intersection line of their planes. */
