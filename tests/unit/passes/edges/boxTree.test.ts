@@ -10,7 +10,7 @@ it('finds the boxes that a search of all boxes finds, in the same order', () => 
   };
   const boxes = (count: number, size: number) =>
     Float32Array.from(Array.from({ length: count }, () => boxOf(size)).flat());
-  const [tree, others] = [boxes(300, 0.2), boxes(50, 0.3)];
+  const [tree, others] = [boxes(300, 0.3), boxes(50, 0.5)];
   const all = Array.from({ length: 300 }, (_, number) => number);
   for (let at = 0; at < others.length; at += BOX_NUMBERS) {
     const near = all.filter((number) => isNear(tree, BOX_NUMBERS * number, others, at));
