@@ -5,7 +5,7 @@ import { FIRST_BORDER } from '../../../src/device/ramps.ts';
 import { LruCache } from '../../../src/puffs/lru.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { finished, inPieces, workedFor, type Work } from '../../../src/puffs/work.ts';
+import { finished, inPieces, nextTask, workedFor, type Work } from '../../../src/puffs/work.ts';
 
 function* counted(pieces: number, done: number[]): Work<string> {
   for (let piece = 0; piece < pieces; piece++) {
@@ -27,9 +27,14 @@ test('work continues where it stopped, and at least one piece is done', () => {
 test('other tasks run between pieces', async () => {
   const done: number[] = [];
   const counts: number[] = [];
-  const take = (): unknown => (counts.push(done.length), done.length < 4 && setTimeout(take));
-  setTimeout(take);
+  const taking = (async () => {
+    while (done.length < 4) {
+      counts.push(done.length);
+      await nextTask();
+    }
+  })();
   expect(await inPieces(counted(4, done), 0)).toBe('ready');
+  await taking;
   for (const pieces of [1, 2, 3]) expect(counts).toContain(pieces);
 });
 

@@ -12,9 +12,11 @@ it('finds the boxes that a search of all boxes finds, in the same order', () => 
     Float32Array.from(Array.from({ length: count }, () => boxOf(size)).flat());
   const [tree, others] = [boxes(300, 0.3), boxes(50, 0.5)];
   const all = Array.from({ length: 300 }, (_, number) => number);
+  let found = 0;
   for (let at = 0; at < others.length; at += BOX_NUMBERS) {
     const near = all.filter((number) => isNear(tree, BOX_NUMBERS * number, others, at));
-    expect(near.length).toBeGreaterThan(0);
+    found += near.length;
     expect(new BoxTree(tree).near(others, at)).toEqual(near);
   }
+  expect(found).toBeGreaterThan(100);
 });
