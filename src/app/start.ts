@@ -12,6 +12,7 @@ document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
 find('.skeleton .gallery').hidden = matchMedia(LOW).matches;
 // Hidden until now, because the stage would visibly move.
 find('#stage').hidden = false;
-showPoster(find('#stage'));
+// The stage keeps the main thread and the GPU busy, so that the poster would appear late beside it.
+await showPoster(find('#stage'));
 void import('./ahead.ts');
 void import('./main.ts');
