@@ -11,6 +11,9 @@ export interface TriangleMesh {
   indices: Uint32Array;
 }
 
+/** Twice the area of a triangle, in square metres, below which it has no normal. */
+const NO_AREA = 1e-12;
+
 /** A closed mesh from which a shadow volume can be extruded. Vertices at the same position are one vertex. */
 export interface Extrusion {
   /** xyz of each vertex. */
@@ -109,7 +112,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
     edges[at++] = Math.floor(corner / 3);
     edges[at++] = Math.floor(opposite / 3);
   }
-  const normals = faceNormals(positions, corners);
+  const normals = Float32Array.from(faceNormals(positions, corners), (value) => (Number.isNaN(value) ? 0 : value));
   return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }
 
@@ -140,16 +143,17 @@ function longestEdge(positions: Float32Array, corners: Uint32Array): number {
   return longest;
 }
 
-function faceNormals(positions: Float32Array, corners: Uint32Array): Float32Array {
-  const normals = new Float32Array(corners.length);
+/** xyz of the unit normal of each triangle; NaN for a triangle without area. */
+export function faceNormals(positions: Float32Array, corners: Uint32Array): Float64Array {
+  const normals = new Float64Array(corners.length);
   for (let first = 0; first < corners.length; first += 3) {
     const side = (to: number, axis: number) =>
       positions[3 * corners[first + to] + axis] - positions[3 * corners[first] + axis];
     const [ux, uy, uz] = [side(1, 0), side(1, 1), side(1, 2)];
     const [vx, vy, vz] = [side(2, 0), side(2, 1), side(2, 2)];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(x, y, z) || 1;
-    normals.set([x / length, y / length, z / length], first);
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.hypot(...normal);
+    for (let axis = 0; axis < 3; axis++) normals[first + axis] = length > NO_AREA ? normal[axis] / length : NaN;
   }
   return normals;
 }

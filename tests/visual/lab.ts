@@ -33,6 +33,7 @@ import { defaults } from '../../src/preset/values.ts';
 await fetchExtras({
   renderer: 'selle',
   form: 'billboards',
+  isDeformed: false,
   volumes: 'counted',
   simplify: 0,
   plumeForm: 0,
@@ -45,6 +46,7 @@ await fetchExtras({
 await fetchExtras({
   renderer: 'nailboards',
   form: 'lobes',
+  isDeformed: false,
   volumes: 'receiver',
   simplify: 1,
   plumeForm: 0,

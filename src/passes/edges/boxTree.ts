@@ -16,26 +16,32 @@ interface Group {
 
 /** Whether two boxes touch or overlap. @param i, j where the boxes start in their arrays */
 export function isNear(a: Float32Array, i: number, b: Float32Array, j: number): boolean {
-  return (
-    a[i] <= b[j + 3] + TOUCHING &&
-    b[j] <= a[i + 3] + TOUCHING &&
-    a[i + 1] <= b[j + 4] + TOUCHING &&
-    b[j + 1] <= a[i + 4] + TOUCHING &&
-    a[i + 2] <= b[j + 5] + TOUCHING &&
-    b[j + 2] <= a[i + 5] + TOUCHING
-  );
+  for (let axis = 0; axis < 3; axis++) {
+    if (a[i + axis] > b[j + 3 + axis] + TOUCHING || b[j + axis] > a[i + 3 + axis] + TOUCHING) return false;
+  }
+  return true;
 }
 
-/** The smallest box around some boxes. */
-function boxAround(boxes: Float32Array, members: readonly number[]): Float32Array {
-  const around = Float32Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-  for (const member of members) {
+/**
+ * The smallest box around points.
+ * @param points x, y and z of each; the corners of boxes are points, too
+ * @param chosen numbers of the points
+ * @param box takes the result
+ */
+export function boxAround(
+  points: Float32Array,
+  chosen: ArrayLike<number>,
+  box = new Float32Array(BOX_NUMBERS),
+): Float32Array {
+  box.fill(Infinity).fill(-Infinity, 3);
+  for (let index = 0; index < chosen.length; index++) {
     for (let axis = 0; axis < 3; axis++) {
-      around[axis] = Math.min(around[axis], boxes[BOX_NUMBERS * member + axis]);
-      around[3 + axis] = Math.max(around[3 + axis], boxes[BOX_NUMBERS * member + 3 + axis]);
+      const value = points[3 * chosen[index] + axis];
+      if (value < box[axis]) box[axis] = value;
+      if (value > box[3 + axis]) box[3 + axis] = value;
     }
   }
-  return around;
+  return box;
 }
 
 /** Finds boxes near other boxes, by a tree that splits groups in the middle of their longest side. */
@@ -63,7 +69,7 @@ export class BoxTree {
 
   private group(members: readonly number[]): Group {
     const { boxes } = this;
-    const around = boxAround(boxes, members);
+    const around = boxAround(boxes, members.flatMap((member) => [2 * member, 2 * member + 1]));
     if (members.length <= LEAF) return { around, members };
     const sides = [0, 1, 2].map((axis) => around[3 + axis] - around[axis]);
     const axis = sides.indexOf(Math.max(...sides));

@@ -1,4 +1,4 @@
-import { nextCorner, weld, type TriangleMesh } from '../extrusion.ts';
+import { faceNormals, nextCorner, weld, type TriangleMesh } from '../extrusion.ts';
 import { EdgeTable } from './edgeTable.ts';
 
 /** Edges that are drawn as lines, as flat arrays. */
@@ -17,7 +17,7 @@ export interface CreaseEdges {
  */
 export function creaseEdges(mesh: TriangleMesh, angle: number): CreaseEdges {
   const least = Math.cos((angle * Math.PI) / 180);
-  const normals = faceNormals(mesh);
+  const normals = faceNormals(mesh.positions, mesh.indices);
   const edges = edgesOf(mesh, normals);
   const creases: number[] = [];
   for (let edge = 0; edge < edges.count; edge++) {
@@ -74,31 +74,6 @@ function edgesOf({ positions, indices }: TriangleMesh, normals: Float64Array): E
     isSplit[edge] = isShared ? 0 : 1;
   }
   return { count: table.count, firstHalves, firstFaces, secondFaces, isSplit };
-}
-
-/** xyz of the unit normal of each triangle; NaN for a degenerate triangle. */
-function faceNormals({ positions, indices }: TriangleMesh): Float64Array {
-  const normals = new Float64Array(indices.length);
-  for (let first = 0; first < indices.length; first += 3) {
-    const [a, b, c] = [3 * indices[first], 3 * indices[first + 1], 3 * indices[first + 2]];
-    const [ux, uy, uz] = [
-      positions[b] - positions[a],
-      positions[b + 1] - positions[a + 1],
-      positions[b + 2] - positions[a + 2],
-    ];
-    const [vx, vy, vz] = [
-      positions[c] - positions[a],
-      positions[c + 1] - positions[a + 1],
-      positions[c + 2] - positions[a + 2],
-    ];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(x, y, z);
-    const scale = length > 1e-12 ? length : NaN;
-    normals[first] = x / scale;
-    normals[first + 1] = y / scale;
-    normals[first + 2] = z / scale;
-  }
-  return normals;
 }
 
 function dot(normals: Float64Array, one: number, other: number): number {

@@ -1,6 +1,6 @@
-import { BOX_NUMBERS, BoxTree, isNear } from './boxTree.ts';
+import { BOX_NUMBERS, boxAround, BoxTree, isNear } from './boxTree.ts';
 import type { CreaseEdges } from './creaseEdges.ts';
-import { inOne, type TriangleMesh } from '../extrusion.ts';
+import type { TriangleMesh } from '../extrusion.ts';
 import { memoize } from '../memoize.ts';
 import { TOUCHING } from '../../constants.ts';
 
@@ -24,7 +24,7 @@ interface Triangles {
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   const near = trianglesNear(one, memoizedBox(other));
-  const others = fromLowToHigh(trianglesNear(other, memoizedBox(one)));
+  const others = trianglesNear(other, memoizedBox(one));
   const tree = new BoxTree(others.boxes);
   const faces = others.firsts.map((): Face | undefined => undefined);
   const ends: Vector[] = [];
@@ -42,15 +42,7 @@ export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   return { count: ends.length / 2, ends: flat, faceNormals: new Float32Array(flat.length) };
 }
 
-const memoizedBox = memoize(({ positions }: TriangleMesh): Float32Array => {
-  const box = Float32Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-  for (let at = 0; at < positions.length; at++) {
-    const axis = at % 3;
-    if (positions[at] < box[axis]) box[axis] = positions[at];
-    if (positions[at] > box[3 + axis]) box[3 + axis] = positions[at];
-  }
-  return box;
-});
+const memoizedBox = memoize(({ positions, indices }: TriangleMesh) => boxAround(positions, indices));
 
 /** Culls triangles outside the box of the other mesh: most meshes of a scene overlap little or not at all. */
 function trianglesNear({ positions, indices }: TriangleMesh, box: Float32Array): Triangles {
@@ -58,27 +50,12 @@ function trianglesNear({ positions, indices }: TriangleMesh, box: Float32Array):
   const boxes: number[] = [];
   const own = new Float32Array(BOX_NUMBERS);
   for (let first = 0; first < indices.length; first += 3) {
-    for (let axis = 0; axis < 3; axis++) {
-      const a = positions[3 * indices[first] + axis];
-      const b = positions[3 * indices[first + 1] + axis];
-      const c = positions[3 * indices[first + 2] + axis];
-      own[axis] = Math.min(a, b, c);
-      own[3 + axis] = Math.max(a, b, c);
-    }
+    boxAround(positions, indices.subarray(first, first + 3), own);
     if (!isNear(own, 0, box, 0)) continue;
     firsts.push(first);
     boxes.push(...own);
   }
   return { firsts, boxes: Float32Array.from(boxes) };
-}
-
-/** Sorts by the least x. */
-function fromLowToHigh({ firsts, boxes }: Triangles): Triangles {
-  const order = firsts.map((_, index) => index).sort((a, b) => boxes[BOX_NUMBERS * a] - boxes[BOX_NUMBERS * b]);
-  return {
-    firsts: order.map((index) => firsts[index]),
-    boxes: inOne(order.map((index) => boxes.subarray(BOX_NUMBERS * index, BOX_NUMBERS * (index + 1)))),
-  };
 }
 
 function cornerAt(positions: Float32Array, vertex: number): Vector {

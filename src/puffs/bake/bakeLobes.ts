@@ -1,9 +1,8 @@
 /** Bakes lobe puffs to the tables that bodies and volumes use. */
-import { bakingCaps, bakingVariation, type LobeVariation, type VariationCaps } from './lobeVariation.ts';
+import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
 import { solidsOf, type PuffSolids } from './solids.ts';
-import { joined, type StartCaps } from './startCaps.ts';
 import { finished, type Work } from '../work.ts';
 
 /** All lengths in particle radii. */
@@ -14,12 +13,6 @@ export interface LobePuffs {
   readonly count: number;
   /** Per variation: `lobeCount` lobes of four floats, centre and radius, then their centroid and a zero. */
   readonly table: Float32Array;
-  /** Like `latestCap`, baked on first access unless `bakingCaps` was finished before. */
-  readonly startCaps: StartCaps;
-  /** See `latestCap` in src/puffs/bake/startCaps.ts. */
-  readonly latestCap: number;
-  /** Bakes the start caps in slices of about a millisecond. */
-  bakingCaps(): Work<void>;
   readonly solids: PuffSolids;
   /** Radius of the bounding sphere of all puffs about the particle's centre. */
   readonly reach: number;
@@ -37,46 +30,24 @@ const ROTATION_TOLERANCE = 0.002;
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
-/**
- * @param shapes at least one, each with at most 12 lobes
- * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
- */
-export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
-  return finished(bakingLobes(shapes, litThreshold));
+/** @param shapes at least one, each with at most 12 lobes */
+export function bakeLobes(shapes: readonly PuffShape[]): LobePuffs {
+  return finished(bakingLobes(shapes));
 }
 
-/** As {@link bakeLobes}, in slices of about a millisecond, and without the start caps. */
-export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
+/** As {@link bakeLobes}, in slices of about a millisecond. */
+export function* bakingLobes(shapes: readonly PuffShape[]): Work<LobePuffs> {
   const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const variations: LobeVariation[] = [];
   for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes));
-  return together(variations, max, litThreshold);
+  return together(variations, max);
 }
 
-function together(variations: readonly LobeVariation[], lobeCount: number, litThreshold: number): LobePuffs {
-  const work = bakingAllCaps(variations, litThreshold);
-  let caps: readonly VariationCaps[] | undefined;
-  const bakeNow = () => {
-    finished(bakingAll());
-    return caps!;
-  };
-  // Callers share the work.
-  function* bakingAll(): Work<void> {
-    for (; !caps; yield) caps = work.next().value ?? undefined;
-  }
-  let startCaps: StartCaps | undefined;
+function together(variations: readonly LobeVariation[], lobeCount: number): LobePuffs {
   return {
     lobeCount,
     count: variations.length,
     table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
-    get startCaps() {
-      startCaps ??= joined(bakeNow().map(({ table }) => table));
-      return startCaps;
-    },
-    get latestCap() {
-      return Math.max(...bakeNow().map(({ latest }) => latest));
-    },
-    bakingCaps: bakingAll,
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     solids: solidsOf(
@@ -86,12 +57,6 @@ function together(variations: readonly LobeVariation[], lobeCount: number, litTh
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };
-}
-
-function* bakingAllCaps(variations: readonly LobeVariation[], litThreshold: number): Work<readonly VariationCaps[]> {
-  const caps: VariationCaps[] = [];
-  for (const { lobes } of variations) caps.push(yield* bakingCaps(lobes, litThreshold));
-  return caps;
 }
 
 /** A shape's row of the table. Missing lobes are points inside the first one, so that they have no effect. */

@@ -2,9 +2,7 @@
 import { LruCache } from '../lru.ts';
 import { deepestSeen, reachOf } from '../lobes.ts';
 import { orientationOf, rotatedLobes } from '../orientation.ts';
-import { surfaceOf } from './patches.ts';
 import type { Lobe } from '../shapes.ts';
-import { bakingTable, latestCap } from './startCaps.ts';
 import type { Work } from '../work.ts';
 
 /** All lengths in particle radii. */
@@ -16,35 +14,16 @@ export interface LobeVariation {
   readonly depth: number;
 }
 
-/** The start caps of a variation, which puffs that turn, stretch or unfold do not need. Most of the work. */
-export interface VariationCaps {
-  /** See src/puffs/bake/startCaps.ts. */
-  readonly table: Float32Array;
-  /** See {@link latestCap}. */
-  readonly latest: number;
-}
-
 /** Number of orientations in which the depth is measured. */
 const SIDES = 16;
 /** Resetting a knob or adding a variation does not bake the same variation twice. */
 const variations = new LruCache<LobeVariation>(96);
-/** Each entry takes about 8 kB. */
-const capsOf = new LruCache<VariationCaps>(96);
-
 /** Bakes a variation in slices, or returns it from the cache. */
 export function* bakingVariation(lobes: readonly Lobe[]): Work<LobeVariation> {
   const key = JSON.stringify(lobes);
   const variation = variations.get(key) ?? (yield* measuring(lobes));
   variations.add(key, variation);
   return variation;
-}
-
-/** Bakes the start caps of a variation in slices, or returns them from the cache. */
-export function* bakingCaps(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {
-  const key = JSON.stringify([litThreshold, lobes]);
-  const caps = capsOf.get(key) ?? (yield* tabulating(lobes, litThreshold));
-  capsOf.add(key, caps);
-  return caps;
 }
 
 function* measuring(lobes: readonly Lobe[]): Work<LobeVariation> {
@@ -55,10 +34,4 @@ function* measuring(lobes: readonly Lobe[]): Work<LobeVariation> {
     yield;
   }
   return { lobes, reach: reachOf(lobes), depth };
-}
-
-function* tabulating(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {
-  const surface = surfaceOf(lobes);
-  yield;
-  return { table: yield* bakingTable(surface, litThreshold), latest: latestCap(surface) };
 }

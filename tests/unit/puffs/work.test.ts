@@ -1,11 +1,16 @@
-import { expect, test } from 'vitest';
-import { bakeLobes, bakingLobes } from '../../../src/puffs/bake/bakeLobes.ts';
-import { CAP_COLUMNS, CAP_ROWS } from '../../../src/constants.ts';
+import { beforeAll, expect, test } from 'vitest';
+import { bakeLobes } from '../../../src/puffs/bake/bakeLobes.ts';
+import { bakingCaps } from '../../../src/puffs/bake/lobeCaps.ts';
 import { FIRST_BORDER } from '../../../src/device/ramps.ts';
 import { LruCache } from '../../../src/puffs/lru.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../../src/smoke/bakedPuffs.ts';
+import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
+import { styleOf } from '../../../src/smoke/style.ts';
+import { defaults } from '../../../src/preset/values.ts';
 import { finished, inPieces, nextTask, workedFor, type Work } from '../../../src/puffs/work.ts';
+
+beforeAll(() => fetchExtras(styleOf(defaults())));
 
 function* counted(pieces: number, done: number[]): Work<string> {
   for (let piece = 0; piece < pieces; piece++) {
@@ -45,17 +50,9 @@ test('puffs baked in pieces equal those baked at once', () => {
   let pieces = 0;
   while (!(baked = workedFor(work, 0))) pieces++;
   expect(pieces).toBeGreaterThan(60);
-  const { startCaps, latestCap, ...rest } = bakeLobes(shapes, FIRST_BORDER);
-  expect(baked.lobes).toMatchObject({ startCaps, latestCap, table: rest.table, depth: rest.depth, reach: rest.reach });
-});
-
-test('requests for the start caps of the same puffs share the work', () => {
-  const puffs = bakeLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 57 }, 1), 0.3);
-  const works = [puffs.bakingCaps(), puffs.bakingCaps()];
-  let pieces = 0;
-  while (!works[pieces % 2].next().done) pieces++;
-  // One for the surface, and one for each block of the table.
-  expect(pieces).toBe(1 + (CAP_COLUMNS * CAP_ROWS) / 64 + 1);
+  const { caps, ...lobes } = baked.lobes;
+  expect(lobes).toEqual(bakeLobes(shapes));
+  expect(caps).toEqual(finished(bakingCaps(shapes, FIRST_BORDER)));
 });
 
 test('a second request joins a bake in progress', () => {
@@ -76,13 +73,13 @@ test('a second request joins a bake in progress', () => {
 
 test('one more variation bakes only that one', () => {
   const pieces = (count: number): number => {
-    const work = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), 0.3);
+    const work = bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), { caps: true });
     let number = 0;
     while (!workedFor(work, 0)) number++;
     return number;
   };
   const one = pieces(1);
-  expect(one).toBeGreaterThan(10);
+  expect(one).toBeGreaterThan(30);
   expect(pieces(2)).toBe(one);
   expect(pieces(2)).toBe(0);
 });

@@ -16,18 +16,19 @@ const CHANGED: readonly (readonly [key: string, value: number])[] = [
 
 const LOOKS: readonly Values[] = [{ 'puff.form': 'billboards' }, { 'style.renderer': 'selle' }];
 
-beforeAll(() =>
-  fetchExtras({
+beforeAll(async () => {
+  const kind = {
     renderer: 'selle',
-    form: 'billboards',
+    isDeformed: false,
     volumes: 'receiver',
     simplify: 0,
     plumeForm: 0,
     outlines: true,
     strokes: 0,
     isEroded: false,
-  }),
-);
+  } as const;
+  await Promise.all((['billboards', 'lobes'] as const).map((form) => fetchExtras({ ...kind, form })));
+});
 
 function layersOf(values: Values) {
   return new LivePuffs({ ...ONE, ...values }).finish()!.billboards.layers;
