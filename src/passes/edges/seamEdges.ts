@@ -1,6 +1,5 @@
-import { BOX_NUMBERS, boxAround, BoxTree, isNear } from './boxTree.ts';
 import type { CreaseEdges } from './creaseEdges.ts';
-import type { TriangleMesh } from '../extrusion.ts';
+import { inOne, type TriangleMesh } from '../extrusion.ts';
 import { memoize } from '../memoize.ts';
 import { TOUCHING } from '../../constants.ts';
 
@@ -11,10 +10,15 @@ interface Face {
   normal: Vector;
 }
 
-/** Some triangles of a mesh, with the first index of each, and their boxes. */
+/** Boxes in a flat array: the x, y and z of the least corner, then of the greatest one. */
+type Boxes = Float32Array;
+const BOX_NUMBERS = 6;
+
+/** Some triangles of a mesh. */
 interface Triangles {
+  /** The first index of each. */
   firsts: readonly number[];
-  boxes: Float32Array;
+  boxes: Boxes;
 }
 
 /**
@@ -24,17 +28,19 @@ interface Triangles {
  */
 export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
   const near = trianglesNear(one, memoizedBox(other));
-  const others = trianglesNear(other, memoizedBox(one));
-  const tree = new BoxTree(others.boxes);
-  const faces = others.firsts.map((): Face | undefined => undefined);
+  const others = fromLowToHigh(trianglesNear(other, memoizedBox(one)));
+  const widest = widestOf(others.boxes);
+  const faces: (Face | undefined)[] = [];
   const ends: Vector[] = [];
   near.firsts.forEach((first, index) => {
-    const found = tree.near(near.boxes, BOX_NUMBERS * index);
-    const face = found.length > 0 ? faceOf(one, first) : undefined;
-    if (!face) return;
-    for (const number of found) {
-      const beside = (faces[number] ??= faceOf(other, others.firsts[number]));
-      const seam = beside && meet(face, beside);
+    const [low, high] = [near.boxes[BOX_NUMBERS * index], near.boxes[BOX_NUMBERS * index + 3]];
+    let face: Face | undefined;
+    let beside = firstFrom(others.boxes, low - widest - 2 * TOUCHING);
+    for (; others.boxes[BOX_NUMBERS * beside] <= high + TOUCHING; beside++) {
+      if (!isNear(others.boxes, beside, near.boxes, index)) continue;
+      face ??= faceOf(one, first);
+      const besideFace = (faces[beside] ??= faceOf(other, others.firsts[beside]));
+      const seam = face && besideFace && meet(face, besideFace);
       if (seam) ends.push(...seam);
     }
   });
@@ -44,8 +50,30 @@ export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
 
 const memoizedBox = memoize(({ positions, indices }: TriangleMesh) => boxAround(positions, indices));
 
+/** The smallest box around some vertices. @param box takes the result */
+function boxAround(positions: Float32Array, vertices: Uint32Array, box: Boxes = new Float32Array(BOX_NUMBERS)): Boxes {
+  box.fill(Infinity).fill(-Infinity, 3);
+  for (let index = 0; index < vertices.length; index++) {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = positions[3 * vertices[index] + axis];
+      if (value < box[axis]) box[axis] = value;
+      if (value > box[3 + axis]) box[3 + axis] = value;
+    }
+  }
+  return box;
+}
+
+/** Whether two boxes touch or overlap. */
+function isNear(a: Boxes, i: number, b: Boxes, j: number): boolean {
+  for (let axis = 0; axis < 3; axis++) {
+    if (a[BOX_NUMBERS * i + axis] > b[BOX_NUMBERS * j + 3 + axis] + TOUCHING) return false;
+    if (b[BOX_NUMBERS * j + axis] > a[BOX_NUMBERS * i + 3 + axis] + TOUCHING) return false;
+  }
+  return true;
+}
+
 /** Culls triangles outside the box of the other mesh: most meshes of a scene overlap little or not at all. */
-function trianglesNear({ positions, indices }: TriangleMesh, box: Float32Array): Triangles {
+function trianglesNear({ positions, indices }: TriangleMesh, box: Boxes): Triangles {
   const firsts: number[] = [];
   const boxes: number[] = [];
   const own = new Float32Array(BOX_NUMBERS);
@@ -56,6 +84,31 @@ function trianglesNear({ positions, indices }: TriangleMesh, box: Float32Array):
     boxes.push(...own);
   }
   return { firsts, boxes: Float32Array.from(boxes) };
+}
+
+/** Sorts by the least x. */
+function fromLowToHigh({ firsts, boxes }: Triangles): Triangles {
+  const order = firsts.map((_, index) => index).sort((a, b) => boxes[BOX_NUMBERS * a] - boxes[BOX_NUMBERS * b]);
+  const sorted = inOne(order.map((index) => boxes.subarray(BOX_NUMBERS * index, BOX_NUMBERS * (index + 1))));
+  return { firsts: order.map((index) => firsts[index]), boxes: sorted };
+}
+
+/** Greatest length of boxes along x. */
+function widestOf(boxes: Boxes): number {
+  let widest = 0;
+  for (let at = 0; at < boxes.length; at += BOX_NUMBERS) widest = Math.max(widest, boxes[at + 3] - boxes[at]);
+  return widest;
+}
+
+/** The number of the first box with at least this x, of boxes in the order of their least x. */
+function firstFrom(boxes: Boxes, least: number): number {
+  let [low, high] = [0, boxes.length / BOX_NUMBERS];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (boxes[BOX_NUMBERS * middle] < least) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 function cornerAt(positions: Float32Array, vertex: number): Vector {
