@@ -58,7 +58,11 @@ export default defineConfig({
             { name: 'preload', test: /vite\/(preload-helper|modulepreload-polyfill)/, priority: 2 },
             { name: 'dom', test: /\/src\/app\/ui\/dom\.ts$/, priority: 2 },
             { name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/, priority: 2 },
-            { name: together('preset', ['preset/codec', 'preset/environment'].map(source), EXPORTING), debugName: 'preset', priority: 1 },
+            {
+              name: together('preset', ['preset/codec', 'preset/environment'].map(source), EXPORTING),
+              debugName: 'preset',
+              priority: 1,
+            },
             { name: together('stage', FIRST.map(source), EXPORTING), debugName: 'stage' },
           ],
         },

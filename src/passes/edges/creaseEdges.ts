@@ -77,9 +77,5 @@ function edgesOf({ positions, indices }: TriangleMesh, normals: Float64Array): E
 }
 
 function dot(normals: Float64Array, one: number, other: number): number {
-  return (
-    normals[one] * normals[other] +
-    normals[one + 1] * normals[other + 1] +
-    normals[one + 2] * normals[other + 2]
-  );
+  return normals[one] * normals[other] + normals[one + 1] * normals[other + 1] + normals[one + 2] * normals[other + 2];
 }

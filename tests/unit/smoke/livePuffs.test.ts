@@ -69,7 +69,9 @@ test.each(LOOKS)('they are baked in pieces if %o shows them, and only then', (lo
 
 test('start caps are baked for lobes that do not turn, stretch or unfold, and only for them', () => {
   const still = { 'puff.turn': 0, 'puff.stretch': 1, 'puff.billow': 0 };
-  const moving = ['puff.turn', 'puff.stretch', 'puff.billow'].map((key) => pieces({ ...still, [key]: 1.5, 'puff.seed': 61 }));
+  const moving = ['puff.turn', 'puff.stretch', 'puff.billow'].map((key) =>
+    pieces({ ...still, [key]: 1.5, 'puff.seed': 61 }),
+  );
   expect(moving[0]).toBeLessThan(20);
   expect(moving.slice(1)).toEqual([0, 0]);
   // Of the same puffs only the start caps are missing now.
