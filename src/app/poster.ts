@@ -20,7 +20,7 @@ const FIRST_LOOK = 'cloudscape-cumulus';
 const OTHER_KEYS = /^(v|preset|take|seed|(emission|simulation)\..+)$/;
 
 /** The stage does not wait longer than this time in milliseconds for the poster. */
-const LATE_MS = 500;
+const LATE_MS = 250;
 
 let poster: HTMLImageElement | undefined;
 
@@ -56,10 +56,11 @@ export async function showPoster(stage: HTMLElement): Promise<void> {
   await Promise.race([isPainted(poster), late]);
 }
 
-/** Resolves when the frame with an image is presented, which is when the frame after it begins. */
+/** Resolves after the frame that shows an image. */
 async function isPainted(image: HTMLImageElement): Promise<void> {
   await image.decode().catch(() => undefined);
-  for (const _ of ['image', 'next']) await new Promise(requestAnimationFrame);
+  await new Promise(requestAnimationFrame);
+  await new Promise((resolve) => setTimeout(resolve));
 }
 
 /** Fades the poster out and removes it; at once with reduced motion. */
