@@ -2,9 +2,14 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { withoutShaders } from './scripts/package/withoutShaders.mjs';
-import { addresses, preloads, serviceWorker } from './scripts/site/plugins.ts';
+import { addresses, preloads, serviceWorker, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
+
+/** These files only export. */
+const EXPORTING = /\/src\/(index|internal|preset|puff)\.ts$/;
+/** What the page needs before its first picture. */
+const FIRST = ['app/main', 'stage/stage', 'page/size', 'page/visibility'];
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({
@@ -43,10 +48,25 @@ export default defineConfig({
     chunkSizeWarningLimit: 800,
     rolldownOptions: {
       input: ['index.html', 'paper.html', 'puff.html', 'examples.html'],
-      // These files only export. Otherwise the first load would contain every module that they name.
-      treeshake: { moduleSideEffects: [{ test: /\/src\/(index|internal|preset|puff)\.ts$/, sideEffects: false }] },
-      // puff.html loads presets one by one, which would split those of the page into a file for each scene.
-      output: { codeSplitting: { groups: [{ name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/ }] } },
+      // Otherwise the first load would contain every module that they name.
+      treeshake: { moduleSideEffects: [{ test: EXPORTING, sideEffects: false }] },
+      output: {
+        codeSplitting: {
+          // Each file costs a request, so the page's first picture takes few. Other pages need some of the parts.
+          groups: [
+            { name: 'poster', test: /\/src\/app\/(poster|mediaQueries)\.ts$/, priority: 2 },
+            { name: 'preload', test: /vite\/(preload-helper|modulepreload-polyfill)/, priority: 2 },
+            { name: 'dom', test: /\/src\/app\/ui\/dom\.ts$/, priority: 2 },
+            { name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/, priority: 2 },
+            {
+              name: together('preset', ['preset/codec', 'preset/environment'].map(source), EXPORTING),
+              debugName: 'preset',
+              priority: 1,
+            },
+            { name: together('stage', FIRST.map(source), EXPORTING), debugName: 'stage' },
+          ],
+        },
+      },
     },
   },
 });

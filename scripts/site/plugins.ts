@@ -1,7 +1,7 @@
 /** The bundler plugins of the site. */
 
 import { fileURLToPath } from 'node:url';
-import type { HtmlTagDescriptor, Plugin, Rollup } from 'vite';
+import type { HtmlTagDescriptor, Plugin, Rolldown, Rollup } from 'vite';
 
 const PICTURE = 'icons/512.png';
 
@@ -56,7 +56,8 @@ export function preloads(...entries: string[]): Plugin {
           .filter((name) => !hinted.has(name))
           .map((name) => ({
             tag: 'link',
-            attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}` },
+            // The poster and the style sheets come first.
+            attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}`, fetchpriority: 'low' },
             injectTo: 'head' as const,
           }));
       },
@@ -72,6 +73,29 @@ function closure(bundle: Rollup.OutputBundle, name: string): Set<string> {
     if (chunk?.type === 'chunk') for (const imported of chunk.imports) names.add(imported);
   }
   return names;
+}
+
+/**
+ * Names one chunk for modules and all their static imports.
+ * @param modules absolute paths
+ * @param exporting paths of modules that only export others, whose imports are not all needed
+ */
+export function together(
+  name: string,
+  modules: readonly string[],
+  exporting: RegExp,
+): Rolldown.CodeSplittingNameFunction {
+  let all: Set<string> | undefined;
+  return (id, context) => {
+    if (!all) {
+      all = new Set(modules);
+      for (const each of all) {
+        const imported = exporting.test(each) ? [] : (context.getModuleInfo(each)?.importedIds ?? []);
+        for (const one of imported) all.add(one);
+      }
+    }
+    return all.has(id) ? name : null;
+  };
 }
 
 const SOURCE = fileURLToPath(new URL('../../src/app/offline/worker.ts', import.meta.url));

@@ -1,6 +1,6 @@
 /** The demo page, built on the public API. Parses the address, creates the stage and then adds the controls. */
 import { createStage, LoadError, type Stage } from '../index.ts';
-import { readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
+import { nextTask, readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
 import { decode, type Values } from '../preset.ts';
 import { fadePoster, linkOf, removePoster } from './poster.ts';
 import { textButton } from './ui/dom.ts';
@@ -30,6 +30,8 @@ const container = document.querySelector<HTMLElement>('#interface')!;
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 async function start(): Promise<void> {
+  // Evaluating the modules was a task of its own.
+  await nextTask();
   const environment = readEnvironment(location.search);
   container.classList.toggle('is-bare', !environment.hasInterface);
   const decoded = await decode(linkOf(location.hash));

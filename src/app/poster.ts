@@ -19,6 +19,9 @@ const FIRST_LOOK = 'cloudscape-cumulus';
 /** Keys of a link that change neither the colours nor the framing of a preset. */
 const OTHER_KEYS = /^(v|preset|take|seed|(emission|simulation)\..+)$/;
 
+/** The stage does not wait longer than this time in milliseconds for the poster. */
+const LATE_MS = 250;
+
 let poster: HTMLImageElement | undefined;
 
 /** The link in the hash of an address, or the first look if there is none. */
@@ -38,14 +41,26 @@ export function posterOf(search: string, hash: string): string | undefined {
   return link.get('preset') ?? DEFAULT_PRESET;
 }
 
-/** Shows the poster of the page's address, if there is one. @param stage the parent, as large as the canvas */
-export function showPoster(stage: HTMLElement): void {
+/**
+ * Shows the poster of the page's address, if there is one. Resolves when it is on the screen, or late.
+ * @param stage the parent, as large as the canvas
+ */
+export async function showPoster(stage: HTMLElement): Promise<void> {
   const shape = stage.clientWidth < stage.clientHeight ? 'tall' : 'wide';
   const source = files[`./posters/${posterOf(location.search, location.hash)}.${shape}.webp`];
   if (!source) return;
   poster = Object.assign(new Image(), { className: 'poster', alt: '', fetchPriority: 'high', src: source });
   poster.addEventListener('error', removePoster);
   stage.append(poster);
+  const late = new Promise((resolve) => setTimeout(resolve, LATE_MS));
+  await Promise.race([isPainted(poster), late]);
+}
+
+/** Resolves after the frame that shows an image. */
+async function isPainted(image: HTMLImageElement): Promise<void> {
+  await image.decode().catch(() => undefined);
+  await new Promise(requestAnimationFrame);
+  await new Promise((resolve) => setTimeout(resolve));
 }
 
 /** Fades the poster out and removes it; at once with reduced motion. */

@@ -12,6 +12,8 @@ document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
 find('.skeleton .gallery').hidden = matchMedia(LOW).matches;
 // Hidden until now, because the stage would visibly move.
 find('#stage').hidden = false;
-showPoster(find('#stage'));
+const poster = showPoster(find('#stage'));
 void import('./ahead.ts');
+// The programs of the stage keep the GPU busy, so that the poster would appear late beside them.
+await poster;
 void import('./main.ts');

@@ -12,9 +12,10 @@ export interface PuffExtents {
   readonly spread: number;
   /** Largest distance behind the centre plane at which a part of a puff is visible. */
   readonly depth: number;
-  /** Least and greatest distance behind the centre at which shadow volumes start, from the baked table. */
+  /** Least and greatest distance behind the centre at which shadow volumes start. */
   readonly capRange: readonly [number, number];
-  readonly capTable: StartCaps;
+  /** The baked table; absent if puffs turn, stretch or unfold. */
+  readonly capTable?: StartCaps;
   readonly solids: PuffSolids;
 }
 
@@ -22,8 +23,8 @@ export interface PuffExtents {
 export interface FormTextures extends PuffExtents {
   /** See `latestCap` in src/puffs/bake/startCaps.ts. */
   readonly latestCap: number;
-  /** Array texture with a layer for each variation. */
-  readonly startCaps: DataArrayTexture;
+  /** Array texture of the table, with a layer for each variation. */
+  readonly startCaps?: DataArrayTexture;
   /** One row for each variation: centre and radius of the lobes that cast shadow. The first `casterLobes` count. */
   readonly casterTable: DataTexture;
   readonly casterLobes: number;

@@ -1,5 +1,6 @@
 import { DataTexture, FloatType, RGBAFormat, type DataArrayTexture } from 'three';
 import type { LobePuffs } from '../puffs/bake/bakeLobes.ts';
+import type { LobeCaps } from '../puffs/bake/lobeCaps.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
@@ -17,9 +18,18 @@ export interface BillboardPuffs extends BillboardData {
   texturesFor(context: WebGL2RenderingContext): BillboardTextures;
 }
 
+/** Lobe puffs as plain data. */
+export interface BakedLobes extends LobePuffs {
+  /**
+   * Baked on first access.
+   * @throws LoadError if their code was not loaded, which a style with puffs that keep their shape does
+   */
+  readonly caps: LobeCaps;
+}
+
 /** Puffs as plain data in each form. A form may be baked on first access. */
 export interface BakedPuffs {
-  readonly lobes: LobePuffs;
+  readonly lobes: BakedLobes;
   /** @throws LoadError if the code of billboards was not loaded, which a style with billboards does */
   readonly billboards: BillboardPuffs;
 }
@@ -31,7 +41,7 @@ export interface Bites extends BiteDrawing {
 
 /** The puff textures of a device. Smokes with the same puffs share them. */
 export class PuffLibrary {
-  readonly lobes = new Shared((puffs: LobePuffs) => new LobeTextures(puffs));
+  readonly lobes = new Shared((puffs: BakedLobes) => new LobeTextures(puffs));
   readonly billboards: Shared<BillboardPuffs, BillboardTextures>;
 
   /** @param context its extensions decide which texture filters are available */
@@ -111,14 +121,12 @@ export function spreadOf(ratio: number): number {
  * farthest lit point of their lobes, instead of where the table says.
  */
 function deformed(lobes: FormTextures, ratio: number): FormTextures {
-  const { startCaps, casterTable, casterLobes, capTable, solids } = lobes;
+  const { casterTable, casterLobes, solids } = lobes;
   const spread = spreadOf(ratio);
   const reach = spread * lobes.reach;
   return {
-    startCaps,
     casterTable,
     casterLobes,
-    capTable,
     reach,
     spread,
     depth: spread * lobes.depth,
@@ -130,25 +138,35 @@ function deformed(lobes: FormTextures, ratio: number): FormTextures {
 
 /** The lobes of all puffs as a texture, with a row for each variation. */
 class LobeTextures implements FormTextures {
-  readonly puffs: LobePuffs;
+  readonly puffs: BakedLobes;
   readonly lobeTable: DataTexture;
-  readonly startCaps: DataArrayTexture;
-  readonly capRange: readonly [number, number];
-  readonly capTable: StartCaps;
   readonly solids: PuffSolids;
+  // An object, because puffs with bites inherit from this one.
+  private readonly caps: { texture?: DataArrayTexture; range?: [number, number] } = {};
 
-  constructor(puffs: LobePuffs) {
+  constructor(puffs: BakedLobes) {
     this.puffs = puffs;
     this.lobeTable = new DataTexture(puffs.table, puffs.lobeCount + 1, puffs.count, RGBAFormat, FloatType);
     this.lobeTable.needsUpdate = true;
-    this.startCaps = capTexture(puffs.startCaps);
-    this.capRange = capRange(puffs.startCaps);
-    this.capTable = puffs.startCaps;
     this.solids = puffs.solids;
   }
 
+  get startCaps(): DataArrayTexture {
+    this.caps.texture ??= capTexture(this.puffs.caps.startCaps);
+    return this.caps.texture;
+  }
+
+  get capTable(): StartCaps {
+    return this.puffs.caps.startCaps;
+  }
+
+  get capRange(): [number, number] {
+    this.caps.range ??= capRange(this.puffs.caps.startCaps);
+    return this.caps.range;
+  }
+
   get latestCap(): number {
-    return this.puffs.latestCap;
+    return this.puffs.caps.latestCap;
   }
 
   get spread(): number {
@@ -173,6 +191,6 @@ class LobeTextures implements FormTextures {
 
   dispose(): void {
     this.lobeTable.dispose();
-    this.startCaps.dispose();
+    this.caps.texture?.dispose();
   }
 }

@@ -4,7 +4,6 @@ import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnRows, ONE_QUAD, RowGeometry, type RowLayout } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
-import { FIRST_BORDER } from '../device/ramps.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { DEFORMED, withLobes } from '../device/unroll.ts';
 import { ParticleVolumes } from './volumes.ts';
@@ -25,7 +24,7 @@ export class CountedVolumesPass extends ParticleVolumes {
 
   constructor(eye: FrameView, puffs: PuffTextures) {
     super(eye, puffs);
-    this.quads = new DrawnRows(this.materialFor('lobes', FIRST_BORDER));
+    this.quads = new DrawnRows(this.materialFor('lobes'));
     countFaces(
       this.quads.mesh,
       { depthFail: WebGL2RenderingContext.KEEP, depthPass: WebGL2RenderingContext.INCR },

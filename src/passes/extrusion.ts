@@ -1,3 +1,4 @@
+import { EdgeTable } from './edges/edgeTable.ts';
 import { memoize } from './memoize.ts';
 import { PLACES_PER_METRE } from '../constants.ts';
 
@@ -9,6 +10,9 @@ export interface TriangleMesh {
   normals: Float32Array;
   indices: Uint32Array;
 }
+
+/** Twice the area of a triangle, in square metres, below which it has no normal. */
+const NO_AREA = 1e-12;
 
 /** A closed mesh from which a shadow volume can be extruded. Vertices at the same position are one vertex. */
 export interface Extrusion {
@@ -90,24 +94,26 @@ export function hullNormals(mesh: TriangleMesh): Float32Array {
  */
 export function extrude(mesh: TriangleMesh): Extrusion {
   const { positions, corners } = withoutDuplicates(mesh);
-  const vertices = positions.length / 3;
-  /** The face of each half-edge, by start times `vertices` plus end. */
-  const faces = new Map<number, number>();
+  const table = new EdgeTable(corners.length);
   for (let corner = 0; corner < corners.length; ++corner) {
     const [start, end] = [corners[corner], corners[nextCorner(corner)]];
-    const key = start * vertices + end;
-    if (faces.has(key)) throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
-    faces.set(key, Math.floor(corner / 3));
+    if (table.add(start, end) < corner)
+      throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
   }
-  const edges: number[] = [];
-  for (const [key, face] of faces) {
-    const [start, end] = [Math.floor(key / vertices), key % vertices];
-    const opposite = faces.get(end * vertices + start);
-    if (opposite === undefined) throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
-    if (start < end) edges.push(start, end, face, opposite);
+  const edges = new Uint32Array(2 * corners.length);
+  let at = 0;
+  for (let corner = 0; corner < corners.length; ++corner) {
+    const [start, end] = [corners[corner], corners[nextCorner(corner)]];
+    const opposite = table.find(end, start);
+    if (opposite < 0) throw new RangeError(`The edge ${start}>${end} has one face: the mesh is not closed.`);
+    if (start > end) continue;
+    edges[at++] = start;
+    edges[at++] = end;
+    edges[at++] = Math.floor(corner / 3);
+    edges[at++] = Math.floor(opposite / 3);
   }
-  const normals = faceNormals(positions, corners);
-  return { positions, corners, normals, edges: Uint32Array.from(edges), longestEdge: longestEdge(positions, corners) };
+  const normals = Float32Array.from(faceNormals(positions, corners), (value) => (Number.isNaN(value) ? 0 : value));
+  return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }
 
 /** The vertices of a mesh, each position once. */
@@ -123,7 +129,7 @@ function withoutDuplicates({ positions, indices }: TriangleMesh): Pick<Extrusion
 }
 
 /** The next corner of the same triangle. */
-function nextCorner(corner: number): number {
+export function nextCorner(corner: number): number {
   return corner % 3 < 2 ? corner + 1 : corner - 2;
 }
 
@@ -137,16 +143,17 @@ function longestEdge(positions: Float32Array, corners: Uint32Array): number {
   return longest;
 }
 
-function faceNormals(positions: Float32Array, corners: Uint32Array): Float32Array {
-  const normals = new Float32Array(corners.length);
+/** xyz of the unit normal of each triangle; NaN for a triangle without area. */
+export function faceNormals(positions: Float32Array, corners: Uint32Array): Float64Array {
+  const normals = new Float64Array(corners.length);
   for (let first = 0; first < corners.length; first += 3) {
     const side = (to: number, axis: number) =>
       positions[3 * corners[first + to] + axis] - positions[3 * corners[first] + axis];
     const [ux, uy, uz] = [side(1, 0), side(1, 1), side(1, 2)];
     const [vx, vy, vz] = [side(2, 0), side(2, 1), side(2, 2)];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(x, y, z) || 1;
-    normals.set([x / length, y / length, z / length], first);
+    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.hypot(...normal);
+    for (let axis = 0; axis < 3; axis++) normals[first + axis] = length > NO_AREA ? normal[axis] / length : NaN;
   }
   return normals;
 }

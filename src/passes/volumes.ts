@@ -49,7 +49,15 @@ export abstract class ParticleVolumes {
    * @param litThreshold N . L from which a lit pixel differs from a shadowed one; below 0 if it differs for every N . L
    */
   follow(form: PuffForm, litThreshold: number): void {
-    this.quads.material = this.materialFor(form, litThreshold);
+    const { startCaps = null, latestCap, casterTable, reach, depth, spread } = this.puffs.of(form);
+    const uniforms = this.form;
+    uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);
+    uniforms.facesEye.value = form === 'billboards';
+    uniforms.startCaps.value = startCaps;
+    uniforms.casterTable.value = casterTable;
+    uniforms.reach.value = reach;
+    uniforms.depth.value = depth;
+    this.quads.material = this.materialFor(form);
     this.quads.bites = this.puffs.bites;
   }
 
@@ -76,17 +84,10 @@ export abstract class ParticleVolumes {
 
   protected abstract materialWith(lobes: number, isDeformed: boolean): RawShaderMaterial;
 
-  /** Binds the textures of a puff form and returns the material for its lobe count. */
-  protected materialFor(form: PuffForm, litThreshold: number): RawShaderMaterial {
-    const { startCaps, latestCap, casterTable, casterLobes, reach, depth, spread } = this.puffs.of(form);
+  /** The material for the lobe count of a puff form. */
+  protected materialFor(form: PuffForm): RawShaderMaterial {
+    const { casterLobes } = this.puffs.of(form);
     const { isDeformed } = this.puffs;
-    const uniforms = this.form;
-    uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);
-    uniforms.facesEye.value = form === 'billboards';
-    uniforms.startCaps.value = startCaps;
-    uniforms.casterTable.value = casterTable;
-    uniforms.reach.value = reach;
-    uniforms.depth.value = depth;
     const key = isDeformed ? -casterLobes : casterLobes;
     const material = this.materials.get(key) ?? this.materialWith(casterLobes, isDeformed);
     this.materials.set(key, material);
@@ -106,7 +107,7 @@ export class VolumesPass extends ParticleVolumes {
   constructor(eye: FrameView, puffs: PuffTextures, isFlat = false) {
     super(eye, puffs, isFlat);
     this.uniforms.receiverDepth = this.receiverDepth;
-    this.quads = new DrawnRows(this.materialFor('lobes', FIRST_BORDER));
+    this.quads = new DrawnRows(this.materialFor('lobes'));
   }
 
   /**

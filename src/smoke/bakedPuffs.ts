@@ -9,8 +9,16 @@ import { codeOf, here } from './extraPasses.ts';
 
 /** Baked puffs by shape. Smokes with the same object share their textures on a device. */
 const cache = new LruCache<BakedPuffs>(8);
-/** Work in progress by shape. Concurrent requests for the same puffs share it. */
-const begun = new Map<string, Work<BakedPuffs>>();
+/** Work in progress by what it bakes. Concurrent requests for the same share it. */
+const begun = new Map<string, Work<unknown>>();
+
+/** Parts of puffs that are otherwise baked synchronously on first access. */
+export interface PuffParts {
+  /** Start caps, which lobe puffs need unless they turn, stretch or unfold, if their code is loaded. */
+  readonly caps?: boolean;
+  /** Billboards, if their code is loaded. */
+  readonly billboards?: boolean;
+}
 
 /** Bakes puffs like {@link bakingPuffs}, but synchronously. Defaults to the built-in shapes. */
 export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuffs {
@@ -20,34 +28,45 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
 /**
  * Bakes lobe puffs in steps of about a millisecond, and then billboards in steps of a few milliseconds.
  * @param shapes one for each variation
- * @param withBillboards if false, or if their code is not loaded, billboards are baked synchronously on first access
  */
-export function* bakingPuffs(shapes: readonly PuffShape[], withBillboards = false): Work<BakedPuffs> {
+export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
+  yield* sharing(key, () => adding(key, shapes));
+  const puffs = cache.get(key)!;
+  const { caps, billboards } = here;
+  if (parts.caps && caps) yield* sharing(`caps ${key}`, () => caps.bakingCaps(shapes, FIRST_BORDER));
+  if (parts.billboards) yield* billboards?.bakingBillboards(shapes) ?? [];
+  return puffs;
+}
+
+/** Advances work together with other requests for it. The result must be in a cache, so that it can begin again. */
+function* sharing(key: string, begin: () => Work<unknown>): Work<void> {
   for (;;) {
-    const puffs = cache.get(key) ?? workOn(key, () => bakingNew(shapes));
-    if (puffs && withBillboards) yield* here.billboards?.bakingBillboards(shapes) ?? [];
-    if (puffs) return puffs;
+    const work = begun.get(key) ?? begin();
+    begun.delete(key);
+    if (work.next().done) return;
+    begun.set(key, work);
     yield;
   }
 }
 
-/** Advances the work for a key by one step. Returns the puffs and caches them once they are complete. */
-function workOn(key: string, begin: () => Work<BakedPuffs>): BakedPuffs | undefined {
-  const work = begun.get(key) ?? begin();
-  begun.delete(key);
-  const { done, value } = work.next();
-  if (done) cache.add(key, value);
-  else begun.set(key, work);
-  return done ? value : undefined;
+function* adding(key: string, shapes: readonly PuffShape[]): Work<void> {
+  cache.add(key, cache.get(key) ?? (yield* bakingNew(shapes)));
 }
 
-/** The code of billboards must be loaded, see `fetchExtras`. */
+/** The code of start caps and of billboards must be loaded when they are read, see `fetchExtras`. */
 function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
-  const lobes = yield* bakingLobes(shapes, FIRST_BORDER);
+  const lobes = yield* bakingLobes(shapes);
+  let caps: BakedPuffs['lobes']['caps'] | undefined;
   let billboards: BakedPuffs['billboards'] | undefined;
   return {
-    lobes,
+    lobes: {
+      ...lobes,
+      get caps() {
+        caps ??= finished(codeOf('caps').bakingCaps(shapes, FIRST_BORDER));
+        return caps;
+      },
+    },
     get billboards() {
       billboards ??= finished(codeOf('billboards').bakingBillboards(shapes));
       return billboards;

@@ -15,6 +15,7 @@ import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Volumes } from './style.ts';
 
 const imports = {
+  caps: () => import('../puffs/bake/lobeCaps.ts'),
   billboards: () => import('./billboards.ts'),
   comparisons: () => import('./comparisonRenderers.ts'),
   debugViews: () => import('./debugViews.ts'),
@@ -35,6 +36,8 @@ export const here: Readonly<Partial<Codes>> = {};
 export interface PictureKind {
   readonly renderer: Renderer;
   readonly form: PuffForm;
+  /** Whether puffs turn or stretch with the air, or unfold. */
+  readonly isDeformed: boolean;
   readonly volumes: Volumes;
   /** Distance over which light is smoothed, CSS pixels. */
   readonly simplify: number;
@@ -71,8 +74,9 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, volumes, isEroded, view, isTiled } = kind;
+  const { renderer, form, isDeformed, volumes, isEroded, view, isTiled } = kind;
   return {
+    ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
     ...(renderer !== 'nailboards' && {
       billboards: `The renderer ${renderer}`,

@@ -3,7 +3,8 @@ import type { Values } from '../preset/parameter.ts';
 import { designedShapes, type PuffDesign } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../puffs/work.ts';
-import { bakingPuffs } from './bakedPuffs.ts';
+import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
+import { deformationOf } from './style.ts';
 
 /** Puffs to bake; equal puffs have equal keys. */
 interface PuffRequest {
@@ -79,7 +80,7 @@ export class LivePuffs {
     const design = designOf(values);
     return {
       key: JSON.stringify(own ?? [design, variations]),
-      begin: () => bakingPuffs(own ?? designedShapes(design, variations), showsBillboards(values)),
+      begin: () => bakingPuffs(own ?? designedShapes(design, variations), partsOf(values)),
     };
   }
 }
@@ -87,6 +88,11 @@ export class LivePuffs {
 /** Whether puffs are drawn as billboards, which take longer to bake than lobes. */
 export function showsBillboards(values: Values): boolean {
   return values['puff.form'] === 'billboards' || values['style.renderer'] === 'selle';
+}
+
+function partsOf(values: Values): PuffParts {
+  const isLobes = values['puff.form'] === 'lobes';
+  return { caps: isLobes && !deformationOf(values).isDeformed, billboards: showsBillboards(values) };
 }
 
 function designOf(values: Values): PuffDesign {

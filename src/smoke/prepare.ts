@@ -5,7 +5,7 @@ import { memoizedExtrusion } from '../passes/meshVolumes.ts';
 import { RESOLVE_SHADERS } from '../passes/resolve.ts';
 import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
-import { inPieces, type Work } from '../puffs/work.ts';
+import { inPieces, nextTask, PIECE_MS, type Work } from '../puffs/work.ts';
 import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { RampTexture } from '../device/ramps.ts';
@@ -69,17 +69,10 @@ export async function compileAhead(
   await programs.finished(renderer);
 }
 
-/** Time slice in milliseconds, short enough to keep the page responsive. */
-const PIECE_MS = 16;
-
 /**
  * Bakes the puffs that values describe while the scene and its simulator load. The puffs are cached for later requests.
  */
 export async function bakeAhead(values: Values): Promise<void> {
   const puffs = new LivePuffs(values);
   while (!puffs.workFor(PIECE_MS)) await nextTask();
-}
-
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => setTimeout(resolve));
 }

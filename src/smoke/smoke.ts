@@ -37,6 +37,7 @@ export interface SmokeOptions {
 const PLAIN_PICTURE = {
   renderer: 'nailboards',
   form: 'lobes',
+  isDeformed: true,
   volumes: 'receiver',
   simplify: 0,
   plumeForm: 0,

@@ -124,7 +124,7 @@ export function styleOf(values: Values): Style {
 }
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
-function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
+export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
   const [rotation, stretch, billow] = ['turn', 'stretch', 'billow'].map((name) => values[`puff.${name}`] as number);
   const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };

@@ -1,3 +1,4 @@
+import { nextTask } from '../puffs/work.ts';
 import type { SeekOptions } from './contract.ts';
 import type { Simulation } from './simulation.ts';
 
@@ -22,16 +23,4 @@ export async function advanceTo(
     signal?.throwIfAborted();
     if (isEnded()) return;
   }
-}
-
-/** Yields to the event loop without the minimum delay of nested timers. */
-export function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }

@@ -217,7 +217,7 @@ export class Stage {
     const [opened] = await Promise.all([
       openScene(after.scene as string, onProgress),
       bakeAhead(after),
-      fetchExtras(kindOf(after, this.view)),
+      fetchExtras(kindOf(after, this.view)).then(() => bakeAhead(after)),
     ]);
     if (this.#running.isDisposed || this.#entering !== entry) return;
     this.#running.enter(opened, after);
@@ -519,7 +519,8 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
       openScene(values.scene as string, options.onProgress),
       compileAhead(presenter.device, values),
       bakeAhead(values),
-      fetchExtras(kindOf(values, options.view)),
+      // What the loaded code bakes.
+      fetchExtras(kindOf(values, options.view)).then(() => bakeAhead(values)),
     ]);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     if (!presenter.device.hasHope) throw missingContext();

@@ -115,7 +115,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     try {
       const [factory] = await Promise.all([
         loadSimulators({ physics: options.physics ?? true }),
-        fetchExtras(hostStyle(values)),
+        // Casters that are balls do not deform.
+        fetchExtras({ ...hostStyle(values), isDeformed: false }),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,

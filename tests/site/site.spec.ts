@@ -3,6 +3,7 @@ import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, wri
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
@@ -67,6 +68,17 @@ test.describe('before the first smoke', () => {
       expect(names).not.toContain(preset === 'wisp' ? 'lamp-' : 'wisp-');
     });
   }
+});
+
+test('what the poster needs is small, and few other files come after it', () => {
+  const page = readFileSync(join(folder, 'index.html'), 'utf8');
+  const scripts = [...page.matchAll(/<(?:script type="module"|link rel="modulepreload")[^>]*>/g)].map(([tag]) => tag);
+  const [later, first] = [true, false].map((isLow) => scripts.filter((tag) => tag.includes('"low"') === isLow));
+  const sizes = first.map((tag) => gzipSync(readFileSync(join(folder, /"\.\/(assets[^"]+)/.exec(tag)![1]))).length);
+  expect(sizes.reduce((sum, size) => sum + size, 0)).toBeLessThan(5000);
+  expect(first.length).toBeLessThanOrEqual(4);
+  expect(later.length).toBeGreaterThan(0);
+  expect(later.length).toBeLessThanOrEqual(8);
 });
 
 test.describe('offline', () => {

@@ -97,8 +97,13 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     minCap: style.isDeformed
       ? spreadOf(style.stretch) * minCapOf(litThresholdOf(style), 0)
-      : minCapOf(litThresholdOf(style), bakedPuffs()[style.form].latestCap),
+      : minCapOf(litThresholdOf(style), latestCapOf(style)),
   };
+}
+
+function latestCapOf({ form }: Style): number {
+  const { lobes, billboards } = bakedPuffs();
+  return form === 'lobes' ? lobes.caps.latestCap : billboards.latestCap;
 }
 
 function puffsAsObject({ form, isDeformed, isEroded, billow, stretch }: Style): object {
@@ -110,7 +115,8 @@ function puffsAsObject({ form, isDeformed, isEroded, billow, stretch }: Style): 
 }
 
 function lobePuffs() {
-  const { lobeCount, count, table, fillet, blend, startCaps, depth } = bakedPuffs().lobes;
+  const { lobeCount, count, table, fillet, blend, caps, depth } = bakedPuffs().lobes;
+  const { startCaps } = caps;
   // A row holds the lobes and their centre.
   return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
 }

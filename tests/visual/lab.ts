@@ -34,6 +34,7 @@ import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
 await fetchExtras({
   renderer: 'selle',
   form: 'billboards',
+  isDeformed: false,
   volumes: 'counted',
   simplify: 0,
   plumeForm: 0,
@@ -46,6 +47,7 @@ await fetchExtras({
 await fetchExtras({
   renderer: 'nailboards',
   form: 'lobes',
+  isDeformed: false,
   volumes: 'receiver',
   simplify: 1,
   plumeForm: 0,

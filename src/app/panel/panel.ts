@@ -11,9 +11,6 @@ import { strings } from '../strings.ts';
 
 export const PANEL_ID = 'parameters';
 
-/** Longest task that creates rows, milliseconds. */
-const PIECE_MS = 8;
-
 /** Elements below the rows of a group, by group key, at the top (`presets`) or at the `end`. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
@@ -24,7 +21,7 @@ export async function createPanel(
   feet: Feet,
   close: () => void,
 ): Promise<HTMLElement> {
-  const rows = await inPieces(creatingRows(editor), PIECE_MS);
+  const rows = await inPieces(creatingRows(editor));
   await nextTask();
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);

@@ -3,7 +3,6 @@ import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
 import { solidsOf, type PuffSolids } from './solids.ts';
-import { joined, type StartCaps } from './startCaps.ts';
 import { finished, type Work } from '../work.ts';
 
 /** All lengths in particle radii. */
@@ -14,10 +13,7 @@ export interface LobePuffs {
   readonly count: number;
   /** Per variation: `lobeCount` lobes of four floats, centre and radius, then their centroid and a zero. */
   readonly table: Float32Array;
-  readonly startCaps: StartCaps;
   readonly solids: PuffSolids;
-  /** See {@link latestCap}. */
-  readonly latestCap: number;
   /** Radius of the bounding sphere of all puffs about the particle's centre. */
   readonly reach: number;
   /** Upper bound on the depth of visible points behind the centre plane, over all view directions. */
@@ -34,19 +30,16 @@ const ROTATION_TOLERANCE = 0.002;
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
 
-/**
- * @param shapes at least one, each with at most 12 lobes
- * @param litThreshold N . L from which a pixel's lit colour differs from its unlit one, -1..1
- */
-export function bakeLobes(shapes: readonly PuffShape[], litThreshold: number): LobePuffs {
-  return finished(bakingLobes(shapes, litThreshold));
+/** @param shapes at least one, each with at most 12 lobes */
+export function bakeLobes(shapes: readonly PuffShape[]): LobePuffs {
+  return finished(bakingLobes(shapes));
 }
 
 /** As {@link bakeLobes}, in slices of about a millisecond. */
-export function* bakingLobes(shapes: readonly PuffShape[], litThreshold: number): Work<LobePuffs> {
+export function* bakingLobes(shapes: readonly PuffShape[]): Work<LobePuffs> {
   const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
   const variations: LobeVariation[] = [];
-  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
+  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes));
   return together(variations, max);
 }
 
@@ -55,8 +48,6 @@ function together(variations: readonly LobeVariation[], lobeCount: number): Lobe
     lobeCount,
     count: variations.length,
     table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
-    startCaps: joined(variations.map(({ startCaps }) => startCaps)),
-    latestCap: Math.max(...variations.map((variation) => variation.latestCap)),
     reach: Math.max(...variations.map(({ reach }) => reach)),
     depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
     solids: solidsOf(

@@ -124,12 +124,12 @@ test('knobs and numbers out of range are rejected by name', () => {
   expect(() => proceduralPuff('x', 1, { ...CARTOON_KNOBS, lumpiness: NaN })).toThrow(/lumpiness is NaN/);
   expect(() => proceduralPuff('x', 1, CARTOON_KNOBS, MAX_LOBES + 1)).toThrow(/lobes is 13/);
   const many = { name: 'many', lobes: Array.from({ length: MAX_LOBES + 1 }, () => BALL) };
-  expect(() => bakeLobes([many], 0.3)).toThrow(/13 lobes/);
+  expect(() => bakeLobes([many])).toThrow(/13 lobes/);
 });
 
 test('a table has a row for each variation, padded with neutral values', () => {
   const few = { name: 'few', lobes: [BALL] };
-  const { table, lobeCount, count } = bakeLobes([LOBE_SHAPES[0], few], 0.3);
+  const { table, lobeCount, count } = bakeLobes([LOBE_SHAPES[0], few]);
   expect([lobeCount, count, table.length]).toEqual([10, 2, 2 * 11 * 4]);
   const row = table.subarray(44);
   const filled = Array.from({ length: 10 }, (_, i): Lobe => {

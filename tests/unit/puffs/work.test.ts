@@ -1,9 +1,16 @@
-import { expect, test } from 'vitest';
-import { bakeLobes, bakingLobes } from '../../../src/puffs/bake/bakeLobes.ts';
+import { beforeAll, expect, test } from 'vitest';
+import { bakeLobes } from '../../../src/puffs/bake/bakeLobes.ts';
+import { bakingCaps } from '../../../src/puffs/bake/lobeCaps.ts';
+import { FIRST_BORDER } from '../../../src/device/ramps.ts';
 import { LruCache } from '../../../src/puffs/lru.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../../src/puffs/lobeShapes.ts';
 import { bakingPuffs } from '../../../src/smoke/bakedPuffs.ts';
-import { finished, inPieces, workedFor, type Work } from '../../../src/puffs/work.ts';
+import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
+import { styleOf } from '../../../src/smoke/style.ts';
+import { defaults } from '../../../src/preset/values.ts';
+import { finished, inPieces, nextTask, workedFor, type Work } from '../../../src/puffs/work.ts';
+
+beforeAll(() => fetchExtras(styleOf(defaults())));
 
 function* counted(pieces: number, done: number[]): Work<string> {
   for (let piece = 0; piece < pieces; piece++) {
@@ -25,25 +32,32 @@ test('work continues where it stopped, and at least one piece is done', () => {
 test('other tasks run between pieces', async () => {
   const done: number[] = [];
   const counts: number[] = [];
-  const take = (): unknown => (counts.push(done.length), done.length < 4 && setTimeout(take));
-  setTimeout(take);
+  const taking = (async () => {
+    while (done.length < 4) {
+      counts.push(done.length);
+      await nextTask();
+    }
+  })();
   expect(await inPieces(counted(4, done), 0)).toBe('ready');
+  await taking;
   for (const pieces of [1, 2, 3]) expect(counts).toContain(pieces);
 });
 
 test('puffs baked in pieces equal those baked at once', () => {
   const shapes = designedShapes({ ...DEFAULT_DESIGN, seed: 5 }, 2);
-  const work = bakingLobes(shapes, 0.3);
+  const work = bakingPuffs(shapes, { caps: true });
   let baked;
   let pieces = 0;
   while (!(baked = workedFor(work, 0))) pieces++;
   expect(pieces).toBeGreaterThan(60);
-  expect(baked).toEqual(bakeLobes(shapes, 0.3));
+  const { caps, ...lobes } = baked.lobes;
+  expect(lobes).toEqual(bakeLobes(shapes));
+  expect(caps).toEqual(finished(bakingCaps(shapes, FIRST_BORDER)));
 });
 
 test('a second request joins a bake in progress', () => {
-  const works = [1, 2].map(() => bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 8 }, 1)));
-  const alone = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 59 }, 1), 0.3);
+  const works = [1, 2].map(() => bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 8 }, 1), { caps: true }));
+  const alone = bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 59 }, 1), { caps: true });
   let pieces = 0;
   while (!workedFor(alone, 0)) pieces++;
   const baked: unknown[] = [undefined, undefined];
@@ -59,7 +73,7 @@ test('a second request joins a bake in progress', () => {
 
 test('one more variation bakes only that one', () => {
   const pieces = (count: number): number => {
-    const work = bakingLobes(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), 0.3);
+    const work = bakingPuffs(designedShapes({ ...DEFAULT_DESIGN, seed: 6 }, count), { caps: true });
     let number = 0;
     while (!workedFor(work, 0)) number++;
     return number;

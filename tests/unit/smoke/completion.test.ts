@@ -29,6 +29,7 @@ function begun() {
     () => ({
       ...wanted,
       form: 'lobes',
+      isDeformed: true,
       volumes: 'receiver',
       simplify: 0,
       plumeForm: 0,

@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import type { TriangleMesh } from '../../../src/passes/extrusion.ts';
-import { seamEdges } from '../../../src/passes/seamEdges.ts';
-import { ballMesh } from '../../../src/scenes/models/ball.ts';
-import { box, ground } from '../../visual/solids.ts';
+import type { TriangleMesh } from '../../../../src/passes/extrusion.ts';
+import { seamEdges } from '../../../../src/passes/edges/seamEdges.ts';
+import { ballMesh } from '../../../../src/scenes/models/ball.ts';
+import { box, ground } from '../../../visual/solids.ts';
 
 const FLOOR = ground(0, 5).mesh;
 

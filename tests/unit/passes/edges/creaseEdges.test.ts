@@ -1,8 +1,8 @@
 import { expect, it } from 'vitest';
-import { creaseEdges } from '../../../src/passes/creaseEdges.ts';
-import { ballMesh } from '../../../src/scenes/models/ball.ts';
-import { tableMesh } from '../../../src/scenes/models/table.ts';
-import { box, ground } from '../../visual/solids.ts';
+import { creaseEdges } from '../../../../src/passes/edges/creaseEdges.ts';
+import { ballMesh } from '../../../../src/scenes/models/ball.ts';
+import { tableMesh } from '../../../../src/scenes/models/table.ts';
+import { box, ground } from '../../../visual/solids.ts';
 
 it('finds the twelve edges of a cube and no diagonal of its faces', () => {
   const { count, ends } = creaseEdges(box([0, 0, 0], [1, 1, 1]), 40);

@@ -1,0 +1,38 @@
+/** Numbers pairs of vertices in the order in which they are added. A hash table with open addressing. */
+export class EdgeTable {
+  /** Number of different edges. */
+  count = 0;
+  private readonly slots: Int32Array;
+  private readonly ends: Uint32Array;
+
+  /** @param capacity maximum number of edges */
+  constructor(capacity: number) {
+    this.slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * capacity + 1))).fill(-1);
+    this.ends = new Uint32Array(2 * capacity);
+  }
+
+  /** The number of an edge, which is `count` before the call if the edge is new. */
+  add(start: number, end: number): number {
+    const slot = this.slotOf(start, end);
+    if (this.slots[slot] >= 0) return this.slots[slot];
+    this.ends[2 * this.count] = start;
+    this.ends[2 * this.count + 1] = end;
+    this.slots[slot] = this.count++;
+    return this.slots[slot];
+  }
+
+  /** The number of an edge, or -1. */
+  find(start: number, end: number): number {
+    return this.slots[this.slotOf(start, end)];
+  }
+
+  private slotOf(start: number, end: number): number {
+    const { slots, ends } = this;
+    const mixed = Math.imul(start, 73856093) ^ Math.imul(end, 19349663);
+    let slot = (mixed ^ (mixed >>> 15)) & (slots.length - 1);
+    while (slots[slot] >= 0 && (ends[2 * slots[slot]] !== start || ends[2 * slots[slot] + 1] !== end)) {
+      slot = (slot + 1) & (slots.length - 1);
+    }
+    return slot;
+  }
+}
