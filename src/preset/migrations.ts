@@ -5,7 +5,7 @@ import type { Values } from './parameter.ts';
 import { fetched } from './timeout.ts';
 
 /** Current version of the link format. */
-export const VERSION = '2';
+export const VERSION = '3';
 
 /** Version of a link that does not name one. */
 const UNNAMED = '1';
@@ -21,10 +21,13 @@ interface Migration {
   readonly bring: (pairs: Pairs) => { pairs: Pairs; notified: string | undefined };
 }
 
-/** Sorted by version. From 1 to 2 only values of presets changed: {@link olderValues}. */
+const unchanged: Migration['bring'] = (pairs) => ({ pairs, notified: undefined });
+
+/** Sorted by version. From 1 on only values of presets changed: {@link olderValues}. */
 const migrations: readonly Migration[] = [
   { from: '0', to: '1', bring: gatherDensity },
-  { from: '1', to: '2', bring: (pairs) => ({ pairs, notified: undefined }) },
+  { from: '1', to: '2', bring: unchanged },
+  { from: '2', to: '3', bring: unchanged },
 ];
 
 /** The version of a link or a file; an empty link has the current one. */
@@ -38,9 +41,9 @@ export function versionOf(pairs: Pairs): string {
  * @throws LoadError if the download fails or times out
  */
 export async function olderValues(version: string, preset: string): Promise<Values> {
-  if (version !== '0' && version !== '1') return {};
-  const { valuesOfVersion1 } = await fetched('The values of older links', import('./version1.ts'));
-  return valuesOfVersion1(preset);
+  if (!['0', '1', '2'].includes(version)) return {};
+  const { valuesOfVersion1, valuesOfVersion2 } = await fetched('The values of older links', import('./olderValues.ts'));
+  return version === '2' ? valuesOfVersion2(preset) : valuesOfVersion1(preset);
 }
 
 /** Migrates the pairs of a link to the current version and adds notices. Unknown versions are left unchanged. */

@@ -13,8 +13,25 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 5.5,
+  'style.simplify': 4,
+  'style.form': 0.5,
+  'style.strokes': 0.4,
 };
+
+/** Smoke from a wing tip, in the vortex of this tip. @param z of the tip, metres */
+function tipSmoke(emitter: number, z: number): Values {
+  const values: Values = {
+    rigid: 0,
+    'position.x': -0.25,
+    'position.z': z,
+    size: 0.3,
+    speed: 0,
+    temperature: 0,
+    share: 1.8,
+    lifetime: 0.8,
+  };
+  return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
+}
 
 export const airplanePresets: readonly Preset[] = [
   {
@@ -48,12 +65,43 @@ export const airplanePresets: readonly Preset[] = [
       'style.outlineWidth': 1.8,
       'style.inkSwell': 0.8,
       'style.innerLine': 0.3,
-      'style.strokes': 0.4,
       'style.backdrop': '0:f4d8b4,1:23508a',
       'style.wash': 0.3,
       'style.washColor': '#f0dcb8',
       'light.azimuth': 62,
       'light.elevation': 52,
+    },
+  },
+  {
+    name: 'airplane-air-show',
+    label: 'Air show',
+    text: 'Pink and yellow smoke rolls up behind both wing tips.',
+    values: {
+      ...smoke,
+      ...tipSmoke(4, 1.3),
+      ...tipSmoke(5, -1.3),
+      'emission.rate': 200,
+      'emission.growthTime': 0.35,
+      'forces.turbulence': 0.6,
+      'emitters.4.tint': 1,
+      'emitters.5.tint': 2,
+      'style.tint1': '#ff9ab0',
+      'style.tint2': '#ffd873',
+      // Strong, smooth vortices of the wing tips, and little swirl behind the propeller.
+      'shedders.0.perSpeed': 0.15,
+      'shedders.1.perSpeed': 1.2,
+      'shedders.1.coreRadius': 0.4,
+      'shedders.1.viscosity': 0.01,
+      'shedders.1.lifetime': 4,
+      'shedders.1.jitter': 0,
+      'style.smokeColor': '#fff7ec',
+      'style.gradient': 'height',
+      'style.gradientColor': '#cfd3ee',
+      'style.gradientBottom': -2,
+      'style.gradientTop': 0.3,
+      'style.innerLine': 0.26,
+      'light.azimuth': 62,
+      'light.elevation': 48,
     },
   },
 ];

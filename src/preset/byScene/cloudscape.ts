@@ -14,7 +14,8 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 5,
+  'style.simplify': 3,
+  'style.form': 0.4,
 };
 
 export const cloudscapePresets: readonly Preset[] = [
@@ -31,6 +32,7 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.gradientBottom': 0.6,
       'style.gradientTop': 2.6,
       'style.inkColor': '#2b2740',
+      'style.strokes': 0.45,
       'light.azimuth': 0,
       'light.elevation': 62,
     },
@@ -41,6 +43,7 @@ export const cloudscapePresets: readonly Preset[] = [
     text: 'Evening clouds in three broad tones, painted without a line.',
     values: {
       ...smoke,
+      'style.simplify': 5,
       'style.outlines': 0,
       'style.ramp': '0:ac90c8,.3:f4a49c,.6:ffe6b8',
       'style.gradient': 'height',
@@ -63,7 +66,8 @@ export const cloudscapePresets: readonly Preset[] = [
       'puff.size': 1.2,
       'puff.lumpiness': 0.9,
       'puff.lobes': 12,
-      'style.simplify': 6,
+      'style.simplify': 5,
+      'style.form': 0.5,
       'style.outlines': 0,
       'style.ramp': '0:8fb2e2,.2:cfe2f6,.44:ffffff',
       'style.gradient': 'height',

@@ -10,7 +10,7 @@ export const rocketPresets: readonly Preset[] = [
       'emission.rate': 110,
       'emission.lifetime': 6,
       'emission.growthTime': 0.7,
-      'emission.density': '0:.55,.3:1,.6:.85,1:0',
+      'emission.density': '0:.55,.3:1,.75:.75,1:0',
       'forces.turbulence': 1,
       'simulation.maxParticles': 1500,
       // Flat tones with short transitions, so that no puff changes its colour at once.
@@ -23,7 +23,9 @@ export const rocketPresets: readonly Preset[] = [
       'puff.turn': 0.6,
       'puff.stretch': 1.3,
       'puff.billow': 0.5,
-      'style.simplify': 4,
+      'style.simplify': 3.5,
+      'style.form': 0.4,
+      'style.strokes': 0.4,
     },
   },
 ];

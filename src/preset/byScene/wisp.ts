@@ -13,7 +13,10 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 3.5,
+  'emission.density': '0:1,.85:.45,1:0',
+  'emitters.0.lifetimeVariation': 0.05,
+  'style.simplify': 3,
+  'style.form': 0.4,
 };
 
 export const wispPresets: readonly Preset[] = [
