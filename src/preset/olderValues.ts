@@ -26,6 +26,9 @@ const OWN_1: Readonly<Record<string, Values>> = {
   'train-night-mail': { 'style.rim': 0.3 },
 };
 
+/** Presets that are newer than version 2. */
+const NEWER: ReadonlySet<string> = new Set(['airplane-air-show']);
+
 /** Values of all presets of version 2, where they differ from the current ones. */
 const ALL_2: Values = { 'style.form': 0 };
 
@@ -68,6 +71,7 @@ export function valuesOfVersion1(preset: string): Values {
 
 /** Same for version 2. */
 export function valuesOfVersion2(preset: string): Values {
+  if (NEWER.has(preset)) return {};
   const [scene] = preset.split('-', 1);
   return { ...ALL_2, ...SCENES_2[scene], ...OWN_2[preset] };
 }

@@ -171,7 +171,7 @@ describe('decode', () => {
   });
 
   it('reads known keys of another version', async () => {
-    const { state, notices } = await decode('#v=3&emission.rate=10');
+    const { state, notices } = await decode('#v=4&emission.rate=10');
     expect(state.values['emission.rate']).toBe(10);
     expect(notices.map(({ code }) => code)).toEqual(['version']);
   });

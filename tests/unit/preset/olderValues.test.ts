@@ -5,26 +5,25 @@ import { decode, encode } from '../../../src/preset/codec.ts';
 import { readFile } from '../../../src/preset/file.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
+import { findParameter } from '../../../src/preset/table.ts';
 import { defaults } from '../../../src/preset/values.ts';
+import { sceneNamed } from '../../../src/scenes/scenes.ts';
 
 const [version1, version2] = [1, 2].map(
-  (version) => JSON.parse(readFileSync(new URL(`version${version}.json`, import.meta.url), 'utf8')) as Record<string, Values>,
+  (version) =>
+    JSON.parse(readFileSync(new URL(`version${version}.json`, import.meta.url), 'utf8')) as Record<string, Values>,
 );
 const recorded: [version: number, name: string, own: Values][] = [
   ...Object.entries(version1).map(([name, own]): [number, string, Values] => [1, name, own]),
   ...Object.entries(version2).map(([name, own]): [number, string, Values] => [2, name, own]),
 ];
 
-/** All values of a preset of an older version. List items that a current preset changes had the scene's value. */
+/** All values of a preset of an older version. A list item that only the current preset changes had the scene's value. */
 async function valuesThen(name: string, own: Values): Promise<Values> {
-  const { values } = findPreset(name)!;
-  const { rig } = await sceneNamed(values.scene as string).load();
+  const { values } = presets.find((preset) => preset.name === name)!;
+  const { rig = {} } = await sceneNamed((values.scene ?? 'lamp') as string).load();
   const ofScene = Object.keys(values).filter((key) => findParameter(key)!.isOptional && key in rig);
-  return {
-    ...defaults(),
-    ...Object.fromEntries(ofScene.map((key) => [key, rig[key]])),
-    ...own,
-  };
+  return { ...defaults(), ...Object.fromEntries(ofScene.map((key) => [key, rig[key]])), ...own };
 }
 
 it('has the 24 presets of version 1 and the 30 of version 2', () => {
@@ -32,7 +31,7 @@ it('has the 24 presets of version 1 and the 30 of version 2', () => {
 });
 
 it.each(recorded)('version %i of %s is that of its links and files', async (version, name, own) => {
-  const values = { ...defaults(), ...own };
+  const values = await valuesThen(name, own);
   for (const start of version === 1 ? ['v=1&', 'v=0&', ''] : ['v=2&']) {
     expect(await decode(`#${start}preset=${name}`), start).toEqual({ state: { preset: name, values }, notices: [] });
   }
@@ -56,15 +55,15 @@ it.each(presets)('$name has its current values in links of version 3, and a noti
 
 it('is the base of malformed values and of unknown presets', async () => {
   const { state } = await decode('#v=1&preset=volcano&style.simplify=much');
-  expect(state).toEqual({ preset: 'lamp', values: { ...defaults(), ...version1.lamp } });
+  expect(state).toEqual({ preset: 'lamp', values: await valuesThen('lamp', version1.lamp) });
 });
 
 it('gives presets that version 1 does not have their first values', async () => {
   const newer = presets.filter(({ name }) => !(name in version1));
   expect(newer.length).toBeGreaterThan(5);
-  for (const { name } of newer) {
+  for (const { name, values } of newer) {
     const { state } = await decode(`#v=1&preset=${name}`);
-    expect(state).toEqual({ preset: name, values: { ...defaults(), ...version2[name] } });
+    expect(state).toEqual({ preset: name, values: await valuesThen(name, version2[name] ?? values) });
   }
 });
 
