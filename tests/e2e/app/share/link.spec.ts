@@ -19,7 +19,7 @@ test('the bare address opens the first look; a link without a preset or with a v
   await expectValue(page, 'style.simplify', 0);
   await open(page, `?paused=1#v=3&${smoke}`);
   await expectValue(page, 'scene', 'lamp');
-  await expectValue(page, 'style.simplify', 4);
+  await expectValue(page, 'style.simplify', 3);
 });
 
 test('an edit changes the stage and the link, and the link restores it', async ({ page, context }) => {
