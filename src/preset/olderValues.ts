@@ -1,14 +1,17 @@
 /** Values of the presets in links of older versions. Links keep their look when a preset changes. */
 import type { Values } from './parameter.ts';
 
-/** The presets of version 1. */
-const NAMES: ReadonlySet<string> = new Set(
-  (
-    'lamp lamp-noir lamp-sunset lamp-ghost lamp-ember lamp-storm lamp-blueprint lamp-newspaper lamp-candy lamp-papercut ' +
-    'airplane airplane-ukiyo-e train train-night-mail campfire rocket genie genie-sumi-e dust cloudscape ' +
-    'cloudscape-gouache wisp wisp-matcha air'
-  ).split(' '),
-);
+/** Presets that are newer than a version. */
+const NEWER_THAN_2 = ['airplane-air-show'];
+const NEWER_THAN_1 = [
+  ...NEWER_THAN_2,
+  'lamp-wind-waker',
+  'train-rubber-hose',
+  'train-ghost-fog',
+  'air-comic-explosion',
+  'cloudscape-cumulus',
+  'cloudscape-ink-wash',
+];
 
 /** Values of all presets of version 1. */
 const ALL_1: Values = {
@@ -25,9 +28,6 @@ const OWN_1: Readonly<Record<string, Values>> = {
   'lamp-candy': { 'style.rim': 0.2 },
   'train-night-mail': { 'style.rim': 0.3 },
 };
-
-/** Presets that are newer than version 2. */
-const NEWER: ReadonlySet<string> = new Set(['airplane-air-show']);
 
 /** Values of all presets of version 2, where they differ from the current ones. */
 const ALL_2: Values = { 'style.form': 0 };
@@ -66,12 +66,12 @@ const OWN_2: Readonly<Record<string, Values>> = {
 /** Values of a preset in links of version 1 that differ from the current ones. A preset that is newer has its first values. */
 export function valuesOfVersion1(preset: string): Values {
   const later = valuesOfVersion2(preset);
-  return NAMES.has(preset) ? { ...later, ...ALL_1, ...OWN_1[preset] } : later;
+  return NEWER_THAN_1.includes(preset) ? later : { ...later, ...ALL_1, ...OWN_1[preset] };
 }
 
 /** Same for version 2. */
 export function valuesOfVersion2(preset: string): Values {
-  if (NEWER.has(preset)) return {};
+  if (NEWER_THAN_2.includes(preset)) return {};
   const [scene] = preset.split('-', 1);
   return { ...ALL_2, ...SCENES_2[scene], ...OWN_2[preset] };
 }

@@ -18,6 +18,19 @@ const smoke: Values = {
   'style.strokes': 0.4,
 };
 
+/** White clouds that darken downwards. */
+const morning: Values = {
+  ...smoke,
+  'style.smokeColor': '#fff7ec',
+  'style.gradient': 'height',
+  'style.gradientColor': '#cfd3ee',
+  'style.gradientBottom': -2,
+  'style.gradientTop': 0.3,
+  'style.innerLine': 0.26,
+  'light.azimuth': 62,
+  'light.elevation': 48,
+};
+
 /** Smoke from a wing tip, in the vortex of this tip. @param z of the tip, metres */
 function tipSmoke(emitter: number, z: number): Values {
   const values: Values = {
@@ -39,15 +52,7 @@ export const airplanePresets: readonly Preset[] = [
     label: 'Airplane',
     text: 'A little biplane that parts the morning clouds. Steer it.',
     values: {
-      ...smoke,
-      'style.smokeColor': '#fff7ec',
-      'style.gradient': 'height',
-      'style.gradientColor': '#cfd3ee',
-      'style.gradientBottom': -2,
-      'style.gradientTop': 0.3,
-      'style.innerLine': 0.26,
-      'light.azimuth': 62,
-      'light.elevation': 48,
+      ...morning,
     },
   },
   {
@@ -77,7 +82,7 @@ export const airplanePresets: readonly Preset[] = [
     label: 'Air show',
     text: 'Pink and yellow smoke rolls up behind both wing tips.',
     values: {
-      ...smoke,
+      ...morning,
       ...tipSmoke(4, 1.3),
       ...tipSmoke(5, -1.3),
       'emission.rate': 200,
@@ -94,14 +99,6 @@ export const airplanePresets: readonly Preset[] = [
       'shedders.1.viscosity': 0.01,
       'shedders.1.lifetime': 4,
       'shedders.1.jitter': 0,
-      'style.smokeColor': '#fff7ec',
-      'style.gradient': 'height',
-      'style.gradientColor': '#cfd3ee',
-      'style.gradientBottom': -2,
-      'style.gradientTop': 0.3,
-      'style.innerLine': 0.26,
-      'light.azimuth': 62,
-      'light.elevation': 48,
     },
   },
 ];

@@ -16,6 +16,8 @@ const smoke: Values = {
   'puff.billow': 0.5,
   'style.simplify': 3,
   'style.form': 0.4,
+  'light.azimuth': 0,
+  'light.elevation': 62,
 };
 
 export const cloudscapePresets: readonly Preset[] = [
@@ -33,8 +35,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.gradientTop': 2.6,
       'style.inkColor': '#2b2740',
       'style.strokes': 0.45,
-      'light.azimuth': 0,
-      'light.elevation': 62,
     },
   },
   {
@@ -53,8 +53,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.backdrop': '0:ffcfa4,1:5c5cac',
       'style.wash': 0.35,
       'style.washColor': '#f4b49c',
-      'light.azimuth': 0,
-      'light.elevation': 62,
     },
   },
   {
@@ -76,7 +74,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.gradientTop': 2.2,
       'style.inkColor': '#2b2740',
       'style.backdrop': '0:d2eef4,1:2b7fd6',
-      'light.azimuth': 0,
       'light.elevation': 56,
     },
   },
@@ -102,8 +99,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.backdrop': '0:f4f0e6,1:e6e1d6',
       'style.wash': 1,
       'style.washColor': '#efebe2',
-      'light.azimuth': 0,
-      'light.elevation': 62,
     },
   },
 ];

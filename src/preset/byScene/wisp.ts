@@ -17,6 +17,8 @@ const smoke: Values = {
   'emitters.0.lifetimeVariation': 0.05,
   'style.simplify': 3,
   'style.form': 0.4,
+  'light.azimuth': 30,
+  'light.elevation': 40,
 };
 
 export const wispPresets: readonly Preset[] = [
@@ -32,8 +34,6 @@ export const wispPresets: readonly Preset[] = [
       'vortices.0.position.x': -0.25,
       'vortices.0.position.y': 2.1,
       'style.smokeColor': '#fffaf0',
-      'light.azimuth': 30,
-      'light.elevation': 40,
     },
   },
   {
@@ -48,8 +48,6 @@ export const wispPresets: readonly Preset[] = [
       'style.backdrop': '0:e4efc8,1:8fb98a',
       'style.wash': 0.9,
       'style.washColor': '#dcecb4',
-      'light.azimuth': 30,
-      'light.elevation': 40,
     },
   },
 ];
