@@ -28,8 +28,8 @@ export function versionOf(pairs: Pairs): string {
  */
 export async function olderValues(version: string, preset: string): Promise<Values> {
   if (!OLDER.includes(version)) return {};
-  const { valuesOfVersion1, valuesOfVersion2 } = await fetched('The values of older links', import('./olderValues.ts'));
-  return version === '2' ? valuesOfVersion2(preset) : valuesOfVersion1(preset);
+  const { valuesOfVersion } = await fetched('The values of older links', import('./olderValues.ts'));
+  return valuesOfVersion(version, preset);
 }
 
 /** Migrates the pairs of a link to the current version and adds notices. Unknown versions are left unchanged. */

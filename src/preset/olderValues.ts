@@ -2,9 +2,8 @@
 import type { Values } from './parameter.ts';
 
 /** Presets that are newer than a version. */
-const NEWER_THAN_2 = ['airplane-air-show'];
+const NEWER_THAN_2 = 'airplane-air-show';
 const NEWER_THAN_1 = [
-  ...NEWER_THAN_2,
   'lamp-wind-waker',
   'train-rubber-hose',
   'train-ghost-fog',
@@ -30,7 +29,7 @@ const OWN_1: Readonly<Record<string, Values>> = {
 };
 
 /** Values of all presets of version 2, where they differ from the current ones. */
-const ALL_2: Values = { 'style.form': 0 };
+const ALL_2: Values = { 'emission.dissolve': 'shrink', 'style.form': 0 };
 
 /** Same for all presets of a scene; values of lists that scenes have are named, because presets have others now. */
 const SCENES_2: Readonly<Record<string, Values>> = {
@@ -45,33 +44,30 @@ const SCENES_2: Readonly<Record<string, Values>> = {
 const OWN_2: Readonly<Record<string, Values>> = {
   lamp: { 'style.strokes': 0 },
   'lamp-sunset': { 'style.strokes': 0 },
-  'lamp-ghost': { 'emission.dissolve': 'shrink', 'puff.size': 1 },
+  'lamp-ghost': { 'puff.size': 1 },
   'lamp-ember': { 'style.simplify': 3 },
   'lamp-storm': { 'style.strokes': 0 },
   'lamp-candy': { 'style.strokes': 0 },
-  'lamp-papercut': { 'emission.dissolve': 'shrink', 'puff.size': 1 },
+  'lamp-papercut': { 'puff.size': 1 },
   'lamp-wind-waker': { 'emission.density': '0:1,.85:.8,1:0', 'style.simplify': 5 },
   airplane: { 'style.strokes': 0 },
   train: { 'style.simplify': 4.5, 'style.strokes': 0 },
   'train-night-mail': { 'style.simplify': 4.5, 'style.strokes': 0 },
-  'train-ghost-fog': { 'emission.dissolve': 'shrink', 'puff.size': 1 },
+  'train-ghost-fog': { 'puff.size': 1 },
   rocket: { 'emission.density': '0:.55,.3:1,.6:.85,1:0', 'style.simplify': 4, 'style.strokes': 0 },
   genie: { 'style.strokes': 0 },
   cloudscape: { 'style.simplify': 5, 'style.strokes': 0 },
   'cloudscape-cumulus': { 'style.simplify': 6 },
   air: { 'emission.density': '0:1,1:0', 'emitters.0.lifetimeVariation': 0.25 },
-  'air-comic-explosion': { 'emission.dissolve': 'shrink' },
 };
 
-/** Values of a preset in links of version 1 that differ from the current ones. A preset that is newer has its first values. */
-export function valuesOfVersion1(preset: string): Values {
-  const later = valuesOfVersion2(preset);
-  return NEWER_THAN_1.includes(preset) ? later : { ...later, ...ALL_1, ...OWN_1[preset] };
-}
-
-/** Same for version 2. */
-export function valuesOfVersion2(preset: string): Values {
-  if (NEWER_THAN_2.includes(preset)) return {};
+/**
+ * Values of a preset in links of a version that differ from the current ones. A preset that is newer has its first values.
+ * @param version 0 to 2
+ */
+export function valuesOfVersion(version: string, preset: string): Values {
+  if (preset === NEWER_THAN_2) return {};
   const [scene] = preset.split('-', 1);
-  return { ...ALL_2, ...SCENES_2[scene], ...OWN_2[preset] };
+  const isFirst = version !== '2' && !NEWER_THAN_1.includes(preset);
+  return { ...ALL_2, ...SCENES_2[scene], ...OWN_2[preset], ...(isFirst && { ...ALL_1, ...OWN_1[preset] }) };
 }

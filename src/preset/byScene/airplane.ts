@@ -31,21 +31,6 @@ const morning: Values = {
   'light.elevation': 48,
 };
 
-/** Smoke from a wing tip, in the vortex of this tip. @param z of the tip, metres */
-function tipSmoke(emitter: number, z: number): Values {
-  const values: Values = {
-    rigid: 0,
-    'position.x': -0.25,
-    'position.z': z,
-    size: 0.3,
-    speed: 0,
-    temperature: 0,
-    share: 1.8,
-    lifetime: 0.8,
-  };
-  return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
-}
-
 export const airplanePresets: readonly Preset[] = [
   {
     name: 'airplane',
@@ -80,15 +65,28 @@ export const airplanePresets: readonly Preset[] = [
   {
     name: 'airplane-air-show',
     label: 'Air show',
-    text: 'Pink and yellow smoke rolls up behind both wing tips.',
+    text: 'Pink and yellow smoke rolls up behind the wings.',
     values: {
       ...morning,
-      ...tipSmoke(4, 1.3),
-      ...tipSmoke(5, -1.3),
       'emission.rate': 200,
       'emission.growthTime': 0.35,
       'forces.turbulence': 0.6,
+      // Smoke from the wing tips.
+      'emitters.4.rigid': 0,
+      'emitters.4.position.x': -0.25,
+      'emitters.4.position.z': 1.3,
+      'emitters.4.speed': 0,
+      'emitters.4.temperature': 0,
+      'emitters.4.share': 1.8,
+      'emitters.4.lifetime': 0.8,
       'emitters.4.tint': 1,
+      'emitters.5.rigid': 0,
+      'emitters.5.position.x': -0.25,
+      'emitters.5.position.z': -1.3,
+      'emitters.5.speed': 0,
+      'emitters.5.temperature': 0,
+      'emitters.5.share': 1.8,
+      'emitters.5.lifetime': 0.8,
       'emitters.5.tint': 2,
       'style.tint1': '#ff9ab0',
       'style.tint2': '#ffd873',

@@ -184,12 +184,11 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-papercut',
     label: 'Paper cut',
-    text: 'No ink at all: sheets of paper that fade upwards and cast shadows.',
+    text: 'Sheets of paper without ink that fade upwards.',
     values: {
       ...curl,
       ...eroding,
       'style.outlines': 0,
-      'style.tones': 2,
       'style.smokeColor': '#fff4e2',
       'style.gradient': 'height',
       'style.gradientColor': '#f4a27c',
@@ -204,7 +203,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-wind-waker',
     label: 'Wind waker',
-    text: 'Round white smoke that rolls up under a saturated sky, with light along its edges.',
+    text: 'Round white smoke under a saturated sky, with light along its edges.',
     values: {
       ...curl,
       'emission.rate': 30,
@@ -222,7 +221,6 @@ export const lampPresets: readonly Preset[] = [
       'style.inkColor': '#15406e',
       'style.outlineWidth': 2.4,
       'style.backdrop': '0:8ff0ec,1:1668d8',
-      'light.azimuth': 40,
       'light.elevation': 48,
     },
   },

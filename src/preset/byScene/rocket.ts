@@ -11,7 +11,6 @@ export const rocketPresets: readonly Preset[] = [
       'emission.lifetime': 6,
       'emission.growthTime': 0.7,
       'emission.density': '0:.55,.3:1,.75:.75,1:0',
-      'forces.turbulence': 1,
       'simulation.maxParticles': 1500,
       // Flat tones with short transitions, so that no puff changes its colour at once.
       'style.heatRamp': '0:fff8ec,.03:fff8ec,.13:f6d9b4,.32:f6a050,.42:f6a050,.52:f9c24c,.58:f9c24c,.95:fff0b4',

@@ -25,7 +25,6 @@ export const trainPresets: readonly Preset[] = [
     text: 'A toy train in a circle, with a puff for each piston stroke.',
     values: {
       ...smoke,
-      'forces.turbulence': 1,
       'style.smokeColor': '#fffaf0',
       'style.inkColor': '#2a1d2e',
       'style.strokes': 0.3,
@@ -54,7 +53,7 @@ export const trainPresets: readonly Preset[] = [
   {
     name: 'train-rubber-hose',
     label: 'Rubber hose',
-    text: 'Few round puffs and thick, even ink, as in a cartoon of the 1930s; drawn on twos.',
+    text: 'Few round puffs and thick, even ink of the 1930s, drawn on twos.',
     values: {
       ...smoke,
       'emission.rate': 40,

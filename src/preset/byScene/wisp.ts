@@ -25,7 +25,7 @@ export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp',
     label: 'Cup of tea',
-    text: 'A little steam from a friendly cup of tea.',
+    text: 'Steam from a friendly cup of tea.',
     values: {
       ...smoke,
       'vortices.0.circulation': -1.6,
@@ -39,7 +39,7 @@ export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp-matcha',
     label: 'Matcha',
-    text: 'One green for everything, in three tones and fine lines.',
+    text: 'One green in three tones.',
     values: {
       ...smoke,
       'style.ramp': '0:7fa878,.34:bcd6a4,.7:f2f7dc',
