@@ -67,7 +67,11 @@ const OWN_2: Readonly<Record<string, Values>> = {
  */
 export function valuesOfVersion(version: string, preset: string): Values {
   if (preset === NEWER_THAN_2) return {};
-  const [scene] = preset.split('-', 1);
   const isFirst = version !== '2' && !NEWER_THAN_1.includes(preset);
-  return { ...ALL_2, ...SCENES_2[scene], ...OWN_2[preset], ...(isFirst && { ...ALL_1, ...OWN_1[preset] }) };
+  return {
+    ...ALL_2,
+    ...SCENES_2[preset.split('-', 1)[0]],
+    ...OWN_2[preset],
+    ...(isFirst && { ...ALL_1, ...OWN_1[preset] }),
+  };
 }

@@ -94,9 +94,7 @@ export const airplanePresets: readonly Preset[] = [
       'shedders.0.perSpeed': 0.15,
       'shedders.1.perSpeed': 1.2,
       'shedders.1.coreRadius': 0.4,
-      'shedders.1.viscosity': 0.01,
       'shedders.1.lifetime': 4,
-      'shedders.1.jitter': 0,
     },
   },
 ];
