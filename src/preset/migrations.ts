@@ -28,7 +28,7 @@ export function versionOf(pairs: Pairs): string {
  */
 export async function olderValues(version: string, preset: string): Promise<Values> {
   if (!OLDER.includes(version)) return {};
-  const { valuesOfVersion } = await fetched('Older looks', import('./olderValues.ts'));
+  const { valuesOfVersion } = await fetched('Older link', import('./olderValues.ts'));
   return valuesOfVersion(version, preset);
 }
 

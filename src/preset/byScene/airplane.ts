@@ -89,7 +89,7 @@ export const airplanePresets: readonly Preset[] = [
       'emitters.5.lifetime': 0.8,
       'emitters.5.tint': 2,
       'style.tint1': '#ff9ab0',
-      'style.tint2': '#ffd873',
+      'style.tint2': '#ffe6a8',
       // Strong, smooth vortices of the wing tips, and little swirl behind the propeller.
       'shedders.0.perSpeed': 0.15,
       'shedders.1.perSpeed': 1.2,
