@@ -74,7 +74,8 @@ void main() {
   normal.xy = rotated(normal.xy);
   normal = normalize(normal);
   float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
-  bool isInk = isRing || isSeam(clipFromView, viewZ, normal, pixel, linePixels);
+  vec2 here = surfaceHere(clipFromView);
+  bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), gradientAt(gradientPosition, viewZ));
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, vec4(rimColor, rim));
@@ -83,15 +84,9 @@ void main() {
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, material, shades.isFilled, shades.isRim, ink > 0.0, radius));
 #endif
-#ifdef NORMALS
-  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
-  unlit = vec4(0.5 + 0.5 * normal, 1.0);
-  lit = vec4(unlit.rgb, 0.5);
-#endif
 
   float outside = distanceOutside * radius;
-  float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5))
-    : windowDepth(clipFromView, viewZ);
+  float depth = windowDepth(clipFromView, viewZ);
+  if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5));
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 }

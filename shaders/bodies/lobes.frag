@@ -74,12 +74,13 @@ vec4 nearerRim(vec4 nearest, vec4 lobe, vec2 point, float surface) {
 }
 
 // The outward direction of a lobe at a point, weighted by the fillet that blends normals along creases.
-vec3 shareOf(vec4 lobe, vec3 place) {
+vec3 shareOf(vec4 lobe, vec3 place, float perFillet) {
   vec3 outward = place - lobe.xyz;
-  float inverse = inversesqrt(max(dot(outward, outward), 1e-12));
-  float away = 1.0 / inverse - lobe.w;
+  float squared = max(dot(outward, outward), 1e-12);
+  float inverse = inversesqrt(squared);
+  float away = squared * inverse - lobe.w;
   #pragma insert_4
-  float nearness = max(0.0, 1.0 - abs(away) / fillet);
+  float nearness = max(0.0, 1.0 - abs(away) * perFillet);
   return outward * (nearness * nearness * inverse);
 }
 
@@ -146,14 +147,16 @@ void main() {
   float radius = depthsAndRamp.y;
   float pixel = viewUnitsPerPixel(clipFromView, viewport, depthsAndRamp.x);
   vec2 outward = normalize(viewPoint(point - middleAndInkReach.xy));
-  float reach = middleAndInkReach.w * exp2(-inkSwell) * swelling(outward, towardsLight, inkSwell);
+  float reach = middleAndInkReach.w * swelling(outward, towardsLight, inkSwell);
   reach *= boiling(outward, pointAndGradient.w, boil);
-  float linePixels = reach * radius / pixel;
+  float pixels = radius / pixel;
+  float linePixels = reach * pixels;
   // Where a surface hides the nearest lobe, the line of a neighbouring lobe may still be in front of that surface.
 #ifdef FLAT
   float surface = NOWHERE;
 #else
-  float surface = heightOf((surfaceZ(clipFromView) - depthsAndRamp.x) / radius, point);
+  vec2 here = surfaceHere(clipFromView);
+  float surface = heightOf((here.y - depthsAndRamp.x) / radius, point);
 #endif
   bool isRing = height <= max(NOWHERE, surface);
 #ifdef FLAT
@@ -175,9 +178,10 @@ void main() {
 
   vec3 place = vec3(point, height);
   vec3 normal = vec3(0.0);
+  float perFillet = 1.0 / fillet;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
-    normal += shareOf(lobes[ i ], place);
+    normal += shareOf(lobes[ i ], place, perFillet);
   }
   #pragma unroll_loop_end
   normal = normalize(normal);
@@ -190,9 +194,9 @@ void main() {
   viewNormal = normalize(stretchedNormal(projection, viewNormal));
 #endif
 #ifndef FLAT
-  isInk = isInk || isSeam(clipFromView, viewZ, viewNormal, pixel, linePixels);
+  isInk = isInk || isSeam(clipFromView, here.y, viewZ, viewNormal, pixel, linePixels);
 #endif
-  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
+  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), pixels) : 0.0;
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
 #endif
@@ -204,18 +208,12 @@ void main() {
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, depthsAndRamp.w, shades.isFilled, shades.isRim, ink > 0.0, radius));
 #endif
-#ifdef NORMALS
-  // An alpha of 1/2 marks normals: see debugViews/colors.frag.
-  unlit = vec4(0.5 + 0.5 * normalize(normal), 1.0);
-  lit = vec4(unlit.rgb, 0.5);
-#endif
 
 #ifndef FLAT
-  float outside = line.w * radius;
-  vec2 inward = normalize(viewGradient(line.xy - point)) * (outside / pixel + 0.5);
-  float depth = isRing
-    ? ringDepth(clipFromView, viewZ, viewZ - lineDrop * sinking(outside / pixel, linePixels, innerTaper), outside, inward)
-    : windowDepth(clipFromView, viewZ);
+  float outside = line.w * pixels;
+  vec2 inward = normalize(viewGradient(line.xy - point)) * (outside + 0.5);
+  float depth = windowDepth(clipFromView, viewZ);
+  if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - lineDrop * sinking(outside, linePixels, innerTaper), line.w * radius, inward);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
 }

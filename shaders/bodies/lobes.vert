@@ -97,7 +97,7 @@ void main() {
   vec4 clip = clipFromView * vec4(centre + vec3(beside * radius, 0.0), 1.0);
   vec3 gradients = vec3(0.5 + 0.5 * beside.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes));
   pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(attributes), drawing));
-  middleAndInkReach = vec4(middle, inkReach);
+  middleAndInkReach = vec4(middle, inkReach * exp2(-inkSwell));
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef DEFORMED
   // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.

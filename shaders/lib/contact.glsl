@@ -16,10 +16,11 @@ const float STEEPEST = 8.0;
 // Least z of a normal for the slope of a puff. Close to the silhouette puffs are so steep that the slope is meaningless.
 const float FLATTEST = 0.1;
 
-// View z of the surface in this pixel; beyond everything if there is none.
-float surfaceZ(mat4 clipFromView) {
+// Window depth and view z of the surface in this pixel. The z is beyond everything if there is none.
+vec2 surfaceHere(mat4 clipFromView) {
   const float NOTHING = -1e9;
-  return hasSurfaces ? viewZOf(clipFromView, texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r) : NOTHING;
+  float depth = texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r;
+  return vec2(depth, hasSurfaces ? viewZOf(clipFromView, depth) : NOTHING);
 }
 
 // Difference of the surface's window depth between neighbouring pixels along an axis. Across an edge, the flatter side
@@ -38,17 +39,15 @@ float lift(float here) {
 }
 
 // Window depth of a ring of ink with view z `sunkenZ`. If the surface is behind the puff at the silhouette, `inward`
-// pixels away, the ring is in front of the surface.
-float ringDepth(mat4 clipFromView, float rimZ, float sunkenZ, float outside, vec2 inward) {
+// pixels away, the ring is in front of the surface. `here` is that of surfaceHere.
+float ringDepth(mat4 clipFromView, vec2 here, float rimZ, float sunkenZ, float outside, vec2 inward) {
   float depth = windowDepth(clipFromView, sunkenZ);
-  if (!hasSurfaces) return depth;
   ivec2 last = textureSize(surfaceDepth, 0) - 1;
-  float here = texelFetch(surfaceDepth, ivec2(gl_FragCoord.xy), 0).r;
   float atRim = texelFetch(surfaceDepth, clamp(ivec2(gl_FragCoord.xy + inward), ivec2(0), last), 0).r;
+  bool isBefore = viewZOf(clipFromView, atRim) < rimZ;
+  bool isSlope = here.y < rimZ + STEEPEST * outside;
   float order = depthOrder(clipFromView);
-  bool isBefore = order * (atRim - windowDepth(clipFromView, rimZ)) > 0.0;
-  bool isSlope = order * (here - windowDepth(clipFromView, rimZ + STEEPEST * outside)) > 0.0;
-  return isBefore && isSlope ? order * min(order * depth, order * here - lift(here)) : depth;
+  return hasSurfaces && isBefore && isSlope ? order * min(order * depth, order * here.x - lift(here.x)) : depth;
 }
 
 // Difference of the surface's view z between neighbouring pixels along an axis. Across an edge, the side of this pixel
@@ -60,11 +59,10 @@ float slopeOfSurface(mat4 clipFromView, float here, ivec2 axis) {
   return abs(ahead) < abs(behind) ? ahead : behind;
 }
 
-// Whether a point of a puff is within `reach` pixels of the seam where the puff intersects a surface. `pixel` is the
-// size of a pixel in view units.
-bool isSeam(mat4 clipFromView, float viewZ, vec3 normal, float pixel, float reach) {
+// Whether a point of a puff is within `reach` pixels of the seam where the puff intersects the surface with view z `here`.
+// `pixel` is the size of a pixel in view units.
+bool isSeam(mat4 clipFromView, float here, float viewZ, vec3 normal, float pixel, float reach) {
   if (!hasSurfaces || reach <= 0.0) return false;
-  float here = surfaceZ(clipFromView);
   float gap = viewZ - here;
   if (gap > (STEEPEST + 1.0 / FLATTEST) * reach * pixel) return false;
   vec2 slope = -normal.xy / max(normal.z, FLATTEST) * pixel;

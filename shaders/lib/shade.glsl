@@ -11,6 +11,7 @@ struct Shades {
 const float FILL_BORDER = 0.65;
 // Rows of a material: in shadow, in the light, then both again where the fill light applies.
 const float RAMP_ROWS = 4.0;
+const float RAMP_TEXELS = 256.0;
 
 // Direction of the fill light in view space: on the opposite side of the camera from the key light and slightly from
 // below, where shadows are visible, as in studio lighting.
@@ -36,9 +37,9 @@ Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, ve
   if (hasRim) return Shades(rim.rgb, rim.rgb, facing, false, true);
 #endif
   bool isFilled = dot(normal, towardsFill(towardsLight)) > FILL_BORDER;
-  float pitch = 1.0 / float(textureSize(ramps, 0).y);
-  float row = (RAMP_ROWS * material + (isFilled ? 2.5 : 0.5)) * pitch;
-  vec3 unlit = textureLod(ramps, vec2(facing, row), 0.0).rgb * gradient;
-  vec3 lit = textureLod(ramps, vec2(facing, row + pitch), 0.0).rgb * gradient;
+  float column = clamp(facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
+  ivec2 texel = ivec2(column, RAMP_ROWS * material + (isFilled ? 2.0 : 0.0));
+  vec3 unlit = texelFetch(ramps, texel, 0).rgb * gradient;
+  vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb * gradient;
   return Shades(unlit, lit, facing, isFilled, hasRim);
 }

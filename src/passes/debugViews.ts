@@ -135,10 +135,10 @@ export class DebugViewsPass {
   }
 
   private makeVariant(source: RawShaderMaterial, kind: 'NORMALS' | 'OVERDRAW'): RawShaderMaterial {
-    const { vertexShader, fragmentShader, defines, side, uniforms } = source;
+    const { vertexShader, defines, side, uniforms } = source;
     if (kind === 'NORMALS') {
-      const parts = { vertexShader, fragmentShader, side, uniforms };
-      return new RawShaderMaterial({ ...parts, glslVersion: GLSL3, defines: { ...defines, NORMALS: '' } });
+      const fragmentShader = source.fragmentShader.replace(/}\s*$/, NORMALS_OUTPUT);
+      return new RawShaderMaterial({ glslVersion: GLSL3, vertexShader, fragmentShader, defines, side, uniforms });
     }
     return new RawShaderMaterial({
       ...ADDS,
@@ -153,6 +153,9 @@ export class DebugViewsPass {
     });
   }
 }
+
+/** The end of the shader of bodies that outputs normals; an alpha of 1/2 marks them, see debugViews/colors.frag. */
+const NORMALS_OUTPUT = 'unlit = vec4(0.5 + 0.5 * normalize(normal), 1.0); lit = vec4(unlit.rgb, 0.5); }';
 
 /** Fragment shaders of the views; the default is the shader of the colour views. */
 const SHOWING: Partial<Record<DebugView, string>> = {

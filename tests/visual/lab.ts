@@ -28,6 +28,7 @@ import { drawnSurfaces } from '../../src/smoke/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import { styleOf, type Style } from '../../src/smoke/style.ts';
 import { defaults } from '../../src/preset/values.ts';
+import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.
 await fetchExtras({
@@ -196,7 +197,7 @@ export function frontCamera(width: number, height: number, distance = 4, fieldOf
   return camera;
 }
 
-/** Draws one picture on a separate context and disposes it. */
+/** Draws one picture. */
 export function takePicture(scene: LabOptions): LabPicture {
   const lab = new Lab(scene);
   try {
@@ -214,15 +215,14 @@ export interface LabOptions extends LabScene {
   failsSelfTest?: boolean;
 }
 
-/** Keeps a context and its programs for many pictures with the same size, surfaces and backdrop. */
+/** Draws many pictures with the same size, surfaces and backdrop. */
 export class Lab {
   private readonly device: Device;
   private readonly smoke: SmokeRenderer;
 
   constructor(options: LabOptions) {
-    const { width, height, puffs, casters = [], surfaces = [], backdrop, capacity = 1 } = options;
-    this.device = options.reversedDepth ? reversedDevice() : createDevice(new OffscreenCanvas(1, 1), options);
-    this.device.renderer.setSize(width, height, false);
+    const { puffs, casters = [], surfaces = [], backdrop, capacity = 1 } = options;
+    this.device = deviceFor(options);
     const max = Math.max(capacity, puffs.length, casters.length);
     const baked = bakedPuffs(options.shapes);
     const drawn = { surfaces: drawnSurfaces(surfaces), backdrop };
@@ -242,7 +242,9 @@ export class Lab {
   drawFrame(input: FrameInput, options: Pick<LabScene, 'smoothEdges' | 'readCounts'> = {}): LabPicture {
     const { width, height } = input;
     this.smoke.passes.resolve.smoothEdges = options.smoothEdges ?? false;
+    fitDevice(this.device, width, height);
     drawFrame(this.smoke, input);
+    keepPrograms(this.device.renderer);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -257,8 +259,13 @@ export class Lab {
 
   dispose(): void {
     this.smoke.dispose();
-    this.device.dispose();
   }
+}
+
+function deviceFor({ reversedDepth, failsSelfTest }: LabOptions): Device {
+  if (reversedDepth) return pageDevice('reversed depth', reversedDevice);
+  if (!failsSelfTest) return pageDevice();
+  return pageDevice('fails self test', () => createDevice(new OffscreenCanvas(1, 1), { failsSelfTest }));
 }
 
 function reversedDevice(): Device {

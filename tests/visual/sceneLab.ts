@@ -1,6 +1,5 @@
 /** A scene of the demo with its simulator, drawn for any camera, by default without the edge filter: colours are flat. */
 import { PerspectiveCamera, Vector3, type Box3, type Camera } from 'three';
-import { createDevice } from '../../src/device/device.ts';
 import type { Values } from '../../src/preset/parameter.ts';
 import type { DebugView } from '../../src/preset/quality.ts';
 import { findPreset, presetValues } from '../../src/preset/presets.ts';
@@ -17,6 +16,7 @@ import { SmokeRenderer } from '../../src/smoke/smoke.ts';
 import type { SmokePasses } from '../../src/smoke/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
+import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
 import { readStencil, rowsOf, type LabPicture } from './lab.ts';
 import { PLAIN_LOOK } from '../support/plainLook.ts';
 
@@ -65,7 +65,7 @@ export class SceneLab {
   report: FrameReport | undefined;
   private readonly values: Values;
   private readonly simulation: Simulation;
-  private readonly device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly device = pageDevice();
   private readonly smoke: SmokeRenderer;
   private readonly style: Style;
 
@@ -76,7 +76,6 @@ export class SceneLab {
     this.values = values;
     this.style = styleOf(values);
     [this.width, this.height] = [width, height];
-    this.device.renderer.setSize(width, height, false);
     const capacity = values['simulation.maxParticles'] as number;
     const surfaces = drawnSurfaces(scene.surfaces);
     this.smoke = new SmokeRenderer(this.device, { capacity, backdrop: scene.backdrop, surfaces });
@@ -126,7 +125,9 @@ export class SceneLab {
 
   draw(options: FrameOptions = {}): LabPicture {
     const { width, height } = this;
+    fitDevice(this.device, width, height);
     this.report = drawFrame(this.smoke, this.frame(options));
+    keepPrograms(this.device.renderer);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.context;
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -191,7 +192,6 @@ export class SceneLab {
 
   dispose(): void {
     this.smoke.dispose();
-    this.device.dispose();
     this.simulation.dispose();
   }
 }

@@ -1,5 +1,5 @@
 //! Prints what the parts of a step cost natively among moving rigids, beside Rapier's own queries:
-//! `cargo run --release --package sim --features bench --example collisions`. Read ratios, not milliseconds.
+//! `cargo run --release --package sim-tests --features bench --example collisions`. Read ratios, not milliseconds.
 
 use std::time::Instant;
 

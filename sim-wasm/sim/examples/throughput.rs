@@ -1,4 +1,4 @@
-//! Prints the native cost of a step and an arrange: `cargo run --release --package sim --example throughput`.
+//! Prints the native cost of a step and an arrange: `cargo run --release --package sim-tests --example throughput`.
 //! Timings of a shared machine: read ratios, not milliseconds.
 
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! The integration tests, in one program.
 //!
 //! Linking costs far more than compiling: a program for each file would link the simulator each time. A new file is a
-//! `mod` in the `mod.rs` of its folder; `cargo test -p sim --test all NAME` runs one.
+//! `mod` in the `mod.rs` of its folder; `cargo test -p sim-tests NAME` runs one.
 
 mod arrange;
 mod collide;
@@ -21,7 +21,7 @@ const PROGRAMS: [&str; 2] = ["all", "memory"];
 
 #[test]
 fn every_file_of_tests_is_declared() {
-    assert_declared(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests"), "all.rs");
+    assert_declared(Path::new(env!("CARGO_MANIFEST_DIR")), "all.rs");
 }
 
 /// Asserts that `list` in `folder` declares each file and each folder beside it as a module.

@@ -75,7 +75,7 @@ fn paths_are_read_from_every_form_of_use() {
 }
 
 fn arrows() -> Arrows {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
     let mut sources = BTreeMap::new();
     read_folder(&root, &mut Vec::new(), &mut sources);
     // `lib.rs` only declares the layers.

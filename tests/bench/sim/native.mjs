@@ -19,7 +19,7 @@ const FEATURES = process.arch === 'x64' ? '-C target-feature=+sse4.1' : '';
 /** @param {(line: string) => void} say */
 export async function buildContestants(say) {
   mkdirSync(inRoot(FOLDER), { recursive: true });
-  const native = ['build', '--release', '--locked', '--package', 'sim', '--example', 'contest'];
+  const native = ['build', '--release', '--locked', '--package', 'sim-tests', '--example', 'contest'];
   demandBuilt('contest', await cargo([...native, '--target-dir', inRoot(FOLDER)], say, { RUSTFLAGS: FEATURES }));
   const wasm = ['--edition', '2024', '--crate-type', 'cdylib', '--target', 'wasm32-unknown-unknown'];
   const tuned = ['-C', 'opt-level=3', '-C', 'target-feature=+simd128', '-C', 'strip=symbols'];

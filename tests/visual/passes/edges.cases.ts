@@ -13,12 +13,13 @@ import {
 } from 'three';
 import edgesShader from '../../../shaders/resolve/edges.frag';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import { createDevice, type Device } from '../../../src/device/device.ts';
+import { createDevice } from '../../../src/device/device.ts';
 import { FullScreen } from '../../../src/device/fullScreen.ts';
 import { FrameView } from '../../../src/device/frameView.ts';
 import { ResolvePass } from '../../../src/passes/resolve.ts';
 import { styleUniforms } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE, takePicture, type LabScene } from '../lab.ts';
+import { fitDevice, keepPrograms, pageDevice } from '../pageDevice.ts';
 import { random } from '../random.ts';
 import { ground } from '../solids.ts';
 
@@ -62,7 +63,7 @@ function lineAt(angle: number, shift: number): Distance {
 
 /** Applies the filter to given colours. */
 class Filter {
-  private readonly device: Device = createDevice(new OffscreenCanvas(1, 1));
+  private readonly device = pageDevice();
   private readonly pass = new ResolvePass(new FrameView(styleUniforms()));
   private readonly output = new WebGLRenderTarget(SIZE, SIZE, { depthBuffer: false });
 
@@ -75,6 +76,7 @@ class Filter {
     const [unlit, lit] = (['unlit', 'lit'] as const).map((color) => textureOf((x, y) => pixelAt(x, y)[color]));
     this.pass.smoothEdges = smoothEdges;
     this.pass.draw(this.device.renderer, { unlit, lit, width: SIZE, height: SIZE }, output);
+    keepPrograms(this.device.renderer);
     const pixels = new Uint8Array(4 * SIZE * SIZE);
     if (output) this.device.renderer.readRenderTargetPixels(output, 0, 0, SIZE, SIZE, pixels);
     for (const texture of [unlit, lit]) texture.dispose();
@@ -83,7 +85,7 @@ class Filter {
 
   /** Shows the filtered picture of the latest colours on a canvas of the page. */
   show(pixelAt: (x: number, y: number) => Pixel, canvas: HTMLCanvasElement): void {
-    this.device.renderer.setSize(SIZE, SIZE, false);
+    fitDevice(this.device, SIZE, SIZE);
     this.draw(pixelAt, true, null);
     const picture = (this.device.canvas as OffscreenCanvas).transferToImageBitmap();
     canvas.getContext('bitmaprenderer')!.transferFromImageBitmap(picture);
@@ -92,7 +94,6 @@ class Filter {
   dispose(): void {
     this.pass.dispose();
     this.output.dispose();
-    this.device.dispose();
   }
 }
 

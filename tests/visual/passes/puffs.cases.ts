@@ -48,7 +48,10 @@ function heap(count: number, seed: number): LabPuff[] {
 
 /** A puff without roll, seen by a camera along -z, by (x, y) in radii; computed on the CPU. */
 export function seenOf(form: PuffForm, variation: number, seed = 0, roll = 0): (x: number, y: number) => PuffSample {
-  if (form === 'billboards') return (x, y) => samplePuff(bakedPuffs().billboards.layers, variation, x, y);
+  if (form === 'billboards') {
+    const { layers } = bakedPuffs().billboards;
+    return (x, y) => samplePuff(layers, variation, x, y);
+  }
   const lobes = rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes);
   return (x, y) => sampleLobes(lobes, x, y);
 }

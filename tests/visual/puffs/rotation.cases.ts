@@ -10,7 +10,7 @@ import { FullScreen } from '../../../src/device/fullScreen.ts';
 import { orientationOf } from '../../../src/puffs/orientation.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe } from '../description.ts';
-import { inputOf, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
+import { inputOf, Lab, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 
 export type RotationKind = 'orbit' | 'roll';
 
@@ -49,20 +49,15 @@ export function rotating(by: RotationKind, degrees: number, steps: number): Rota
   return report;
 }
 
-/** Pictures at some angles, for comparison with the reference. */
-export function rotated(by: RotationKind, angles: readonly number[]): Drawn[] {
-  const lab = new Lab(sceneAt(by, 0));
-  const pictures = angles.map((degrees) => {
-    const scene = sceneAt(by, degrees);
-    const { pixels, counts } = lab.draw({ ...scene, readCounts: true });
-    return {
-      description: describe({ input: inputOf(scene), surfaces: [] }),
-      pixels: base64(pixels),
-      counts: base64(counts),
-    };
-  });
-  lab.dispose();
-  return pictures;
+/** A picture at an angle, for comparison with the reference. */
+export function rotated(by: RotationKind, degrees: number): Drawn {
+  const scene = { ...sceneAt(by, degrees), readCounts: true };
+  const { pixels, counts } = takePicture(scene);
+  return {
+    description: describe({ input: inputOf(scene), surfaces: [] }),
+    pixels: base64(pixels),
+    counts: base64(counts),
+  };
 }
 
 /** One pixel for each column of a rotation: seeds and columns from left to right, rolls from bottom to top. */

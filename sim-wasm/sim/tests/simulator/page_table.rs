@@ -98,7 +98,7 @@ fn camel_case(name: &str) -> String {
 
 /// Asserts that a file of the repository has this content. Writes it first under `GENERATE`.
 fn is_generated(file: &str, expected: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..").join(file);
     if std::env::var_os("GENERATE").is_some() {
         fs::write(&path, expected).unwrap();
     }

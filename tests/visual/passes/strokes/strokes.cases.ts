@@ -60,11 +60,11 @@ export function inkOfStretched(seed: number): InkPixel[] {
   return strokesOf({ puffs: [{ ...PUFF, radius: 0.8, seed, deformation }], pixelRatio: 2, style }).ink;
 }
 
-/** Ink on the side of the lobe that faces away from the light, and on the other side, over puffs with all seeds. */
+/** Ink on the side of the lobe that faces away from the light, and on the other side, over puffs with every other seed. */
 export function sides(): { shaded: number; lit: number; puffs: number } {
   const sums = { shaded: 0, lit: 0, puffs: 0 };
   withLab({ puffs: [PUFF] }, (draw) => {
-    for (let seed = 0; seed < SEEDS; seed++) {
+    for (let seed = 0; seed < SEEDS; seed += 2) {
       const { ink } = draw({ puffs: [{ ...PUFF, seed }] });
       sums.puffs += Number(ink.length > 0);
       for (const { x, y, opacity } of ink) {

@@ -60,12 +60,14 @@ impl Coverage {
         self.grid.reset(plan, extent);
         let outliner = Outliner::new(plan, &self.grid, &self.orientations, self.billow);
         let mut kept = 0;
-        let place_of = |row: Option<&Entry>| row.map_or([0.0; 4], |row| places[row[1] as usize]);
-        let mut next = place_of(rows.first());
+        let mut batch = [[0.0; 4]; BATCH];
         for at in 0..rows.len() {
-            let particle = rows[at][1] as usize;
-            // Read one row ahead: the places are in no order, and memory is slow.
-            let place = std::mem::replace(&mut next, place_of(rows.get(at + 1)));
+            if at % BATCH == 0 {
+                // Read together: the places are in no order, and a processor waits for several reads at once.
+                let ahead = batch.iter_mut().zip(&rows[at..]);
+                ahead.for_each(|(place, row)| *place = places[row[1] as usize]);
+            }
+            let (particle, place) = (rows[at][1] as usize, batch[at % BATCH]);
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
@@ -135,5 +137,7 @@ impl Coverage {
     }
 }
 
+/// Places that are read at a time.
+const BATCH: usize = 64;
 /// Minimum size of a large puff, in typical radii.
 const LARGE: f32 = 1.25;
