@@ -11,7 +11,7 @@ const files: Readonly<Record<string, string>> = import.meta.glob('./posters/*.we
 });
 
 /** Version of links that have the looks of the posters. */
-const VERSION = '2';
+const VERSION = '3';
 /** Preset of a link without one. */
 const DEFAULT_PRESET = 'lamp';
 /** Preset of an address without a link. */

@@ -1,5 +1,5 @@
 /**
- * Encodes the state as the hash of a share link and decodes it: `#v=2&preset=lamp&emission.rate=240`.
+ * Encodes the state as the hash of a share link and decodes it: `#v=3&preset=lamp&emission.rate=240`.
  *
  * A link contains the values that differ from its preset, in the order of the table. Links are untrusted: decoding
  * never throws and reports invalid parts as notices. The result has a valid value for every key that is not optional.

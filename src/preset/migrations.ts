@@ -1,11 +1,11 @@
-/** Migrates links of older versions to the current version, one version at a time. */
+/** Migrates links of older versions to the current version. */
 import { MAX_STOPS, writeCurve } from './curve.ts';
 import { notice, type Notice } from './notice.ts';
 import type { Values } from './parameter.ts';
 import { fetched } from './timeout.ts';
 
 /** Current version of the link format. */
-export const VERSION = '2';
+export const VERSION = '3';
 
 /** Version of a link that does not name one. */
 const UNNAMED = '1';
@@ -13,19 +13,8 @@ const UNNAMED = '1';
 /** Keys and values of a link, as text. */
 type Pairs = ReadonlyMap<string, string>;
 
-interface Migration {
-  /** Source and target version. */
-  readonly from: string;
-  readonly to: string;
-  /** Converts the pairs. `notified` is the message of a notice about the change; undefined if nothing changed. */
-  readonly bring: (pairs: Pairs) => { pairs: Pairs; notified: string | undefined };
-}
-
-/** Sorted by version. From 1 to 2 only values of presets changed: {@link olderValues}. */
-const migrations: readonly Migration[] = [
-  { from: '0', to: '1', bring: gatherDensity },
-  { from: '1', to: '2', bring: (pairs) => ({ pairs, notified: undefined }) },
-];
+/** Versions that are still read. From 1 on only values of presets changed: {@link olderValues}. */
+const OLDER = ['0', '1', '2'];
 
 /** The version of a link or a file; an empty link has the current one. */
 export function versionOf(pairs: Pairs): string {
@@ -38,21 +27,16 @@ export function versionOf(pairs: Pairs): string {
  * @throws LoadError if the download fails or times out
  */
 export async function olderValues(version: string, preset: string): Promise<Values> {
-  if (version !== '0' && version !== '1') return {};
-  const { valuesOfVersion1 } = await fetched('The values of older links', import('./version1.ts'));
-  return valuesOfVersion1(preset);
+  if (!OLDER.includes(version)) return {};
+  const { valuesOfVersion } = await fetched('Older link', import('./olderValues.ts'));
+  return valuesOfVersion(version, preset);
 }
 
 /** Migrates the pairs of a link to the current version and adds notices. Unknown versions are left unchanged. */
 export function migrate(pairs: Pairs, notices: Notice[]): Pairs {
-  let current = pairs;
-  for (const { from, to, bring } of migrations) {
-    if (versionOf(current) !== from) continue;
-    const { pairs: next, notified } = bring(current);
-    current = new Map([...next, ['v', to]]);
-    if (notified !== undefined) notices.push(notice('migrated', 'v', from, () => notified));
-  }
-  return current;
+  const version = versionOf(pairs);
+  if (!OLDER.includes(version)) return pairs;
+  return new Map([...(version === '0' ? gatherDensity(pairs, notices) : pairs), ['v', VERSION]]);
 }
 
 const DENSITY = /^density\.([0-7])\.(age|value)$/;
@@ -60,9 +44,9 @@ const DENSITY = /^density\.([0-7])\.(age|value)$/;
 /**
  * Version 0 stored density over life as a list of stops, `density.0.age=.5&density.0.value=1`. Version 1 has a curve.
  */
-function gatherDensity(pairs: Pairs): { pairs: Pairs; notified: string | undefined } {
+function gatherDensity(pairs: Pairs, notices: Notice[]): Pairs {
   const rest = new Map([...pairs].filter(([key]) => !DENSITY.test(key)));
-  if (rest.size === pairs.size) return { pairs, notified: undefined };
+  if (rest.size === pairs.size) return pairs;
   const share = (index: number, name: string, other: number) => {
     const number = Number(pairs.get(`density.${index}.${name}`) ?? other);
     return Math.min(Math.max(Number.isNaN(number) ? other : number, 0), 1);
@@ -73,7 +57,9 @@ function gatherDensity(pairs: Pairs): { pairs: Pairs; notified: string | undefin
     .map((index) => ({ at: share(index, 'age', 0), value: share(index, 'value', 1) }))
     .toSorted((a, b) => a.at - b.at);
   rest.set('emission.density', writeCurve(completed(stops)));
-  return { pairs: rest, notified: 'This is an old link: its density stops became the curve emission.density.' };
+  const sentence = 'This is an old link: its density stops became the curve emission.density.';
+  notices.push(notice('migrated', 'v', '0', () => sentence));
+  return rest;
 }
 
 /** Removes duplicate positions and ensures at least two stops. */

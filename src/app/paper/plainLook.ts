@@ -5,6 +5,8 @@ export const PLAIN_LOOK: Values = {
   'puff.turn': 0,
   'puff.stretch': 1,
   'puff.billow': 0,
+  'emission.dissolve': 'shrink',
   'style.simplify': 0,
+  'style.form': 0,
   'style.strokes': 0,
 };

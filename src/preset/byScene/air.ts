@@ -20,7 +20,10 @@ export const airPresets: readonly Preset[] = [
       'puff.turn': 0.6,
       'puff.stretch': 1.4,
       'puff.billow': 0.5,
+      'emission.density': '0:1,.85:.45,1:0',
+      'emitters.0.lifetimeVariation': 0.05,
       'style.simplify': 3,
+      'style.form': 0.5,
     },
   },
   {
@@ -33,6 +36,7 @@ export const airPresets: readonly Preset[] = [
       'emission.lifetime': 1.3,
       'emission.growthTime': 0.12,
       'emission.density': '0:1,.45:1,1:0',
+      'emission.dissolve': 'erode',
       'emitters.0.shape': 'ball',
       'emitters.0.position.y': 0,
       'emitters.0.radius': 0.35,

@@ -14,7 +14,10 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 5,
+  'style.simplify': 3,
+  'style.form': 0.4,
+  'light.azimuth': 0,
+  'light.elevation': 62,
 };
 
 export const cloudscapePresets: readonly Preset[] = [
@@ -31,8 +34,7 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.gradientBottom': 0.6,
       'style.gradientTop': 2.6,
       'style.inkColor': '#2b2740',
-      'light.azimuth': 0,
-      'light.elevation': 62,
+      'style.strokes': 0.45,
     },
   },
   {
@@ -41,6 +43,7 @@ export const cloudscapePresets: readonly Preset[] = [
     text: 'Evening clouds in three broad tones, painted without a line.',
     values: {
       ...smoke,
+      'style.simplify': 5,
       'style.outlines': 0,
       'style.ramp': '0:ac90c8,.3:f4a49c,.6:ffe6b8',
       'style.gradient': 'height',
@@ -50,8 +53,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.backdrop': '0:ffcfa4,1:5c5cac',
       'style.wash': 0.35,
       'style.washColor': '#f4b49c',
-      'light.azimuth': 0,
-      'light.elevation': 62,
     },
   },
   {
@@ -63,7 +64,8 @@ export const cloudscapePresets: readonly Preset[] = [
       'puff.size': 1.2,
       'puff.lumpiness': 0.9,
       'puff.lobes': 12,
-      'style.simplify': 6,
+      'style.simplify': 5,
+      'style.form': 0.5,
       'style.outlines': 0,
       'style.ramp': '0:8fb2e2,.2:cfe2f6,.44:ffffff',
       'style.gradient': 'height',
@@ -72,7 +74,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.gradientTop': 2.2,
       'style.inkColor': '#2b2740',
       'style.backdrop': '0:d2eef4,1:2b7fd6',
-      'light.azimuth': 0,
       'light.elevation': 56,
     },
   },
@@ -98,8 +99,6 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.backdrop': '0:f4f0e6,1:e6e1d6',
       'style.wash': 1,
       'style.washColor': '#efebe2',
-      'light.azimuth': 0,
-      'light.elevation': 62,
     },
   },
 ];

@@ -4,7 +4,7 @@ export const dustPresets: readonly Preset[] = [
   {
     name: 'dust',
     label: 'Dust',
-    text: 'Falling objects raise dust, more with harder hits. Throw the red ball, or leave it to the mole.',
+    text: 'Falling objects raise dust. Throw the red ball, or leave it to the mole.',
     values: {
       scene: 'dust',
       'emission.rate': 5000,

@@ -13,7 +13,8 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 4.5,
+  'style.simplify': 4,
+  'style.form': 0.3,
 };
 
 export const geniePresets: readonly Preset[] = [
@@ -26,6 +27,7 @@ export const geniePresets: readonly Preset[] = [
       'style.smokeColor': '#8ccbf0',
       'style.inkColor': '#221a3e',
       'style.innerLine': 0.42,
+      'style.strokes': 0.4,
       'light.azimuth': 38,
       'light.elevation': 46,
     },

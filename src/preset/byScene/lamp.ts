@@ -15,7 +15,18 @@ const curl: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.5,
   'puff.billow': 0.6,
-  'style.simplify': 4,
+  // Puffs stay large almost until they end, and end together, so that the plume does not end in single small balls.
+  'emission.density': '0:1,.85:.4,1:0',
+  'emitters.0.lifetimeVariation': 0.05,
+  'style.simplify': 3,
+  'style.form': 0.5,
+};
+
+/** Puffs without ink that holes open in. They keep their size longer than those that shrink. */
+const eroding: Values = {
+  'emission.dissolve': 'erode',
+  'emission.density': '0:1,.55:.75,.9:.25,1:0',
+  'puff.size': 0.8,
 };
 
 export const lampPresets: readonly Preset[] = [
@@ -25,6 +36,7 @@ export const lampPresets: readonly Preset[] = [
     text: 'White smoke in two tones that rises from the spout and curls.',
     values: {
       ...curl,
+      'style.strokes': 0.5,
     },
   },
   {
@@ -59,6 +71,7 @@ export const lampPresets: readonly Preset[] = [
       'style.gradientColor': '#f0708a',
       'style.rim': 0.4,
       'style.rimColor': '#ffe6a8',
+      'style.strokes': 0.4,
       'light.azimuth': 62,
       'light.elevation': 20,
     },
@@ -69,6 +82,7 @@ export const lampPresets: readonly Preset[] = [
     text: 'Pale smoke without ink that hangs in the air and thins out.',
     values: {
       ...curl,
+      ...eroding,
       'emission.lifetime': 9,
       'emission.rate': 22,
       'forces.buoyancy': 0.7,
@@ -92,7 +106,7 @@ export const lampPresets: readonly Preset[] = [
       'style.inkColor': '#1c0f14',
       'buoyancy.coolingTime': 2.2,
       'buoyancy.acceleration': 1.7,
-      'style.simplify': 3,
+      'style.form': 0.25,
     },
   },
   {
@@ -111,6 +125,7 @@ export const lampPresets: readonly Preset[] = [
       'turbulence.octaves': 3,
       'turbulence.evolution': 0.8,
       'vortices.0.circulation': 1.5,
+      'style.strokes': 0.5,
     },
   },
   {
@@ -162,17 +177,18 @@ export const lampPresets: readonly Preset[] = [
       'style.backdrop': '0:ffd9e4,1:a6e4e0',
       'style.wash': 0.35,
       'style.washColor': '#ffc2dc',
+      'style.strokes': 0.4,
       'light.elevation': 42,
     },
   },
   {
     name: 'lamp-papercut',
     label: 'Paper cut',
-    text: 'No ink at all: sheets of paper that fade upwards and cast shadows.',
+    text: 'Sheets of paper without ink that fade upwards.',
     values: {
       ...curl,
+      ...eroding,
       'style.outlines': 0,
-      'style.tones': 2,
       'style.smokeColor': '#fff4e2',
       'style.gradient': 'height',
       'style.gradientColor': '#f4a27c',
@@ -187,7 +203,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-wind-waker',
     label: 'Wind waker',
-    text: 'Round white smoke that rolls up under a saturated sky, with light along its edges.',
+    text: 'Round white smoke under a saturated sky, with light along its edges.',
     values: {
       ...curl,
       'emission.rate': 30,
@@ -197,7 +213,7 @@ export const lampPresets: readonly Preset[] = [
       'vortices.0.circulation': 5,
       'vortices.0.coreRadius': 0.4,
       'vortices.0.reach': 2.6,
-      'style.simplify': 5,
+      'style.simplify': 4,
       'style.strokes': 0.6,
       'style.ramp': '0:6fcbe8,.34:ffffff',
       'style.rim': 0.26,
@@ -205,7 +221,6 @@ export const lampPresets: readonly Preset[] = [
       'style.inkColor': '#15406e',
       'style.outlineWidth': 2.4,
       'style.backdrop': '0:8ff0ec,1:1668d8',
-      'light.azimuth': 40,
       'light.elevation': 48,
     },
   },

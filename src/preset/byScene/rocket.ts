@@ -10,8 +10,7 @@ export const rocketPresets: readonly Preset[] = [
       'emission.rate': 110,
       'emission.lifetime': 6,
       'emission.growthTime': 0.7,
-      'emission.density': '0:.55,.3:1,.6:.85,1:0',
-      'forces.turbulence': 1,
+      'emission.density': '0:.55,.3:1,.75:.75,1:0',
       'simulation.maxParticles': 1500,
       // Flat tones with short transitions, so that no puff changes its colour at once.
       'style.heatRamp': '0:fff8ec,.03:fff8ec,.13:f6d9b4,.32:f6a050,.42:f6a050,.52:f9c24c,.58:f9c24c,.95:fff0b4',
@@ -23,7 +22,9 @@ export const rocketPresets: readonly Preset[] = [
       'puff.turn': 0.6,
       'puff.stretch': 1.3,
       'puff.billow': 0.5,
-      'style.simplify': 4,
+      'style.simplify': 3.5,
+      'style.form': 0.4,
+      'style.strokes': 0.4,
     },
   },
 ];

@@ -7,13 +7,15 @@ const smoke: Values = {
   'emission.rate': 75,
   'emission.lifetime': 6.5,
   'emission.growthTime': 1.4,
-  'emission.density': '0:1,.45:.85,1:0',
+  'emission.density': '0:1,.45:.85,.85:.5,1:0',
   'forces.wind.x': -0.1,
   'simulation.maxParticles': 1000,
   'puff.turn': 0.3,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 4.5,
+  'style.simplify': 3,
+  'style.form': 0.5,
+  'emitters.0.lifetimeVariation': 0.05,
 };
 
 export const trainPresets: readonly Preset[] = [
@@ -23,9 +25,9 @@ export const trainPresets: readonly Preset[] = [
     text: 'A toy train in a circle, with a puff for each piston stroke.',
     values: {
       ...smoke,
-      'forces.turbulence': 1,
       'style.smokeColor': '#fffaf0',
       'style.inkColor': '#2a1d2e',
+      'style.strokes': 0.3,
       'light.azimuth': 34,
       'light.elevation': 52,
     },
@@ -40,6 +42,7 @@ export const trainPresets: readonly Preset[] = [
       'style.rim': 0.4,
       'style.rimColor': '#f4f0d8',
       'style.inkColor': '#10122a',
+      'style.strokes': 0.3,
       'style.backdrop': '0:4a5a94,1:12163a',
       'style.wash': 0.6,
       'style.washColor': '#7484c4',
@@ -50,7 +53,7 @@ export const trainPresets: readonly Preset[] = [
   {
     name: 'train-rubber-hose',
     label: 'Rubber hose',
-    text: 'Few round puffs and thick, even ink, as in a cartoon of the 1930s; drawn on twos.',
+    text: 'Few round puffs and thick, even ink of the 1930s, drawn on twos.',
     values: {
       ...smoke,
       'emission.rate': 40,
@@ -61,7 +64,6 @@ export const trainPresets: readonly Preset[] = [
       'puff.roughness': 0.1,
       'puff.lumpiness': 0.55,
       'puff.seed': 7,
-      'style.simplify': 3,
       'style.ramp': '0:bdb6a6,.22:fbf6e8',
       'style.inkColor': '#15110d',
       'style.creases': 0,
@@ -83,6 +85,8 @@ export const trainPresets: readonly Preset[] = [
       ...smoke,
       'emission.rate': 110,
       'emission.lifetime': 8,
+      'emission.dissolve': 'erode',
+      'puff.size': 0.85,
       'emission.growthTime': 1.5,
       'emitters.0.share': 1,
       'emitters.1.share': 0,

@@ -13,14 +13,19 @@ const smoke: Values = {
   'puff.turn': 0.6,
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
-  'style.simplify': 3.5,
+  'emission.density': '0:1,.85:.45,1:0',
+  'emitters.0.lifetimeVariation': 0.05,
+  'style.simplify': 3,
+  'style.form': 0.4,
+  'light.azimuth': 30,
+  'light.elevation': 40,
 };
 
 export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp',
     label: 'Cup of tea',
-    text: 'A little steam from a friendly cup of tea.',
+    text: 'Steam from a friendly cup of tea.',
     values: {
       ...smoke,
       'vortices.0.circulation': -1.6,
@@ -29,14 +34,12 @@ export const wispPresets: readonly Preset[] = [
       'vortices.0.position.x': -0.25,
       'vortices.0.position.y': 2.1,
       'style.smokeColor': '#fffaf0',
-      'light.azimuth': 30,
-      'light.elevation': 40,
     },
   },
   {
     name: 'wisp-matcha',
     label: 'Matcha',
-    text: 'One green for everything, in three tones and fine lines.',
+    text: 'One green in three tones.',
     values: {
       ...smoke,
       'style.ramp': '0:7fa878,.34:bcd6a4,.7:f2f7dc',
@@ -45,8 +48,6 @@ export const wispPresets: readonly Preset[] = [
       'style.backdrop': '0:e4efc8,1:8fb98a',
       'style.wash': 0.9,
       'style.washColor': '#dcecb4',
-      'light.azimuth': 30,
-      'light.elevation': 40,
     },
   },
 ];

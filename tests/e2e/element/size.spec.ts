@@ -1,7 +1,7 @@
 /**
  * Downloads of `<cartoon-smoke preset="wisp">`, in kilobytes on the wire (gzip -9). The limits match the current state;
- * the output also lists the targets. Where a limit is that of the plain drawing, `style-simplify="0"` leaves out the pass
- * that the preset adds.
+ * the output also lists the targets. Where a limit is that of the plain drawing, `style-simplify="0"` and `style-form="0"`
+ * leave out the pass that the preset adds.
  */
 import { expect, stands, test, type Server } from '../../support/embed.ts';
 
@@ -22,7 +22,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
-  'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards countedVolumes strokes simplify link version1 moment pointers onPage';
+  'lamp train physics worker preset.js presets.js comparisonRenderers debugViews billboards countedVolumes strokes simplify link olderValues moment pointers onPage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit, goal } of figures) {
@@ -33,7 +33,9 @@ function judge(figures: readonly Figure[]): void {
 }
 
 test('on the main thread, beside the three.js of the page', async ({ page, openPage, server }) => {
-  await openPage('<cartoon-smoke preset="wisp" style-simplify="0" thread="main" paused></cartoon-smoke>');
+  await openPage(
+    '<cartoon-smoke preset="wisp" style-simplify="0" style-form="0" thread="main" paused></cartoon-smoke>',
+  );
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([

@@ -30,23 +30,23 @@ describe('encode', () => {
   it('writes version, preset and what differs, in the order of the table', async () => {
     const state = withChanges('lamp', { 'style.outlineWidth': 3, 'emission.rate': 240, 'style.smokeColor': '#FFEEDD' });
     const hash = await encode(state);
-    expect(hash).toBe('#v=2&preset=lamp&emission.rate=240&style.smokeColor=ffeedd&style.outlineWidth=3');
+    expect(hash).toBe('#v=3&preset=lamp&emission.rate=240&style.smokeColor=ffeedd&style.outlineWidth=3');
   });
 
   it('writes nothing for values that equal the preset', async () => {
-    expect(await encode(withChanges('lamp-noir', {}))).toBe('#v=2&preset=lamp-noir');
+    expect(await encode(withChanges('lamp-noir', {}))).toBe('#v=3&preset=lamp-noir');
   });
 
   it('prints numbers short and exactly', async () => {
     const hash = await encode(withChanges('lamp', { 'puff.size': 0.1 + 0.2, 'forces.wind.x': 1e-7, seed: 4294967295 }));
-    expect(hash).toBe('#v=2&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
+    expect(hash).toBe('#v=3&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
   });
 
   it('packs text over 1,500 characters, and only that', async () => {
     const ofVortices = table.filter(({ key, kind }) => kind === 'number' && /^(turbulence|vortices)\b/.test(key));
     const awkward = Object.fromEntries(ofVortices.slice(0, 60).map(({ key }) => [key, 1 / 3]));
     const hash = await encode(withChanges('lamp', { ...awkward, 'light.elevation': 33.333333333333336 }));
-    expect(hash).toMatch(/^#v=2&z=[\w-]+$/);
+    expect(hash).toMatch(/^#v=3&z=[\w-]+$/);
     expect(hash.length).toBeLessThan(1500);
     const { state, notices } = await decode(hash);
     expect(notices).toEqual([]);
@@ -70,7 +70,7 @@ describe('a take in a link', () => {
   it('is ignored with a notice if it is damaged or too long', async () => {
     const bomb = await packBytes(new Uint8Array(20 * 1024 * 1024));
     for (const packed of ['', '%%%', 'AAAA', (await packBytes(take)).slice(0, 40), bomb]) {
-      const { take: read, notices, state } = await decode(`#v=2&puff.size=2&take=${packed}`);
+      const { take: read, notices, state } = await decode(`#v=3&puff.size=2&take=${packed}`);
       expect(read).toBeUndefined();
       expect(state.values['puff.size']).toBe(2);
       expect(notices.map(({ code, key }) => [code, key])).toEqual([['damaged', 'take']]);
@@ -87,7 +87,7 @@ describe('an old link', () => {
       ['migrated', 'This is an old link: its density stops became the curve emission.density.'],
     ]);
     expect(await encode(state)).toMatch(
-      /^#v=2&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0(&(puff|style)\.|$)/,
+      /^#v=3&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0(&(puff|style)\.|$)/,
     );
   });
 
@@ -104,7 +104,7 @@ describe('an old link', () => {
   });
 
   it('does not make old keys valid in a new link', async () => {
-    expect(await codes('#v=2&density.0.age=0.5')).toEqual(['unknownKey']);
+    expect(await codes('#v=3&density.0.age=0.5')).toEqual(['unknownKey']);
   });
 });
 
@@ -118,7 +118,7 @@ describe('decode', () => {
   });
 
   it('clamps to the limits for links, with a notice', async () => {
-    const { state, notices } = await decode('#v=2&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
+    const { state, notices } = await decode('#v=3&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
     expect(state.values['simulation.maxParticles']).toBe(50_000);
     expect(state.values['emission.rate']).toBe(0);
     expect(state.values['puff.size']).toBe(4);
@@ -145,14 +145,14 @@ describe('decode', () => {
   });
 
   it('names an unknown preset and shows the default one', async () => {
-    const { state, notices } = await decode('#v=2&preset=volcano&emission.rate=9');
+    const { state, notices } = await decode('#v=3&preset=volcano&emission.rate=9');
     expect(state).toEqual(withChanges(defaultPreset.name, { 'emission.rate': 9 }));
     expect(notices.map(({ code, given }) => [code, given])).toEqual([['unknownPreset', 'volcano']]);
   });
 
   it('ignores keys of the object prototype, with a notice', async () => {
     for (const key of ['__proto__', 'constructor', 'toString', 'hasOwnProperty', '__proto__.polluted']) {
-      const { state, notices } = await decode(`#v=2&${key}=1`);
+      const { state, notices } = await decode(`#v=3&${key}=1`);
       expect(notices.map(({ code }) => code)).toEqual(['unknownKey']);
       expect(state).toEqual(defaultState());
     }
@@ -171,20 +171,20 @@ describe('decode', () => {
   });
 
   it('reads known keys of another version', async () => {
-    const { state, notices } = await decode('#v=3&emission.rate=10');
+    const { state, notices } = await decode('#v=4&emission.rate=10');
     expect(state.values['emission.rate']).toBe(10);
     expect(notices.map(({ code }) => code)).toEqual(['version']);
   });
 
   it('reports a damaged packed part', async () => {
-    const whole = await pack('v=2&preset=lamp-noir&emission.rate=10');
+    const whole = await pack('v=3&preset=lamp-noir&emission.rate=10');
     for (const packed of ['', '!!!!', 'AAAA', whole.slice(0, 12), `A${whole}`]) {
-      expect(await codes(`#v=2&z=${packed}`), packed).toEqual(['damaged']);
+      expect(await codes(`#v=3&z=${packed}`), packed).toEqual(['damaged']);
     }
   });
 
   it('reads a pair after a packed part', async () => {
-    const { state, notices } = await decode(`#v=2&z=${await pack('v=2&preset=lamp')}&emission.rate=10`);
+    const { state, notices } = await decode(`#v=3&z=${await pack('v=3&preset=lamp')}&emission.rate=10`);
     expect(state.values['emission.rate']).toBe(10);
     expect(notices).toEqual([]);
   });
@@ -192,7 +192,7 @@ describe('decode', () => {
   it('stops at 64 KiB, packed or not, and reads no incomplete pair', async () => {
     const filler = 'x'.repeat(DECODED_LIMIT - 40);
     const long = `emission.rate=10&${filler}=1&emission.lifetime=5.25&puff.size=2`;
-    for (const hash of [`#${long}`, `#v=2&z=${await pack(long)}`]) {
+    for (const hash of [`#${long}`, `#v=3&z=${await pack(long)}`]) {
       const { state, notices } = await decode(hash);
       expect(notices.map(({ code }) => code)).toEqual(['tooLong', 'unknownKey']);
       expect(state.values['emission.rate']).toBe(10);
@@ -202,7 +202,7 @@ describe('decode', () => {
 
   it('survives a deflate bomb of 50 MB', async () => {
     const bomb = await pack('a'.repeat(50 * 1024 * 1024));
-    expect(await codes(`#v=2&z=${bomb}`)).toEqual(['tooLong']);
+    expect(await codes(`#v=3&z=${bomb}`)).toEqual(['tooLong']);
   }, 60_000);
 
   it('limits the number and the length of notices', async () => {

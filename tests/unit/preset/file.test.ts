@@ -10,7 +10,7 @@ import { table } from '../../../src/preset/table.ts';
 import { anyState } from '../../support/anyState.ts';
 
 const SCHEMA = new URL('../../../public/smoke-file.schema.json', import.meta.url);
-const head = '"format": "cartoon-smoke", "version": 2';
+const head = '"format": "cartoon-smoke", "version": 3';
 const codes = async (text: string) => (await readFile(text)).notices.map(({ code, key }) => `${code} ${key}`);
 
 describe('a file', () => {
@@ -33,7 +33,7 @@ describe('a file', () => {
     expect(await writeFile({ name: 'Big', state }, 'https://x/smoke-file.schema.json')).toBe(`{
   "$schema": "https://x/smoke-file.schema.json",
   "format": "cartoon-smoke",
-  "version": 2,
+  "version": 3,
   "name": "Big",
   "preset": "lamp",
   "values": {
@@ -68,7 +68,7 @@ describe('a file', () => {
 
   it.each([
     ['', 'not valid JSON at line 1, column 1.'],
-    ['{"format": "cartoon-smoke",\n  "version": 2,,\n}', 'not valid JSON at line 2, column 16.'],
+    ['{"format": "cartoon-smoke",\n  "version": 3,,\n}', 'not valid JSON at line 2, column 16.'],
     ['[]', 'The file must be an object, not an array'],
     ['{"asset": {"version": "2.0"}}', '"format" must be "cartoon-smoke"'],
     ['{"format": "cartoon-smoke", "values": {}}', '"version" must be a number, not undefined'],

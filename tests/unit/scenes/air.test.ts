@@ -31,7 +31,9 @@ test('smoke flows around a box above its emitter', async () => {
  */
 async function alignedUnder(values: Values): Promise<number> {
   const simulator = (await loadVariant('core')).create({ capacity: 600, seed: 3 });
-  const things = { 'forces.turbulence': 0, ...colliderValues([{ ...BOX, halfWidth: 3 }], PLANE), ...values };
+  const box = colliderValues([{ ...BOX, halfWidth: 3 }], PLANE);
+  // So the radius is the size times the rest of the life.
+  const things = { 'forces.turbulence': 0, 'emission.density': '0:1,1:0', ...box, ...values };
   simulator.set({ ...air().rig, ...simulatorValues({ ...presetValues(findPreset('air')!), ...things }) });
   simulator.step(480);
   const { y, size, age, lifetime } = readParticles(simulator);

@@ -24,6 +24,9 @@ const POSTERS: Readonly<Record<string, Size>> = {
   tall: { width: 360, height: 540, enlarged: 1.25, quality: 0.5 },
 };
 
+/** Characters of base64 of 30,000 bytes, above which a picture is drawn with less quality. */
+const LONGEST = 40_000;
+
 /** A preset's picture as WebP, base64. */
 export async function thumbnail(name: string): Promise<string> {
   const stage = await stageOf(name);
@@ -57,5 +60,6 @@ async function draw(stage: Stage, { width, height, enlarged, quality }: Size): P
   const context = canvas.getContext('2d')!;
   context.imageSmoothingQuality = 'high';
   context.drawImage(picture, 0, 0, width, height);
-  return canvas.toDataURL('image/webp', quality).split(',')[1];
+  const [, encoded] = canvas.toDataURL('image/webp', quality).split(',');
+  return encoded.length > LONGEST ? draw(stage, { width, height, enlarged, quality: quality - 0.05 }) : encoded;
 }

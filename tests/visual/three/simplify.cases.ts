@@ -1,10 +1,12 @@
 /** Simplified light of smoke in a host's scene. */
 import { Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
 import type { Values } from '../../../src/preset/parameter.ts';
+import { byComposer, byMirror, type Composed, type Seen } from './targets.cases.ts';
+import { together } from './transforms.cases.ts';
 import { dispose, draw, furnishedHost, HANGING, HEIGHT, smokeIn, smokePixels, WIDTH, type Pixels } from './scene.ts';
 
 /** Two tones of light without lines, on enough puffs for small patches. */
-const TWO_TONES: Values = {
+export const TWO_TONES: Values = {
   ...HANGING,
   'simulation.maxParticles': 60,
   'emission.rate': 600,
@@ -51,6 +53,17 @@ export async function changedBy(values: Values, steps: number): Promise<Change> 
     inside: inside.length,
     changed: inside.filter(differ).length,
     border: [borderOf(plain, inside), borderOf(changed, inside)],
+  };
+}
+
+const SIMPLIFIED: Values = { ...TWO_TONES, 'style.simplify': 3, 'style.form': 0.5 };
+
+/** Simplified smoke in a target without stencil, in a mirror, and in a scene that is elsewhere. */
+export async function elsewhere(): Promise<{ composed: Composed; mirrored: Seen; moved: Record<string, number> }> {
+  return {
+    composed: await byComposer(0, SIMPLIFIED),
+    mirrored: await byMirror(SIMPLIFIED),
+    moved: await together('perspective', SIMPLIFIED),
   };
 }
 

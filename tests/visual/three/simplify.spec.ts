@@ -26,3 +26,16 @@ test('light follows the form of the whole smoke on smoke alone', async ({ load }
   expect(beside).toBe(0);
   expect(changed / inside).toBeGreaterThan(0.1);
 });
+
+test('targets without stencil, mirrors and moved scenes show the same simplified light', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { composed, mirrored, moved } = await cases.evaluate((module) => module.elsewhere());
+  expect(composed.errors).toEqual([]);
+  expect(composed.difference - composed.bare).toBeLessThan(0.0005);
+  expect(mirrored.smoke).toBeGreaterThan(500);
+  expect(mirrored.difference).toBeLessThan(0.0002);
+  for (const { distinct } of [composed, mirrored]) expect(distinct).toBeLessThan(44);
+  expect(moved.without).toBeGreaterThan(2000);
+  expect(moved.moved).toBeLessThan(10);
+  expect(moved.large).toBeLessThan(10);
+});

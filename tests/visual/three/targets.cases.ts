@@ -20,6 +20,7 @@ import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import type { Pass } from 'three/examples/jsm/postprocessing/Pass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
 import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
+import type { Values } from '../../../src/preset/parameter.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { encoded } from './output.cases.ts';
 import { censusOf, maskOf, type Census } from './shadow.cases.ts';
@@ -88,11 +89,11 @@ export interface Composed {
 }
 
 /** The scene by a composer and on the canvas. */
-export async function byComposer(samples: number): Promise<Composed> {
+export async function byComposer(samples: number, values: Values = HANGING): Promise<Composed> {
   const host = plainHost(samples);
   const picture = composed(host, samples);
   const empty = { canvas: draw(host), composed: picture() };
-  const smoke = await smokeIn(host);
+  const smoke = await smokeIn(host, values);
   const errors: string[] = [];
   smoke.addEventListener('error', ({ error }) => errors.push(error.message));
   picture();
@@ -132,7 +133,7 @@ export interface Seen {
 }
 
 /** The picture in a mirror, and the number of black pixels of the mirror on the canvas. */
-export async function byMirror(): Promise<Seen & { black: number }> {
+export async function byMirror(values: Values = HANGING): Promise<Seen & { black: number }> {
   const host = plainHost(0);
   const mirror = new Reflector(new PlaneGeometry(6, 4), { textureWidth: WIDTH, textureHeight: HEIGHT, multisample: 0 });
   mirror.position.set(0, 1, -1.5);
@@ -141,7 +142,7 @@ export async function byMirror(): Promise<Seen & { black: number }> {
   host.keyLight.position.set(1, 2, 5);
   (host.scene.children[2] as Mesh).geometry = new PlaneGeometry(2.6, 2.6);
   host.scene.add(mirror);
-  const smoke = await smokeIn(host, { ...HANGING, 'style.outlines': 0 });
+  const smoke = await smokeIn(host, { ...values, 'style.outlines': 0 });
   host.renderer.render(host.scene, host.camera);
   await smoke.complete();
   const shown = draw(host);

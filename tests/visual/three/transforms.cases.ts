@@ -12,6 +12,7 @@ import {
   type Camera,
   type PerspectiveCamera,
 } from 'three';
+import type { Values } from '../../../src/preset/parameter.ts';
 import { Reflector } from 'three/examples/jsm/objects/Reflector.js';
 import {
   changedPixels,
@@ -33,14 +34,17 @@ import {
  * Pixels that differ when the whole scene is elsewhere: floor, mirror, fog, a box that casts, light, camera and smoke. As a
  * control, those that differ when the smoke is turned in it, or away.
  */
-export async function together(kind: 'perspective' | 'orthographic'): Promise<Record<string, number>> {
+export async function together(
+  kind: 'perspective' | 'orthographic',
+  values: Values = { ...HANGING, 'style.gradient': 'height' },
+): Promise<Record<string, number>> {
   const [first, moved, large] = [
-    await pictures(kind, () => {}),
-    await pictures(kind, (rig) => {
+    await pictures(kind, values, () => {}),
+    await pictures(kind, values, (rig) => {
       rig.position.set(30, -12, 7);
       rig.rotation.set(0.8, -0.4, 2.1);
     }),
-    await pictures(kind, (rig, camera, fog) => {
+    await pictures(kind, values, (rig, camera, fog) => {
       rig.scale.setScalar(2);
       enlarge(camera);
       fog.near *= 2;
@@ -56,7 +60,7 @@ export async function together(kind: 'perspective' | 'orthographic'): Promise<Re
   };
 }
 
-async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCamera, fog: Fog) => void) {
+async function pictures(kind: string, values: Values, move: (rig: Group, camera: PerspectiveCamera, fog: Fog) => void) {
   const host = emptyHost();
   if (kind === 'orthographic') {
     const camera = new OrthographicCamera(-2.2, 2.2, 1.6, -1.6, 0.1, 50);
@@ -77,7 +81,7 @@ async function pictures(kind: string, move: (rig: Group, camera: PerspectiveCame
   const anchor = new Object3D();
   anchor.position.set(-0.7, 1.9, 0.5);
   rig.add(floor, box, mirror, anchor, host.keyLight, host.keyLight.target, host.camera);
-  const smoke = await smokeIn(host, { ...HANGING, 'style.gradient': 'height' }, { space: 'local' });
+  const smoke = await smokeIn(host, values, { space: 'local' });
   rig.add(smoke);
   smoke.cast(box);
   smoke.cast(anchor, { proxies: [{ follows: anchor, radius: 0.2 }] });

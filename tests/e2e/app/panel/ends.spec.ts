@@ -7,7 +7,7 @@ import { ask, open } from '../page.ts';
 
 test.use({ viewport: { width: 96, height: 72 } });
 
-const SMALL = '#v=2&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
+const SMALL = '#v=3&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
 test('parameters of the simulator change its state', async ({ page }) => {
   await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);

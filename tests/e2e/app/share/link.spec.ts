@@ -17,9 +17,9 @@ test('the bare address opens the first look; a link without a preset or with a v
   await open(page, `?paused=1#${smoke}`);
   await expectValue(page, 'scene', 'lamp');
   await expectValue(page, 'style.simplify', 0);
-  await open(page, `?paused=1#v=2&${smoke}`);
+  await open(page, `?paused=1#v=3&${smoke}`);
   await expectValue(page, 'scene', 'lamp');
-  await expectValue(page, 'style.simplify', 4);
+  await expectValue(page, 'style.simplify', 3);
 });
 
 test('an edit changes the stage and the link, and the link restores it', async ({ page, context }) => {
@@ -30,7 +30,7 @@ test('an edit changes the stage and the link, and the link restores it', async (
   await row(page, 'style.shadows').getByRole('switch').click();
   await row(page, 'style.inkColor').locator('input').fill('#aa0011');
   const hash =
-    '#v=2&preset=air&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
+    '#v=3&preset=air&emission.rate=55.5&puff.variations=1&style.shadows=0&style.tones=3&style.inkColor=aa0011&simulation.maxParticles=500';
   await expectHash(page, hash);
   // The stage applies edits with its next frame, on a busy machine possibly after the address bar.
   await expectValue(page, 'style.inkColor', '#aa0011');
@@ -79,7 +79,7 @@ test('sliders, fields and curves set parameters, which are undone and reset', as
     await page.getByRole('button', { name: 'Reset Puff size' }).click();
     await expectValue(page, 'puff.size', 1);
     await page.getByRole('button', { name: 'Reset all' }).click();
-    await expectHash(page, '#v=2&preset=air');
+    await expectHash(page, '#v=3&preset=air');
     await expectValue(page, 'simulation.maxParticles', 600);
     await page.keyboard.press('Control+z');
     await expectValue(page, 'simulation.maxParticles', 500);
@@ -127,9 +127,9 @@ test('a preset is selected, and a link typed into the address bar is applied', a
   await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('g');
   await page.getByRole('radio', { name: 'Noir' }).check();
-  await expectHash(page, '#v=2&preset=lamp-noir');
+  await expectHash(page, '#v=3&preset=lamp-noir');
   await expectValue(page, 'style.outlineWidth', 4);
-  await page.evaluate(() => (location.hash = '#v=2&preset=lamp-ghost&emission.rate=30&bogus=1'));
+  await page.evaluate(() => (location.hash = '#v=3&preset=lamp-ghost&emission.rate=30&bogus=1'));
   await expectValue(page, 'emission.rate', 30);
   await expect(page.getByRole('radio', { name: 'Ghost', exact: true })).toBeChecked();
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
@@ -139,18 +139,18 @@ test('a link typed while an edit is written into the address bar is applied', as
   await open(page, `?paused=1${LAMP}`);
   await page.evaluate(() => {
     const edited = location.href;
-    location.hash = '#v=2&preset=lamp-ghost&emission.rate=30&bogus=1';
+    location.hash = '#v=3&preset=lamp-ghost&emission.rate=30&bogus=1';
     // Simulates a pending write of the page: after the new address, before its event.
     history.replaceState(history.state, '', edited);
   });
   await expectValue(page, 'emission.rate', 30);
   await expect(page.getByText('There is no parameter “bogus”')).toBeVisible();
-  await expectHash(page, '#v=2&preset=lamp-ghost&emission.rate=30');
+  await expectHash(page, '#v=3&preset=lamp-ghost&emission.rate=30');
 });
 
 test('the last of two typed links applies, even if the first takes longer to unpack', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
-  const packed = `#v=2&z=${await pack('preset=lamp&emission.rate=25')}`;
+  const packed = `#v=3&z=${await pack('preset=lamp&emission.rate=25')}`;
   await page.evaluate(
     async ([first, second]) => {
       const { prototype } = ReadableStreamDefaultReader;
@@ -167,14 +167,14 @@ test('the last of two typed links applies, even if the first takes longer to unp
       location.hash = second;
       await arrived;
     },
-    [packed, '#v=2&preset=lamp-ghost&emission.rate=30'],
+    [packed, '#v=3&preset=lamp-ghost&emission.rate=30'],
   );
   await expectValue(page, 'emission.rate', 30);
-  await expectHash(page, '#v=2&preset=lamp-ghost&emission.rate=30');
+  await expectHash(page, '#v=3&preset=lamp-ghost&emission.rate=30');
 });
 
 test('a link cannot set more than 50,000 particles', async ({ page }) => {
-  await open(page, '?paused=1#v=2&simulation.maxParticles=1000000');
+  await open(page, '?paused=1#v=3&simulation.maxParticles=1000000');
   expect(await valueOf(page, 'simulation.maxParticles')).toBe(50_000);
   const notice = page.locator('.notice');
   await expect(notice).toContainText('50000');
@@ -201,5 +201,5 @@ test('an old link is migrated, with a message in an existing live region', async
   const hash = () => page.evaluate(() => location.hash);
   await expect
     .poll(hash)
-    .toMatch(/^#v=2&preset=lamp&emission\.density=\.25:\.5,1:\.5&puff\.size=2&.+maxParticles=500$/);
+    .toMatch(/^#v=3&preset=lamp&emission\.density=\.25:\.5,1:\.5&puff\.size=2&.+maxParticles=500$/);
 });

@@ -40,7 +40,7 @@ test('a take reaches the same hash in another browser, also at an earlier moment
   await play(page);
   const there = await shown(page);
   const link = await momentLink(page);
-  expect(link).toMatch(/[?&]paused=1#v=2&preset=lamp&.*&take=[\w-]+$/);
+  expect(link).toMatch(/[?&]paused=1#v=3&preset=lamp&.*&take=[\w-]+$/);
   expect(link.length).toBeLessThan(4000);
   await ask(page, (stage) => stage.seek(0.5));
   const [earlier, earlierLink] = [await shown(page), await momentLink(page)];
@@ -59,11 +59,11 @@ test('a take reaches the same hash in another browser, also at an earlier moment
 });
 
 test('a moment of another scene, opened by the address bar, stays there until the next edit', async ({ page }) => {
-  await open(page, '?paused=1#v=2&preset=wisp&puff.variations=1&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=3&preset=wisp&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(45));
   const wisp = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
-  await open(page, '?paused=1#v=2&preset=train&puff.variations=1&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=3&preset=train&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(30));
   const train = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
@@ -76,7 +76,7 @@ test('a moment of another scene, opened by the address bar, stays there until th
   await test.step('also if it is opened while another scene loads', async () => {
     const goTo = (hash: string) => page.evaluate((wanted) => (location.hash = wanted), hash);
     const arrive = await hold(page, '**/campfire*.js');
-    await goTo('#v=2&preset=campfire&puff.variations=1&simulation.maxParticles=300');
+    await goTo('#v=3&preset=campfire&puff.variations=1&simulation.maxParticles=300');
     await expect(page.getByText('Gathering wood…')).toBeVisible();
     await goTo(train.link);
     await expect(page.locator('input[name=preset][value=train]')).toBeChecked();
@@ -89,7 +89,7 @@ test('a moment of another scene, opened by the address bar, stays there until th
   await ask(page, (stage) => stage.set({ 'puff.size': 2 }));
   await expect
     .poll(() => page.evaluate(() => location.hash))
-    .toBe('#v=2&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
+    .toBe('#v=3&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
 });
 
 test('without user input a moment is only its time; a long take replays with progress and can be stopped', async ({
@@ -135,7 +135,7 @@ test('an invalid moment keeps the look, with a notice', async ({ page }) => {
     expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
   }
   await test.step('a moment of version 2 is shown, with a notice', async () => {
-    await open(page, `?paused=1#v=2&preset=wisp&puff.variations=1&take=${TAKE_2}`);
+    await open(page, `?paused=1#v=3&preset=wisp&puff.variations=1&take=${TAKE_2}`);
     await expect(page.locator('.notice')).toContainText('The smoke may end differently.');
     await expect.poll(() => shown(page)).toMatchObject({ steps: 60, hash: HASH_2 });
   });
