@@ -8,8 +8,9 @@ const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.
 
 /** These files only export. */
 const EXPORTING = /\/src\/(index|internal|preset|puff)\.ts$/;
-/** What the page needs before its first picture. */
-const FIRST = ['app/main', 'stage/stage', 'page/size', 'page/visibility'];
+/** What the page needs before its first picture. Without app/main.ts, which other pages would run with the stage. */
+const PARTS = ['notices', 'progress', 'errorScreen'].map((name) => `app/ui/${name}`);
+const FIRST = ['stage/stage', 'page/size', 'page/visibility', ...PARTS];
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({

@@ -201,5 +201,5 @@ test('an old link is migrated, with a message in an existing live region', async
   const hash = () => page.evaluate(() => location.hash);
   await expect
     .poll(hash)
-    .toMatch(/^#v=3&preset=lamp&emission\.density=\.25:\.5,1:\.5&puff\.size=2&.+maxParticles=500$/);
+    .toMatch(/^#v=3&preset=lamp&emission\.density=\.25:\.5,1:\.5&puff\.size=2&.+maxParticles=500&/);
 });
