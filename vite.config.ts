@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { withoutShaders } from './scripts/package/withoutShaders.mjs';
-import { addresses, preloads, serviceWorker, together } from './scripts/site/plugins.ts';
+import { addresses, preloads, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
 
@@ -20,6 +20,7 @@ export default defineConfig({
     withoutShaders(),
     addresses(process.env.CARTOON_SMOKE_BASE),
     preloads('/src/app/ahead.ts', '/src/app/main.ts'),
+    themeFirst(),
     serviceWorker(),
   ],
   // The examples import the package by its name.

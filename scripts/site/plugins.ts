@@ -65,6 +65,22 @@ export function preloads(...entries: string[]): Plugin {
   };
 }
 
+/** Links the theme before the other style sheets, which override it. Vite's order follows the chunks of the scripts. */
+export function themeFirst(): Plugin {
+  return {
+    name: 'theme-first',
+    apply: 'build',
+    transformIndexHtml: {
+      order: 'post',
+      handler(html) {
+        const theme = /\s*<link rel="stylesheet"[^>]*\/theme-[^>]*>/.exec(html)?.[0];
+        if (!theme) return html;
+        return html.replace(theme, '').replace(/\s*<link rel="stylesheet"/, (first) => theme + first);
+      },
+    },
+  };
+}
+
 /** A chunk and all its static imports. */
 function closure(bundle: Rollup.OutputBundle, name: string): Set<string> {
   const names = new Set([name]);

@@ -70,6 +70,14 @@ test.describe('before the first smoke', () => {
   }
 });
 
+test('style sheets override the theme', () => {
+  for (const name of ['index', 'paper', 'puff', 'examples']) {
+    const sheets = readFileSync(join(folder, `${name}.html`), 'utf8').match(/<link rel="stylesheet"[^>]*>/g)!;
+    expect(sheets.length, name).toBeGreaterThan(1);
+    expect(sheets[0], name).toContain('/theme-');
+  }
+});
+
 test('what the poster needs is small, and few other files come after it', () => {
   const page = readFileSync(join(folder, 'index.html'), 'utf8');
   const scripts = [...page.matchAll(/<(?:script type="module"|link rel="modulepreload")[^>]*>/g)].map(([tag]) => tag);
