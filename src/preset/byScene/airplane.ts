@@ -36,9 +36,7 @@ export const airplanePresets: readonly Preset[] = [
     name: 'airplane',
     label: 'Airplane',
     text: 'A little biplane that parts the morning clouds. Steer it.',
-    values: {
-      ...morning,
-    },
+    values: morning,
   },
   {
     name: 'airplane-ukiyo-e',
