@@ -13,7 +13,7 @@ uniform sampler2D separations;
 
 // Averages at which a stroke begins and is complete. A row of samples of length l gives 1 - (1 - l / (2 reach))^2, so that a
 // stroke has at least 12 CSS pixels, and is no straight dash.
-const vec2 AVERAGES = vec2(0.34, 0.85);
+const vec2 AVERAGES = vec2(0.34, 0.95);
 
 float texelAt(int number) {
   return texelFetch(separations, texelOf(arc, number), 0).r;
