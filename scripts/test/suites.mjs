@@ -42,7 +42,7 @@ function rust({ long }) {
     title: 'Rust tests',
     lane: 'cargo',
     run: async (say) => {
-      // In the long tests optimised physics saves more than its compilation takes.
+      // Optimised physics saves the long tests more time than it takes to compile.
       const [filter, environment] = long
         ? [['--', '--ignored'], { CARGO_PROFILE_DEV_OPT_LEVEL: '1' }]
         : [[], undefined];
