@@ -12,6 +12,7 @@ uniform sampler2D ramps;
 uniform float pad;
 uniform float distanceRange;
 uniform mat4 clipFromView;
+uniform float near;
 uniform vec2 viewport;
 uniform vec3 inkColor;
 uniform float inkPixels;
@@ -73,7 +74,7 @@ void main() {
   vec3 normal = shape.rgb * 2.0 - 1.0;
   normal.xy = rotated(normal.xy);
   normal = normalize(normal);
-  float viewZ = centreZ + (shape.a - 0.5) * 2.0 * pad * radius;
+  float viewZ = min(centreZ + (shape.a - 0.5) * 2.0 * pad * radius, -near);
   vec2 here = surfaceHere(clipFromView);
   bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;

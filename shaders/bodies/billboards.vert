@@ -33,14 +33,14 @@ flat out vec3 towardsLight;
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
+#include ../lib/clearance.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 
 void main() {
   readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
-  radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
+  radius = place.w * clearance(centre, place.w, clipFromView, near);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   phase = boilPhase(seedOf(attributes), drawing);
   inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
@@ -55,5 +55,5 @@ void main() {
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
-  gl_Position = radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = isBefore(centre.z, clipFromView, near) && radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -12,6 +12,7 @@ uniform sampler2D ramps;
 uniform float fillet;
 uniform float blend;
 uniform mat4 clipFromView;
+uniform float near;
 uniform vec2 viewport;
 uniform vec4 lightInView;
 uniform vec3 inkColor;
@@ -187,7 +188,7 @@ void main() {
   normal = normalize(normal);
   vec3 viewNormal = normal;
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
-  float viewZ = depthsAndRamp.x + viewHeight(height, point) * radius;
+  float viewZ = min(depthsAndRamp.x + viewHeight(height, point) * radius, -near);
   bool isInk = isRing;
   #pragma insert_6
 #ifdef DEFORMED

@@ -30,6 +30,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/pixel.glsl
 #include ../lib/depth.glsl
 #include ../lib/ink.glsl
+#include ../lib/clearance.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
@@ -38,12 +39,12 @@ flat out vec4 lobes[LOBES];
 void main() {
   readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  // Puffs shrink as the camera moves into them, instead of being clipped by the near plane.
-  float radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);
   float across = acrossOf(stretch.w);
-  radius *= across;
+  float radius = place.w * across * clearance(centre, place.w / across, clipFromView, near);
+#else
+  float radius = place.w * clearance(centre, place.w, clipFromView, near);
 #endif
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
@@ -105,10 +106,10 @@ void main() {
 #endif
 #ifdef FLAT
   float drop = gl_VertexID % 8 > 3 ? innerLine * radius : 0.0;
-  clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
+  clip.z = (2.0 * windowDepth(clipFromView, min(centre.z - drop, -near)) - 1.0) * clip.w;
 #else
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   clip.z = 0.0;
 #endif
-  gl_Position = radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = isBefore(centre.z, clipFromView, near) && radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

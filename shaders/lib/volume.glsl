@@ -36,6 +36,7 @@ flat out float squeeze;
 #include orientation.glsl
 #include box.glsl
 #include light.glsl
+#include clearance.glsl
 
 const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
@@ -53,12 +54,14 @@ mat3 viewFromPuffOf(uvec4 attributes) {
 // Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
 // sideways, which can move a visible lit point farther behind the centre.
 float shearOf(vec3 travel, vec3 centre) {
-  // Puffs shrink as they approach the near plane, as in shaders/bodies, and vanish behind it.
-  float grown = smoothstep(near, near + 2.0 * place.w, -centre.z);
-  if (grown <= 0.0) return 0.0;
   // The slopes of view rays, limited to the part of the puff that is inside the picture.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
-  vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
+  vec2 low = (clipFromView[2].xy - 1.0) / scale;
+  vec2 high = (clipFromView[2].xy + 1.0) / scale;
+  // Less beside the camera: a puff keeps its distance of 1.7 drawn radii or more, and leaves the picture before.
+  float share = smoothstep(0.0, 0.75 * place.w, -centre.z * length(max(-low, high)));
+  if (share <= 0.0) return 0.0;
+  vec2 ray = clamp(centre.xy / -centre.z, low, high);
   // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
   // the view axis is at most 1/2.
 #ifdef DEFORMED
@@ -68,9 +71,9 @@ float shearOf(vec3 travel, vec3 centre) {
 #endif
   float slope = -dot(travel.xy, ray);
   float straight = max(tallest * slope, -depth * slope);
-  if (facesEye) return grown * straight;
-  float aside = 0.5 * tallest * tallest * length(travel.xy) * grown * place.w / -centre.z;
-  return grown * (straight + aside);
+  if (facesEye) return share * straight;
+  float aside = 0.5 * tallest * tallest * length(travel.xy) * place.w / -centre.z;
+  return share * (straight + aside);
 }
 
 #ifdef DEFORMED
@@ -163,13 +166,20 @@ struct Ends {
 // Computes the outputs. Returns false if the row has no volume.
 bool writeVolume(out Ends ends) {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  float fullRadius = place.w;
+#ifdef DEFORMED
+  vec4 stretch = stretchOf(attributes.w);
+  place.w *= clearance(centre, place.w / acrossOf(stretch.w), clipFromView, near);
+#else
+  place.w *= clearance(centre, place.w, clipFromView, near);
+#endif
+  if (place.w <= 0.0) return false;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   mat3 viewFromPuff = viewFromPuffOf(attributes);
   vec3 aside = normalize(abs(axis.x) < 0.7 ? vec3(0.0, -axis.z, axis.y) : vec3(axis.z, 0.0, -axis.x));
   mat3 frameFromView = transpose(mat3(aside, cross(axis, aside), axis));
 
 #ifdef DEFORMED
-  vec4 stretch = stretchOf(attributes.w);
   stretch.xyz = frameFromView * mat3(viewFromWorld) * stretch.xyz;
   Projection projection = projectionOf(stretch);
   vec2 along = projection.along;
@@ -184,7 +194,7 @@ bool writeVolume(out Ends ends) {
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
   float cap = startCap(axis, viewFromPuff, centre);
   #pragma insert_8
-  float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
+  float extent = min(exitOf(place.w * widest, growth / place.w), fullRadius * endOf(attributes)) / place.w - cap;
   if (extent <= 0.0) return false;
 #ifdef DEFORMED
   squeeze = widthTiltFactor.z;

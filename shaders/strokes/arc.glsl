@@ -15,6 +15,7 @@ uniform highp usampler2D arcs;
 
 #include ../lib/fetchRow.glsl
 #include ../lib/pixel.glsl
+#include ../lib/clearance.glsl
 #include ../lib/light.glsl
 #include ../lib/attributes.glsl
 #include ../lib/orientation.glsl
@@ -126,14 +127,17 @@ void fetchArc(int arc) {
 // Finds the arc that was read. Returns its opacity as far as it does not depend on other smoke.
 float findArc() {
   centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  radius = place.w * smoothstep(near, near + 2.0 * place.w, -centre.z);
-  if (radius <= 0.0) return 0.0;
+  if (!isBefore(centre.z, clipFromView, near)) return 0.0;
+  radius = place.w;
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);
   float across = acrossOf(stretch.w);
-  radius *= across;
+  radius *= across * clearance(centre, place.w / across, clipFromView, near);
   projection = projectionOf(vec4(mat3(viewFromWorld) * stretch.xyz, stretch.w));
+#else
+  radius *= clearance(centre, place.w, clipFromView, near);
 #endif
+  if (radius <= 0.0) return 0.0;
   pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;
   lobe = texelFetch(lobeTable, ivec2(lobeNumber, variation), 0);

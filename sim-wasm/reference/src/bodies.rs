@@ -22,6 +22,8 @@ pub struct Body<'a> {
     /// In view space.
     center: DVec3,
     radius: f64,
+    /// View depth of the near plane.
+    near: f64,
     /// Metres per pixel at the centre.
     pixel: f64,
     line: Line,
@@ -57,13 +59,20 @@ pub struct BodyHit {
     pub shade: Shade,
 }
 
-/// Share of its radius with which a particle is drawn: a puff close to the eye shrinks.
-pub fn grown(camera: &Camera, row: &Row, center: DVec3) -> f64 {
-    ink::smooth_step(camera.near, camera.near + 2.0 * row.radius, -center.z)
+/// Share of its radius with which a particle with a stretch of this ratio is drawn and throws its shadow: it shrinks as
+/// the eye moves into it.
+pub fn clearance(camera: &Camera, row: &Row, ratio: f64) -> f64 {
+    let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
+    let beyond_near = if camera.is_perspective() {
+        center.length() - camera.near
+    } else {
+        (-center.z - camera.near).abs()
+    };
+    ink::smooth_step(0.0, 2.0 * row.radius * ratio.sqrt(), beyond_near)
 }
 
 impl<'a> Body<'a> {
-    /// None unless the particle is in front of the near plane.
+    /// None unless the centre of the particle is in front of the camera.
     pub fn new(
         scene: &'a Scene,
         billboards: Option<&'a Billboards>,
@@ -77,8 +86,9 @@ impl<'a> Body<'a> {
         let (axis, ratio) = billboards.map_or_else(|| attributes.stretch(), |_| (DVec3::Z, 1.0));
         // A stretched puff is drawn in units of its width across the stretch.
         let across = ratio.sqrt().recip();
-        let radius = row.radius * grown(camera, &row, center) * across;
-        if radius <= 0.0 {
+        let radius = row.radius * clearance(camera, &row, ratio) * across;
+        let nearest = if camera.is_perspective() { 0.0 } else { camera.near };
+        if radius <= 0.0 || -center.z <= nearest {
             return None;
         }
         let turn = DMat3::from_mat4(camera.view_from_world);
@@ -108,6 +118,7 @@ impl<'a> Body<'a> {
             ),
             center,
             radius,
+            near: camera.near,
             pixel,
             line: Line::new(ink_pixels, radius / pixel, ink_swell, light.truncate()).boiling(
                 boil,
@@ -143,7 +154,7 @@ impl<'a> Body<'a> {
             return None;
         }
         let place = point.extend(met.height);
-        let z = self.center.z + met.height * self.radius;
+        let z = (self.center.z + met.height * self.radius).min(-self.near);
         let is_ink = is_ring || met.is_edge || ground.is_seam(at, z, met.form_normal, self.pixel, width);
         let height = self.row.place[1] + self.up.dot(ray.at(-z) - self.center);
         let whole = self.form.map(|form| (form, form.facing(ray.at(-z))));

@@ -6,7 +6,8 @@ use glam::{DMat3, DVec3};
 
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
 use crate::bites::{self, FIRST_START};
-use crate::bodies::grown;
+use crate::bodies::clearance;
+use crate::ink::smooth_step;
 use crate::light::Light;
 use crate::lobes::Lobe;
 use crate::ray::{Camera, Ray};
@@ -90,8 +91,13 @@ struct Disc {
 }
 
 impl Volume {
-    /// None if the light is within the puff, which it lights entirely.
+    /// None if the light is within the puff, which it lights entirely, or if nothing is left of the puff near the eye.
     pub fn new(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> Option<Self> {
+        let radius = row.radius * clearance(camera, row, stretch(scene, row).1);
+        if radius <= 0.0 {
+            return None;
+        }
+        let row = &Row { radius, ..*row };
         let center = DVec3::from(row.place);
         let growth = 1.0 / light.distance(center);
         let axis = -light.towards(center);
@@ -260,24 +266,26 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
         return 0.0;
     }
     let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
-    let grown = grown(camera, row, center);
-    if grown == 0.0 {
+    // A puff keeps its distance from the eye and leaves the picture before it is beside the eye.
+    let [least, greatest] = camera.slopes();
+    let steepest = (-least).max(greatest).length();
+    let share = smooth_step(0.0, 0.75 * row.radius, -center.z * steepest);
+    if share == 0.0 {
         return 0.0;
     }
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
     // Per radius of height, at the board's visible point nearest to its centre; heights are -depth to 1.
-    let [least, greatest] = camera.slopes();
     let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
     // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2. A
     // billboard's relief is baked as shown.
     let tallest = scene.puffs.tallest;
-    let share = if scene.puffs.layers.is_some() {
+    let product = if scene.puffs.layers.is_some() {
         0.0
     } else {
         0.5 * tallest * tallest
     };
-    let aside = share * light.length() * grown * row.radius / -center.z;
-    grown * ((tallest * slope).max(-scene.puffs.depth * slope) + aside)
+    let aside = product * light.length() * row.radius / -center.z;
+    share * ((tallest * slope).max(-scene.puffs.depth * slope) + aside)
 }
 
 fn tabled(caps: &StartCaps, variation: usize, towards: DVec3) -> f64 {

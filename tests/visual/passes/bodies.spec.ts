@@ -7,6 +7,9 @@ const CASES = '/tests/visual/passes/puffs.cases.ts';
 type LonePuffs = typeof import('./lonePuffs.cases.ts');
 const LONE_PUFFS = '/tests/visual/passes/lonePuffs.cases.ts';
 
+type NearPlane = typeof import('./nearPlane.cases.ts');
+const NEAR_PLANE = '/tests/visual/passes/nearPlane.cases.ts';
+
 for (const light of ['sun', 'lamp'] as const) {
   test(`puffs with bites under a ${light} mask none of their own lit pixels`, async ({ load }) => {
     const cases = await load<LonePuffs>(LONE_PUFFS);
@@ -21,6 +24,26 @@ for (const light of ['sun', 'lamp'] as const) {
 
 for (const form of ['lobes', 'billboards'] as const) {
   test.describe(form, () => {
+    test('near the camera, puffs and their shadows have the same size', async ({ load }) => {
+      const cases = await load<NearPlane>(NEAR_PLANE);
+      for (const depth of [0.6, 1, 1.5, 2.5]) {
+        const { puff, shadow } = await cases.evaluate((module, input) => module.shadowBehind(...input), [
+          form,
+          depth,
+        ] as const);
+        expect(puff, `${depth} radii`).toBeGreaterThan(depth > 0.8 ? 1_000 : 100);
+        expect(shadow, `${depth} radii`).toBeLessThan(10);
+      }
+    });
+
+    test('a camera flies through them without a jump of the picture', async ({ load }) => {
+      const cases = await load<NearPlane>(NEAR_PLANE);
+      const shares = await cases.evaluate((module, shape) => module.flight(shape, 100), form);
+      const steps = shares.slice(1).map((share, index) => Math.abs(share - shares[index]));
+      expect(Math.max(...shares)).toBeGreaterThan(0.6);
+      expect(Math.max(...steps)).toBeLessThan(0.06);
+    });
+
     for (const light of ['sun', 'lamp'] as const) {
       test(`unshadowed puffs under a ${light} mask none of their own lit pixels`, async ({ load }) => {
         const cases = await load<LonePuffs>(LONE_PUFFS);

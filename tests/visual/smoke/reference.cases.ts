@@ -41,6 +41,8 @@ const SCENES = {
   deformed: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, deformation),
   deformedByLamp: () =>
     cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, deformation),
+  eyeInsideDeformed: () =>
+    cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }, 0, deformation),
   eroded: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, erosion),
   erodedByLamp: () =>
     cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, erosion),

@@ -59,6 +59,7 @@ const UNFOLDING = { ...STRETCHED, billow: 1 };
 const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['deformed', [STRETCHED, UNFOLDING, { ...UNFOLDING, volumes: 'counted' }, { ...STRETCHED, tones: 3 }]],
   ['deformedByLamp', [UNFOLDING]],
+  ['eyeInsideDeformed', [STRETCHED]],
 ];
 const ERODED = { isEroded: true };
 const DISSOLVING: readonly (readonly [SceneName, readonly Mode[]])[] = [

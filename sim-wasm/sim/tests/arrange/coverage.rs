@@ -106,6 +106,20 @@ impl Observer {
         std::array::from_fn(|i| rows[i % 4][i / 4] as f32)
     }
 
+    /// Share of its radius with which a puff is drawn, by its place in view space.
+    fn clearance(&self, centre: V3, radius: f64, attributes: Attributes, form: Form) -> f64 {
+        let beyond_near = if self.is_perspective {
+            dot(centre, centre).sqrt() - NEAR
+        } else {
+            (centre[2] - NEAR).abs()
+        };
+        let ratio = match form {
+            Form::Baked => 1.0,
+            Form::Deformed => stretch(attributes).1,
+        };
+        smooth(beyond_near / (2.0 * radius * ratio.sqrt()))
+    }
+
     /// Whether a point of the image plane at unit depth is in the picture.
     fn sees(&self, point: [f64; 2]) -> bool {
         let aside = if self.is_perspective { 0.1 } else { 0.0 };
@@ -142,9 +156,8 @@ fn solids(seed: u32) -> Vec<f32> {
     table
 }
 
-/// The fraction of its radius with which a puff at this depth is drawn.
-fn grown(depth: f64, radius: f64) -> f64 {
-    let share = ((depth - NEAR) / (2.0 * radius)).clamp(0.0, 1.0);
+fn smooth(share: f64) -> f64 {
+    let share = share.clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
@@ -158,8 +171,7 @@ struct Puff {
 impl Puff {
     fn new(place: [f32; 4], attributes: Attributes, eye: &Observer, solids: &[f32], form: Form) -> Self {
         let centre = eye.view([place[0], place[1], place[2]].map(f64::from));
-        let full = f64::from(place[3]);
-        let radius = full * grown(centre[2], full);
+        let radius = f64::from(place[3]) * eye.clearance(centre, f64::from(place[3]), attributes, form);
         let columns = &solids[(attributes[1] & 0xff) as usize % VARIATIONS * 4 * BALLS..][..4 * BALLS];
         let ball = |ball: usize| {
             let age = f64::from(attributes[0] >> 16) / 65_535.0;
@@ -223,6 +235,13 @@ fn placed(columns: &[f32], ball: usize, attributes: Attributes, age: f64, form: 
     let twice = cross([x, y, z], std::array::from_fn(|i| across[i] + w * at[i]));
     let at: V3 = std::array::from_fn(|i| at[i] + 2.0 * twice[i]);
 
+    let (axis, ratio) = stretch(attributes);
+    let along = (ratio - 1.0) * dot(at, axis);
+    std::array::from_fn(|i| (at[i] + along * axis[i]) / ratio.sqrt())
+}
+
+/// Axis and ratio of the stretch of a row.
+fn stretch(attributes: Attributes) -> (V3, f64) {
     let [u, v] = [0, 8].map(|shift| (f64::from(attributes[3] >> shift & 0xff) - 127.0) / 127.0);
     let z = 1.0 - u.abs() - v.abs();
     let axis = unit(if z < 0.0 {
@@ -230,9 +249,7 @@ fn placed(columns: &[f32], ball: usize, attributes: Attributes, age: f64, form: 
     } else {
         [u, v, z]
     });
-    let ratio = 1.0 + 3.0 * f64::from(attributes[3] >> 16 & 0xff) / 255.0;
-    let along = (ratio - 1.0) * dot(at, axis);
-    std::array::from_fn(|i| (at[i] + along * axis[i]) / ratio.sqrt())
+    (axis, 1.0 + 3.0 * f64::from(attributes[3] >> 16 & 0xff) / 255.0)
 }
 
 /// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
@@ -515,15 +532,17 @@ struct Shadow {
 impl Shadow {
     fn new((place, attributes): &Row, eye: &Observer, travel: V3, caps: &[f32], solids: &[f32], form: Form) -> Self {
         let centre = [place[0], place[1], place[2]].map(f64::from);
-        let radius = f64::from(place[3]);
-        let [x, y, depth] = eye.view(centre);
+        let seen = eye.view(centre);
+        let radius = f64::from(place[3]) * eye.clearance(seen, f64::from(place[3]), *attributes, form);
+        let [x, y, depth] = seen;
         let aside = [dot(travel, eye.right), dot(travel, eye.up)];
-        let grown = grown(depth, radius);
+        let steepest = (1.1 * eye.half).hypot(eye.half);
+        let share = smooth(depth * steepest / (0.75 * radius));
         let ray = [x / depth, y / depth];
         let slope =
             -(aside[0] * ray[0].clamp(-1.1 * eye.half, 0.9 * eye.half) + aside[1] * ray[1].clamp(-eye.half, eye.half));
-        let sheared = grown * (slope.max(-0.6 * slope) + 0.5 * grown * aside[0].hypot(aside[1]) * radius / depth);
-        let shear = if eye.is_perspective && grown > 0.0 {
+        let sheared = share * (slope.max(-0.6 * slope) + 0.5 * aside[0].hypot(aside[1]) * radius / depth);
+        let shear = if eye.is_perspective && share > 0.0 {
             sheared
         } else {
             0.0
@@ -549,7 +568,7 @@ impl Shadow {
         let start = dot(centre, travel) + (cap + shear + 0.02) * radius;
         let end = match attributes[0] >> 16 {
             0xffff => f64::INFINITY,
-            steps => dot(centre, travel) + f64::from(steps) / 256.0 * radius,
+            steps => dot(centre, travel) + f64::from(steps) / 256.0 * f64::from(place[3]),
         };
         let discs = (0..BALLS).map(disc).filter(|(_, radius)| *radius > 0.0).collect();
         Self {

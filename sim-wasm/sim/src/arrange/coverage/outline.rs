@@ -4,9 +4,9 @@ use wide::f32x4;
 
 use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
-use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
+use crate::arrange::coverage::plan::{Bodies, EyePoint, Plan, PlanKind, Shadows};
 use crate::arrange::coverage::polygon::Polygon;
-use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
+use crate::arrange::coverage::solids::{Orientations, RotatedBalls, Solids};
 use crate::arrange::deformation::undeformed;
 use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
 use crate::math::scalar::{clamped, greater};
@@ -24,9 +24,13 @@ const EDGE_PIXELS: f32 = 0.25;
 /// The eye's axes in view space.
 const VIEW_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 const CAP_ROUNDING: f32 = 1e-3;
-/// A puff close to the eye shrinks. Below this share of its size it covers nothing.
-const MIN_COVERING_GROWTH: f32 = 0.05;
-const GROWTH_TOLERANCE: f32 = 0.002;
+/// Share of its size below which a puff close to the eye covers nothing.
+const MIN_COVERING_CLEARANCE: f32 = 0.05;
+const CLEARANCE_TOLERANCE: f32 = 0.002;
+/// Distance from the eye, in twice the greatest height of puffs, from which a stretched one certainly has its full size.
+const STRETCHED_FROM: f32 = 1.5;
+/// As in shaders/lib/volume.glsl: distance from the eye's plane, in drawn radii, from which a puff may be in the picture.
+const SHEARED_FROM: f32 = 0.75;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
 
@@ -156,19 +160,18 @@ impl<'a> Outliner<'a> {
     }
 
     fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
-        let mut projected = self.projected(place);
-        let grown = grown(projected.depth - self.plan.range[0], place[3]);
-        projected.radius *= grown;
-        if projected.radius <= 0.0 || projected.w <= 0.0 {
+        let stretched = self.stretched(&bodies.solids, bodies.reach);
+        let Some(drawn) = Drawn::of(place, &bodies.eye, stretched) else {
+            return false;
+        };
+        let mut projected = self.projected(drawn.place);
+        if projected.w <= 0.0 {
             return false;
         }
-        projected.covers = grown > MIN_COVERING_GROWTH;
-        if grown < 1.0 {
-            projected.tolerance += GROWTH_TOLERANCE;
-        }
-        if !projected.covers {
-            projected.radius = place[3];
-        }
+        // What is nearer than the near plane is drawn on it.
+        let is_behind_near = projected.depth - self.plan.range[0] > bodies.reach * projected.radius;
+        projected.covers = drawn.is_certain && is_behind_near;
+        projected.tolerance += drawn.tolerance;
         projected.tolerance += bodies.tolerance + (bodies.blur + SNAP) * bodies.pixel * projected.w / projected.radius;
         let farthest = projected.w + bodies.reach * projected.radius;
         projected.slack += bodies.tolerance * projected.radius + bodies.depth_step * farthest * farthest;
@@ -247,9 +250,15 @@ impl<'a> Outliner<'a> {
     }
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
+        let stretched = self.stretched(&shadows.solids, shadows.reach);
+        let Some(drawn) = Drawn::of(place, &shadows.eye.point, stretched) else {
+            return false;
+        };
+        let place = drawn.place;
         let mut projected = self.projected(place);
-        let [eye_w, shear] = shadows.seen(place, self.tallest(shadows));
-        projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
+        let [eye_w, shear] = shadows.seen(place, stretched.unwrap_or(1.0));
+        projected.covers = drawn.is_certain && (eye_w > place[3] || !shadows.eye.point.is_perspective);
+        projected.tolerance += drawn.tolerance;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
         projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
@@ -264,21 +273,19 @@ impl<'a> Outliner<'a> {
             start - projected.slack,
         );
         outline.projected = projected;
-        place[3] > 0.0
+        true
     }
 
-    /// Greatest height of a puff over its nailboard (radii).
-    fn tallest(&self, shadows: &Shadows) -> f32 {
-        match self.billow {
-            Some(_) if !shadows.solids.faces_eye => shadows.reach,
-            _ => 1.0,
-        }
+    /// Greatest height of puffs over their nailboards (radii), if they may be stretched.
+    fn stretched(&self, solids: &Solids, reach: f32) -> Option<f32> {
+        self.billow.filter(|_| !solids.faces_eye).map(|_| reach)
     }
 
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
     fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
+        let place = [place[0], place[1], place[2], projected.radius];
         let rotation = if shadows.solids.faces_eye {
             self.orientations.facing(attributes, &shadows.axes_in_view)
         } else {
@@ -287,7 +294,7 @@ impl<'a> Outliner<'a> {
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place, self.tallest(shadows));
+        let [_, shear] = shadows.seen(place, self.stretched(&shadows.solids, shadows.reach).unwrap_or(1.0));
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
@@ -332,10 +339,38 @@ impl<'a> Outliner<'a> {
     }
 }
 
-/// Share of its radius with which a puff is drawn, by its distance from the near plane. Same as in shaders/bodies.
+/// A puff as it is drawn and throws its shadow: smaller near the eye, see shaders/lib/clearance.glsl.
+struct Drawn {
+    /// With the drawn radius, or with a greater one unless that is certain.
+    place: [f32; 4],
+    is_certain: bool,
+    tolerance: f32,
+}
+
+impl Drawn {
+    /// None if nothing is drawn. `stretched`: greatest height (radii) of puffs that may be stretched.
+    #[inline(always)]
+    fn of(place: [f32; 4], eye: &EyePoint, stretched: Option<f32>) -> Option<Self> {
+        let [x, y, z, radius] = place;
+        let share = eye.beyond_near(place) / (2.0 * radius);
+        let clearance = smooth(share);
+        let is_certain = match stretched {
+            Some(reach) => share > STRETCHED_FROM * reach,
+            None => clearance > MIN_COVERING_CLEARANCE,
+        };
+        let drawn = if is_certain { clearance * radius } else { radius };
+        (radius > 0.0 && clearance > 0.0).then_some(Self {
+            place: [x, y, z, drawn],
+            is_certain,
+            tolerance: if share < 1.0 { CLEARANCE_TOLERANCE } else { 0.0 },
+        })
+    }
+}
+
+/// The smoothstep from 0 to 1.
 #[inline(always)]
-fn grown(beyond_near: f32, radius: f32) -> f32 {
-    let share = (beyond_near / (2.0 * radius)).clamp(0.0, 1.0);
+fn smooth(share: f32) -> f32 {
+    let share = share.clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
 }
 
@@ -360,22 +395,22 @@ impl Shadows<'_> {
     fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
         let eye = &self.eye;
         let w = eye.w.at(place);
-        if !eye.is_perspective {
+        if !eye.point.is_perspective {
             return [w, 0.0];
         }
-        let grown = grown(w - eye.near, place[3]);
-        if grown <= 0.0 {
+        let share = smooth(w * eye.steepest / (SHEARED_FROM * place[3]));
+        if share <= 0.0 {
             return [w, 0.0];
         }
-        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = [eye.point.right.at(place) / w, eye.point.up.at(place) / w];
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {
-            return [w, grown * greater(slope, 0.0)];
+            return [w, share * greater(slope, 0.0)];
         }
         let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
-        let aside = 0.5 * tallest * tallest * sideways * grown * place[3] / w;
-        [w, grown * (greater(tallest * slope, -self.depth * slope) + aside)]
+        let aside = 0.5 * tallest * tallest * sideways * place[3] / w;
+        [w, share * (greater(tallest * slope, -self.depth * slope) + aside)]
     }
 
     /// Distance from the centre to the start (radii). Same as in the shader.

@@ -5,6 +5,7 @@ use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
 use crate::arrange::view_layout::{LIFTERS_LIMIT, ViewNumbers};
 use crate::math::double::{cross, dot, length, unit};
+use crate::math::scalar::greater;
 
 /// The coverage settings of a view.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +29,7 @@ pub(crate) enum PlanKind<'v> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bodies<'v> {
     pub solids: Solids<'v>,
+    pub eye: EyePoint,
     pub reach: f32,
     /// Tolerance of the solids: in radii, and in pixels.
     pub tolerance: f32,
@@ -57,19 +59,42 @@ pub(crate) struct Shadows<'v> {
     pub axes_in_view: [[f32; 3]; 3],
 }
 
-/// The inputs of a nailboard's shear; see `shearOf` in shaders/volumes/volumes.vert.
+/// The place of the eye, which puffs keep clear of.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ShadowEye {
+pub(crate) struct EyePoint {
     pub right: Linear,
     pub up: Linear,
+    /// Distance along the view: clip w, or the depth if that is constant.
+    ahead: Linear,
+    /// The same at the near plane.
+    near: f32,
+    pub is_perspective: bool,
+}
+
+impl EyePoint {
+    /// Distance from the eye beyond that of the near plane, or from the near plane of parallel rays (m).
+    #[inline(always)]
+    pub fn beyond_near(&self, place: [f32; 4]) -> f32 {
+        let ahead = self.ahead.at(place);
+        if !self.is_perspective {
+            return (ahead - self.near).abs();
+        }
+        let (right, up) = (self.right.at(place), self.up.at(place));
+        (right * right + up * up + ahead * ahead).sqrt() - self.near
+    }
+}
+
+/// The inputs of a nailboard's shear; see `shearOf` in shaders/lib/volume.glsl.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShadowEye {
+    pub point: EyePoint,
     pub w: Linear,
     /// Right and up component of the light's direction.
     pub travel: [f32; 2],
-    /// Clip w at the near plane.
-    pub near: f32,
     /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
     pub slopes: [[f32; 2]; 2],
-    pub is_perspective: bool,
+    /// Slope towards the corner of the picture.
+    pub steepest: f32,
     pub pixel: f32,
 }
 
@@ -140,6 +165,7 @@ impl<'v> Bodies<'v> {
         let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
+            eye: eye.point(numbers.nearest),
             reach: numbers.reach,
             tolerance: numbers.tolerance,
             blur: numbers.blur,
@@ -272,12 +298,15 @@ impl EyeAxes {
         (2.0 * DEPTH_STEPS * DEPTH_STEP / slope.max(1e-12)) as f32
     }
 
-    /// The inputs of the shear. `near`: depth of the near plane along the view.
-    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
-        let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
+    fn along(&self, row: &Row) -> f64 {
+        dot([row[0], row[1], row[2]], self.forward)
+    }
+
+    /// `near`: depth of the near plane along the view.
+    fn point(&self, near: f32) -> EyePoint {
         let beside = |axis: usize| {
             let w_share = if self.is_perspective() {
-                along(&self.rows[axis])
+                self.along(&self.rows[axis])
             } else {
                 0.0
             };
@@ -285,16 +314,30 @@ impl EyeAxes {
                 (self.rows[axis][i] - w_share * self.rows[3][i]) / self.scale[axis]
             }))
         };
-        let travel = travel.map(f64::from);
-        ShadowEye {
+        let is_perspective = self.is_perspective();
+        let [x, y, z] = self.forward;
+        let ahead = if is_perspective { self.rows[3] } else { [x, y, z, 0.0] };
+        EyePoint {
             right: beside(0),
             up: beside(1),
+            ahead: linear(ahead),
+            near: (self.along(&ahead) * f64::from(near) + ahead[3]) as f32,
+            is_perspective,
+        }
+    }
+
+    /// The inputs of the shear. `near`: depth of the near plane along the view.
+    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
+        let travel = travel.map(f64::from);
+        let slopes = [0, 1]
+            .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - self.along(&self.rows[axis])) / self.scale[axis]) as f32));
+        let [across, upwards] = slopes.map(|[low, high]| greater(-low, high));
+        ShadowEye {
+            point: self.point(near),
             w: linear(self.rows[3]),
             travel: self.sides.map(|side| dot(side, travel) as f32),
-            near: (along(&self.rows[3]) * f64::from(near) + self.rows[3][3]) as f32,
-            slopes: [0, 1]
-                .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - along(&self.rows[axis])) / self.scale[axis]) as f32)),
-            is_perspective: self.is_perspective(),
+            slopes,
+            steepest: (across * across + upwards * upwards).sqrt(),
             pixel,
         }
     }
