@@ -33,7 +33,6 @@ flat out vec3 towardsLight;
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
-#include ../lib/clearance.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 

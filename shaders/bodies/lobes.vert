@@ -30,7 +30,6 @@ flat out vec4 lobes[LOBES];
 #include ../lib/pixel.glsl
 #include ../lib/depth.glsl
 #include ../lib/ink.glsl
-#include ../lib/clearance.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl

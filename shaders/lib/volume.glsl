@@ -36,7 +36,6 @@ flat out float squeeze;
 #include orientation.glsl
 #include box.glsl
 #include light.glsl
-#include clearance.glsl
 
 const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.

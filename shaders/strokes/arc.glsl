@@ -15,7 +15,6 @@ uniform highp usampler2D arcs;
 
 #include ../lib/fetchRow.glsl
 #include ../lib/pixel.glsl
-#include ../lib/clearance.glsl
 #include ../lib/light.glsl
 #include ../lib/attributes.glsl
 #include ../lib/orientation.glsl

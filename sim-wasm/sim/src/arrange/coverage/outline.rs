@@ -339,7 +339,7 @@ impl<'a> Outliner<'a> {
     }
 }
 
-/// A puff as it is drawn and throws its shadow: smaller near the eye, see shaders/lib/clearance.glsl.
+/// A puff as it is drawn and throws its shadow: smaller near the eye, see shaders/lib/fetchRow.glsl.
 struct Drawn {
     /// With the drawn radius, or with a greater one unless that is certain.
     place: [f32; 4],
