@@ -54,5 +54,5 @@ void main() {
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
-  gl_Position = isBefore(centre.z, clipFromView, near) && radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = centre.z < -near && radius > 0.0 ? vec4(clip.xy, 0.0, clip.w) : vec4(0.0, 0.0, 2.0, 1.0);
 }

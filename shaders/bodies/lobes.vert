@@ -105,10 +105,10 @@ void main() {
 #endif
 #ifdef FLAT
   float drop = gl_VertexID % 8 > 3 ? innerLine * radius : 0.0;
-  clip.z = (2.0 * windowDepth(clipFromView, min(centre.z - drop, -near)) - 1.0) * clip.w;
+  clip.z = (2.0 * windowDepth(clipFromView, centre.z - drop) - 1.0) * clip.w;
 #else
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.
   clip.z = 0.0;
 #endif
-  gl_Position = isBefore(centre.z, clipFromView, near) && radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = centre.z < -near && radius > 0.0 ? clip : vec4(0.0, 0.0, 2.0, 1.0);
 }

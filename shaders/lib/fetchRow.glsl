@@ -21,8 +21,3 @@ float clearance(vec3 centre, float greatestRadius, mat4 clipFromView, float near
   float beyondNear = perspective ? length(centre) - near : abs(centre.z + near);
   return smoothstep(0.0, 2.0 * greatestRadius, beyondNear);
 }
-
-// Whether a nailboard with this view z is in front of the camera.
-bool isBefore(float viewZ, mat4 clipFromView, float near) {
-  return -viewZ > (clipFromView[2][3] != 0.0 ? 0.0 : near);
-}

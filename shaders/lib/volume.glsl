@@ -53,14 +53,12 @@ mat3 viewFromPuffOf(uvec4 attributes) {
 // Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
 // sideways, which can move a visible lit point farther behind the centre.
 float shearOf(vec3 travel, vec3 centre) {
+  // None beside the camera: a puff that keeps 1.7 radii away leaves the picture before.
+  float share = smoothstep(0.0, 0.5 * place.w, -centre.z);
+  if (share <= 0.0) return 0.0;
   // The slopes of view rays, limited to the part of the puff that is inside the picture.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
-  vec2 low = (clipFromView[2].xy - 1.0) / scale;
-  vec2 high = (clipFromView[2].xy + 1.0) / scale;
-  // Less beside the camera: a puff keeps its distance of 1.7 drawn radii or more, and leaves the picture before.
-  float share = smoothstep(0.0, 0.75 * place.w, -centre.z * length(max(-low, high)));
-  if (share <= 0.0) return 0.0;
-  vec2 ray = clamp(centre.xy / -centre.z, low, high);
+  vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
   // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
   // the view axis is at most 1/2.
 #ifdef DEFORMED

@@ -126,7 +126,7 @@ void fetchArc(int arc) {
 // Finds the arc that was read. Returns its opacity as far as it does not depend on other smoke.
 float findArc() {
   centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  if (!isBefore(centre.z, clipFromView, near)) return 0.0;
+  if (centre.z >= -near) return 0.0;
   radius = place.w;
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);

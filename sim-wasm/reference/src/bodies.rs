@@ -72,7 +72,7 @@ pub fn clearance(camera: &Camera, row: &Row, ratio: f64) -> f64 {
 }
 
 impl<'a> Body<'a> {
-    /// None unless the centre of the particle is in front of the camera.
+    /// None unless the centre of the particle is behind the near plane.
     pub fn new(
         scene: &'a Scene,
         billboards: Option<&'a Billboards>,
@@ -87,8 +87,7 @@ impl<'a> Body<'a> {
         // A stretched puff is drawn in units of its width across the stretch.
         let across = ratio.sqrt().recip();
         let radius = row.radius * clearance(camera, &row, ratio) * across;
-        let nearest = if camera.is_perspective() { 0.0 } else { camera.near };
-        if radius <= 0.0 || -center.z <= nearest {
+        if radius <= 0.0 || -center.z <= camera.near {
             return None;
         }
         let turn = DMat3::from_mat4(camera.view_from_world);

@@ -267,12 +267,11 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
     }
     let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
     // A puff keeps its distance from the eye and leaves the picture before it is beside the eye.
-    let [least, greatest] = camera.slopes();
-    let steepest = (-least).max(greatest).length();
-    let share = smooth_step(0.0, 0.75 * row.radius, -center.z * steepest);
+    let share = smooth_step(0.0, 0.5 * row.radius, -center.z);
     if share == 0.0 {
         return 0.0;
     }
+    let [least, greatest] = camera.slopes();
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
     // Per radius of height, at the board's visible point nearest to its centre; heights are -depth to 1.
     let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));

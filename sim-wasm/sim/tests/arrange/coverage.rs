@@ -536,8 +536,7 @@ impl Shadow {
         let radius = f64::from(place[3]) * eye.clearance(seen, f64::from(place[3]), *attributes, form);
         let [x, y, depth] = seen;
         let aside = [dot(travel, eye.right), dot(travel, eye.up)];
-        let steepest = (1.1 * eye.half).hypot(eye.half);
-        let share = smooth(depth * steepest / (0.75 * radius));
+        let share = smooth(depth / (0.5 * radius));
         let ray = [x / depth, y / depth];
         let slope =
             -(aside[0] * ray[0].clamp(-1.1 * eye.half, 0.9 * eye.half) + aside[1] * ray[1].clamp(-eye.half, eye.half));

@@ -71,7 +71,7 @@ impl Coverage {
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
-            outliner.draw(place, attributes(particle), &mut self.outline);
+            outliner.draw(attributes(particle), &mut self.outline);
             if self.is_hidden(plan) {
                 continue;
             }
@@ -117,7 +117,7 @@ impl Coverage {
                     row[0] = NOTHING_LEFT;
                     continue;
                 }
-                outliner.draw(place, attributes(particle), &mut self.outline);
+                outliner.draw(attributes(particle), &mut self.outline);
                 let polygon = &self.outline.polygon;
                 let farthest = self.grid.farthest(polygon, polygon.depth, f32::INFINITY);
                 row[0] = outliner.end(place, farthest, &self.outline);

@@ -29,8 +29,8 @@ const MIN_COVERING_CLEARANCE: f32 = 0.05;
 const CLEARANCE_TOLERANCE: f32 = 0.002;
 /// Distance from the eye, in twice the greatest height of puffs, from which a stretched one certainly has its full size.
 const STRETCHED_FROM: f32 = 1.5;
-/// As in shaders/lib/volume.glsl: distance from the eye's plane, in drawn radii, from which a puff may be in the picture.
-const SHEARED_FROM: f32 = 0.75;
+/// As in shaders/lib/volume.glsl: depth, in drawn radii, from which a puff may be in the picture.
+const SHEARED_FROM: f32 = 0.5;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
 
@@ -64,6 +64,8 @@ struct ProjectedPuff {
     tolerance: f32,
     /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
+    /// Displacement of a volume's start by the nailboard's shear (radii).
+    shear: f32,
     covers: bool,
 }
 
@@ -105,12 +107,12 @@ impl<'a> Outliner<'a> {
 
     /// Writes the discs of the row that `place` projected.
     #[inline(always)]
-    pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
+    pub(crate) fn draw(&self, attributes: Attributes, outline: &mut Outline) {
         // A puff that is eroded may have holes.
         outline.projected.covers &= EROSION.of(attributes) == 0;
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.draw_body(bodies, attributes, outline),
-            PlanKind::Shadows(shadows) => self.draw_shadow(shadows, place, attributes, outline),
+            PlanKind::Shadows(shadows) => self.draw_shadow(shadows, attributes, outline),
         }
     }
 
@@ -142,6 +144,7 @@ impl<'a> Outliner<'a> {
             slack: ROUNDING * size,
             tolerance: ROUNDING * size / place[3],
             lift: 0.0,
+            shear: 0.0,
             covers: true,
         }
     }
@@ -161,7 +164,7 @@ impl<'a> Outliner<'a> {
 
     fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
         let stretched = self.stretched(&bodies.solids, bodies.reach);
-        let Some(drawn) = Drawn::of(place, &bodies.eye, stretched) else {
+        let Some(drawn) = Drawn::of(place, &self.plan.eye, stretched) else {
             return false;
         };
         let mut projected = self.projected(drawn.place);
@@ -251,13 +254,14 @@ impl<'a> Outliner<'a> {
 
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
         let stretched = self.stretched(&shadows.solids, shadows.reach);
-        let Some(drawn) = Drawn::of(place, &shadows.eye.point, stretched) else {
+        let Some(drawn) = Drawn::of(place, &self.plan.eye, stretched) else {
             return false;
         };
         let place = drawn.place;
         let mut projected = self.projected(place);
-        let [eye_w, shear] = shadows.seen(place, stretched.unwrap_or(1.0));
-        projected.covers = drawn.is_certain && (eye_w > place[3] || !shadows.eye.point.is_perspective);
+        let [eye_w, shear] = shadows.seen(&self.plan.eye, place, stretched.unwrap_or(1.0));
+        projected.shear = shear;
+        projected.covers = drawn.is_certain && (eye_w > place[3] || !self.plan.eye.is_perspective);
         projected.tolerance += drawn.tolerance;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
@@ -283,9 +287,9 @@ impl<'a> Outliner<'a> {
 
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
-    fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
+    fn draw_shadow(&self, shadows: &Shadows, attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
-        let place = [place[0], place[1], place[2], projected.radius];
+        let radius = projected.radius;
         let rotation = if shadows.solids.faces_eye {
             self.orientations.facing(attributes, &shadows.axes_in_view)
         } else {
@@ -294,13 +298,12 @@ impl<'a> Outliner<'a> {
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place, self.stretched(&shadows.solids, shadows.reach).unwrap_or(1.0));
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
-        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
-        let cells = place[3] * projected.density;
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, projected.shear) * radius);
+        let cells = radius * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
         } else {
@@ -319,13 +322,13 @@ impl<'a> Outliner<'a> {
                     outline.polygon.hold(at(&x), at(&y), at(&outside));
                 }
             }
-            let radius = is_present & positive_part((ball.radius - lanes(projected.tolerance)) * lanes(cells));
+            let certain = is_present & positive_part((ball.radius - lanes(projected.tolerance)) * lanes(cells));
             outline.inner.groups[group] = DiscGroup {
                 u: lanes(projected.u) + x,
                 v: lanes(projected.v) + y,
-                radius,
+                radius: certain,
                 depth: lanes(starts[1] + projected.slack),
-                rim: radius,
+                rim: certain,
                 rim_depth: lanes(f32::INFINITY),
             };
         }
@@ -349,7 +352,6 @@ struct Drawn {
 
 impl Drawn {
     /// None if nothing is drawn. `stretched`: greatest height (radii) of puffs that may be stretched.
-    #[inline(always)]
     fn of(place: [f32; 4], eye: &EyePoint, stretched: Option<f32>) -> Option<Self> {
         let [x, y, z, radius] = place;
         let share = eye.beyond_near(place) / (2.0 * radius);
@@ -392,17 +394,17 @@ impl Shadows<'_> {
     /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii), for
     /// puffs of a height `tallest` (radii).
     #[inline(always)]
-    fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
-        let eye = &self.eye;
-        let w = eye.w.at(place);
-        if !eye.point.is_perspective {
-            return [w, 0.0];
+    fn seen(&self, point: &EyePoint, place: [f32; 4], tallest: f32) -> [f32; 2] {
+        if !point.is_perspective {
+            return [1.0, 0.0];
         }
-        let share = smooth(w * eye.steepest / (SHEARED_FROM * place[3]));
+        let eye = &self.eye;
+        let w = point.ahead.at(place);
+        let share = smooth(w / (SHEARED_FROM * place[3]));
         if share <= 0.0 {
             return [w, 0.0];
         }
-        let ray = [eye.point.right.at(place) / w, eye.point.up.at(place) / w];
+        let ray = [point.right.at(place) / w, point.up.at(place) / w];
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {

@@ -5,12 +5,12 @@ use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
 use crate::arrange::view_layout::{LIFTERS_LIMIT, ViewNumbers};
 use crate::math::double::{cross, dot, length, unit};
-use crate::math::scalar::greater;
 
 /// The coverage settings of a view.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'v> {
     pub(crate) chart: Chart,
+    pub(crate) eye: EyePoint,
     /// Depths along the view of the near and the far plane.
     pub(crate) range: [f32; 2],
     /// Number of covers that hide a puff.
@@ -29,7 +29,6 @@ pub(crate) enum PlanKind<'v> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bodies<'v> {
     pub solids: Solids<'v>,
-    pub eye: EyePoint,
     pub reach: f32,
     /// Tolerance of the solids: in radii, and in pixels.
     pub tolerance: f32,
@@ -65,7 +64,7 @@ pub(crate) struct EyePoint {
     pub right: Linear,
     pub up: Linear,
     /// Distance along the view: clip w, or the depth if that is constant.
-    ahead: Linear,
+    pub ahead: Linear,
     /// The same at the near plane.
     near: f32,
     pub is_perspective: bool,
@@ -87,14 +86,10 @@ impl EyePoint {
 /// The inputs of a nailboard's shear; see `shearOf` in shaders/lib/volume.glsl.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowEye {
-    pub point: EyePoint,
-    pub w: Linear,
     /// Right and up component of the light's direction.
     pub travel: [f32; 2],
     /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
     pub slopes: [[f32; 2]; 2],
-    /// Slope towards the corner of the picture.
-    pub steepest: f32,
     pub pixel: f32,
 }
 
@@ -103,8 +98,10 @@ impl<'v> Plan<'v> {
     pub(crate) fn new(numbers: &ViewNumbers, solids: &'v [f32], direction: [f32; 3]) -> Option<Self> {
         let covers = numbers.covers as usize;
         let eye = EyeAxes::new(&numbers.clip_from_world)?;
+        let point = eye.point(numbers.nearest);
         let plan = |chart, range, kind| Self {
             chart,
+            eye: point,
             range,
             covers,
             kind,
@@ -165,7 +162,6 @@ impl<'v> Bodies<'v> {
         let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
-            eye: eye.point(numbers.nearest),
             reach: numbers.reach,
             tolerance: numbers.tolerance,
             blur: numbers.blur,
@@ -212,7 +208,7 @@ impl<'v> Shadows<'v> {
             tolerance: numbers.tolerance,
             caps: StartCaps::new(caps, numbers.cap_range),
             depth: numbers.depth,
-            eye: eye.of_shadows(travel, numbers.pixel, numbers.nearest),
+            eye: eye.of_shadows(travel, numbers.pixel),
             axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
         })
     }
@@ -326,18 +322,14 @@ impl EyeAxes {
         }
     }
 
-    /// The inputs of the shear. `near`: depth of the near plane along the view.
-    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
+    /// The inputs of the shear.
+    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32) -> ShadowEye {
         let travel = travel.map(f64::from);
         let slopes = [0, 1]
             .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - self.along(&self.rows[axis])) / self.scale[axis]) as f32));
-        let [across, upwards] = slopes.map(|[low, high]| greater(-low, high));
         ShadowEye {
-            point: self.point(near),
-            w: linear(self.rows[3]),
             travel: self.sides.map(|side| dot(side, travel) as f32),
             slopes,
-            steepest: (across * across + upwards * upwards).sqrt(),
             pixel,
         }
     }
