@@ -137,7 +137,10 @@ export interface Seen {
  * The picture in a mirror, and the number of black pixels of the mirror on the canvas.
  * @param light its position. By default the shadow of the smoke falls on the mirror
  */
-export async function byMirror(values: Values = HANGING, light: Vector3Tuple = [1, 2, 5]): Promise<Seen & { black: number }> {
+export async function byMirror(
+  values: Values = HANGING,
+  light: Vector3Tuple = [1, 2, 5],
+): Promise<Seen & { black: number }> {
   const host = plainHost(0);
   const mirror = new Reflector(new PlaneGeometry(6, 4), { textureWidth: WIDTH, textureHeight: HEIGHT, multisample: 0 });
   mirror.position.set(0, 1, -1.5);
