@@ -80,9 +80,10 @@ export class FrameView {
     return new Vector3(x, y, z).addScaledVector(place, -w).normalize().negate();
   }
 
-  /** Whether the light is directional, with parallel rays. */
-  get isLitBySun(): boolean {
-    return this.uniforms.lightInWorld.value.w === 0;
+  /** Place of a lamp, world space; undefined if the light is a sun, with parallel rays. */
+  get lamp(): Vector3 | undefined {
+    const { x, y, z, w } = this.uniforms.lightInWorld.value;
+    return w === 0 ? undefined : new Vector3(x, y, z);
   }
 
   /** @param box box of everything that can receive a shadow, world space */

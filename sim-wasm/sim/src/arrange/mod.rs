@@ -127,7 +127,6 @@ impl Arranger {
         sampler: &RowSampler,
         mut chart_extent: Option<&mut ChartExtent>,
     ) -> usize {
-        let direction = Vector4::splat(view.direction);
         let mut extent = RowBounds::new();
         let mut count = 0;
         let found = entries(&mut self.attributes);
@@ -145,7 +144,7 @@ impl Arranger {
                 let places = self.place[block * LANES..][..LANES].iter_mut();
                 places.zip(rows).for_each(|(place, row)| *place = row.to_array());
             }
-            let depth = place.dot(direction).to_array();
+            let depth = view.depth(place).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
                     found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
