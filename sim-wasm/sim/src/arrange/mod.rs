@@ -1,4 +1,5 @@
-//! Arranging particles into rows: the visible ones, near to far, in a reused buffer.
+//! Arranging particles into rows: the visible ones, near to far, or the casters of a light, far to near, in a reused
+//! buffer.
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
@@ -103,6 +104,10 @@ impl Arranger {
 
     /// Writes the rows of the remaining entries over the places used for culling.
     fn write(&mut self, particles: &Particles, view: &View, sampler: &RowSampler, count: usize) {
+        if view.is_light {
+            // On GPUs, which test the stencil before the fragment shader, volumes far to near run it less often.
+            self.order[..count].reverse();
+        }
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
             let particle = *particle as usize;
