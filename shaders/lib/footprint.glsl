@@ -1,15 +1,4 @@
-// The quad that covers the screen projection of the convex hull of two spheres, for the polygons of a shadow volume.
-
-// Radius, on the plane at unit depth, of a circle around the projected centre that covers the projected sphere;
-// negative if the sphere extends behind the camera or too far to its side.
-float projectedRadius(vec3 centre, float ball, float near) {
-  float squared = dot(centre, centre) - ball * ball;
-  if (squared <= 0.0 || -centre.z <= near + ball) return -1.0;
-  float slope = length(centre.xy) / -centre.z;
-  float widening = ball * inversesqrt(squared);
-  float remaining = 1.0 - slope * widening;
-  return remaining > 0.1 ? (slope + widening) / remaining - slope : -1.0;
-}
+// The quad that covers the screen projection of a shadow volume. Needs volume.glsl.
 
 // The range of directions that two spheres and their hull span, as slopes against the view axis in one plane through
 // it. Points are (sideways, forward). Spheres beside or behind the camera leave a side open; the range is empty if
@@ -33,27 +22,33 @@ vec2 slopesOf(vec2 from, vec2 to, vec2 balls) {
   return vec2(span.x <= -ASIDE ? -OPEN : tan(span.x), span.y >= ASIDE ? OPEN : tan(span.y));
 }
 
-// Corner of the oriented box around the projections of two spheres, on the plane at unit depth.
-vec2 boxCorner(vec2 corner, vec2 from, vec2 to, float span) {
-  vec2 along = to - from;
-  float reach = length(along);
-  along = reach > 1e-6 ? along / reach : vec2(1.0, 0.0);
-  return 0.5 * (from + to) + along * corner.x * (0.5 * reach + span) + vec2(-along.y, along.x) * corner.y * span;
+// Pixels from the middle of the picture to the projection of a place.
+vec2 pixelOf(vec3 place) {
+  vec4 clip = clipFromView * vec4(place, 1.0);
+  return 0.5 * viewport * clip.xy / clip.w;
 }
 
-// Normalised device coordinates of a corner, whose components are -1 or 1. Each sphere is its centre in view space and
-// its radius.
-vec2 footprint(vec2 corner, vec4 start, vec4 end, mat4 clipFromView, float near) {
-  bool perspective = clipFromView[2][3] != 0.0;
-  if (!perspective) return (clipFromView * vec4(boxCorner(corner, start.xy, end.xy, max(start.w, end.w)), 0.0, 1.0)).xy;
-  vec2 spans = vec2(projectedRadius(start.xyz, start.w, near), projectedRadius(end.xyz, end.w, near));
-  if (min(spans.x, spans.y) >= 0.0) {
-    vec2 point = boxCorner(corner, start.xy / -start.z, end.xy / -end.z, max(spans.x, spans.y));
-    return (clipFromView * vec4(point, -1.0, 0.0)).xy;
+// Normalised device coordinates of a corner, whose components are -1 or 1, of the box around a volume, along its
+// projection. A volume that is partly behind the near plane has a box along the picture instead.
+vec2 footprint(vec2 corner, Ends ends) {
+  // Rasterisers move corners to a grid, at most as coarse as a sixteenth of a pixel.
+  const float SNAP = 0.25;
+  vec2 along = pixelOf(ends.end.xyz) - pixelOf(ends.start.xyz);
+  along = dot(along, along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+  mat2 axes = mat2(along, vec2(-along.y, along.x));
+  vec2 farthest = vec2(-1e9);
+  bool isInFront = true;
+  for (int i = 0; i < 8; i++) {
+    vec2 at = vec2((i & 1) == 0 ? sides.x : sides.z, (i & 2) == 0 ? sides.y : sides.w);
+    vec4 end = (i & 4) == 0 ? ends.start : ends.end;
+    vec3 place = end.xyz + ends.sideAxes * at * ((i & 4) == 0 ? ends.scales.x : ends.scales.y);
+    isInFront = isInFront && clipFromView[2][3] * (place.z + near) >= 0.0;
+    farthest = max(farthest, corner * (pixelOf(place) * axes));
   }
-  vec2 balls = vec2(start.w, end.w);
-  vec2 x = slopesOf(vec2(start.x, -start.z), vec2(end.x, -end.z), balls);
-  vec2 y = slopesOf(vec2(start.y, -start.z), vec2(end.y, -end.z), balls);
+  if (isInFront) return axes * (corner * (farthest + SNAP)) / (0.5 * viewport);
+  vec2 balls = vec2(ends.start.w, ends.end.w);
+  vec2 x = slopesOf(vec2(ends.start.x, -ends.start.z), vec2(ends.end.x, -ends.end.z), balls);
+  vec2 y = slopesOf(vec2(ends.start.y, -ends.start.z), vec2(ends.end.y, -ends.end.z), balls);
   vec2 point = mix(vec2(x.x, y.x), vec2(x.y, y.y), 0.5 + 0.5 * corner);
   // Clamped to the screen, because corners of open sides are imprecise farther out. An axis-aligned box stays a box.
   return clamp((clipFromView * vec4(point, -1.0, 0.0)).xy, -1.0, 1.0);

@@ -2,7 +2,6 @@ import { Vector3, type Texture } from 'three';
 import type { ChooseTones } from '../passes/resolve.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
-import type { Rows } from '../sim/rows.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { countVolumes, MAX_COUNT } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
@@ -10,7 +9,7 @@ import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
 import { THROWS_SHADOW, type Style } from './style.ts';
-import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSources } from './views.ts';
+import { eyeView, lightView, shownWithin, smokeBox, viewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
 /** Animation on twos: lines change at half of 24 frames a second. */
@@ -106,15 +105,16 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   bodies.fill(seen.rows);
   // Copied, because the next call of arrange replaces it.
   const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
-  const receivers = sources.boxes.reduce(
-    (all, box) => all.union(box),
-    smokeBox(eye, sources.extents.spread, seen.bounds),
-  );
+  const receivers = smokeBox(eye, sources.extents.spread, seen.bounds);
+  const travel = eye.travelAt(receivers.getCenter(new Vector3()));
+  for (const box of sources.boxes) receivers.union(box);
   eye.receive(receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
   if (throwsShadow) {
-    const { rows } = simulator.arrange(lightView(sources, input, receivers));
-    casters.fill(rows, shadowEndsOf(passes, sources, rows));
+    const { rows } = simulator.arrange(lightView(sources, input, receivers, travel));
+    const { extents, boxes } = sources;
+    const shown = { bodies: bodies.places, reach: shownWithin(extents.reach, eye), boxes };
+    casters.fill(rows, passes.findShadowEnds(rows, extents.reach, shown, travel, eye.lamp));
   }
   const arrangeMs = performance.now() - started;
   return { bodies, casters: throwsShadow ? casters : undefined, grid, arrangeMs };
@@ -132,18 +132,4 @@ function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, 
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   passes.scene?.place(rigids, parts ?? []);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
-}
-
-/**
- * Where the shadow of each caster is behind all receivers. The shadows of a lamp end at the box of all receivers, so
- * there is none for them.
- */
-function shadowEndsOf(
-  { eye, bodies, shadowEnds }: SmokePasses,
-  { extents: { reach }, boxes }: ViewSources,
-  casters: Rows,
-): Float32Array | undefined {
-  if (!eye.isLitBySun) return undefined;
-  const receivers = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes };
-  return shadowEnds.find(casters, reach, receivers, eye.travelAt(new Vector3()));
 }

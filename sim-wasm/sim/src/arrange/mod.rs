@@ -1,4 +1,5 @@
-//! Arranging particles into rows: the visible ones, near to far, in a reused buffer.
+//! Arranging particles into rows: the visible ones, near to far, or the casters of a light, far to near, in a reused
+//! buffer.
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
@@ -103,6 +104,10 @@ impl Arranger {
 
     /// Writes the rows of the remaining entries over the places used for culling.
     fn write(&mut self, particles: &Particles, view: &View, sampler: &RowSampler, count: usize) {
+        if view.is_light {
+            // On GPUs, which test the stencil before the fragment shader, volumes far to near run it less often.
+            self.order[..count].reverse();
+        }
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
             let particle = *particle as usize;
@@ -127,7 +132,6 @@ impl Arranger {
         sampler: &RowSampler,
         mut chart_extent: Option<&mut ChartExtent>,
     ) -> usize {
-        let direction = Vector4::splat(view.direction);
         let mut extent = RowBounds::new();
         let mut count = 0;
         let found = entries(&mut self.attributes);
@@ -145,7 +149,7 @@ impl Arranger {
                 let places = self.place[block * LANES..][..LANES].iter_mut();
                 places.zip(rows).for_each(|(place, row)| *place = row.to_array());
             }
-            let depth = place.dot(direction).to_array();
+            let depth = view.depth(place).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
                 if kept >> lane & 1 == 1 {
                     found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
