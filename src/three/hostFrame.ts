@@ -37,7 +37,14 @@ export function drawIntoHost(
     const { camera: straight, oblique } = straightened(asked.camera);
     const input = smoke.prepare({ ...asked, camera: straight, output: picture });
     const { style } = input;
-    const take = (rows: Rows) => volumes.fill(rows, boxes, eye, smoke.passes.extentsOf(style.form));
+    const take = (rows: Rows) =>
+      volumes.fill(
+        rows,
+        boxes,
+        eye,
+        smoke.passes.extentsOf(style.form),
+        smoke.passes.isFlat ? Infinity : smoke.passes.volumes.minCap,
+      );
     const arranged = arrangeFrame(smoke.passes, { ...input, others: { boxes, take } });
     const size = new Vector2(input.width, input.height);
     const origin = own ? new Vector2() : view.origin;
