@@ -153,11 +153,12 @@ export function receiversIn(scene: Object3D): Box3[] {
   return boxes;
 }
 
-/** Bounds as three.js uses them for culling: deformed meshes provide their own bounding sphere. */
+/** Bounds as three.js uses them for culling: skinned meshes provide their own bounding sphere. That of instances is too wide. */
 function boxOf(mesh: Mesh, into: Box3): Box3 {
-  const deformed = mesh as Mesh &
-    Partial<Pick<SkinnedMesh | InstancedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
-  if (deformed.computeBoundingSphere) {
+  const deformed = mesh as Mesh & Partial<Pick<SkinnedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
+  if ('isInstancedMesh' in mesh) {
+    into.copy(boxOfInstances(mesh as InstancedMesh));
+  } else if (deformed.computeBoundingSphere) {
     if (!deformed.boundingSphere) deformed.computeBoundingSphere();
     deformed.boundingSphere!.getBoundingBox(into);
   } else {
@@ -165,4 +166,14 @@ function boxOf(mesh: Mesh, into: Box3): Box3 {
     into.copy(mesh.geometry.boundingBox!);
   }
   return into.applyMatrix4(mesh.matrixWorld);
+}
+
+/** The version and number of instances that each box was computed from. */
+const boxed = new WeakMap<InstancedMesh, string>();
+
+function boxOfInstances(mesh: InstancedMesh): Box3 {
+  const key = `${mesh.instanceMatrix.version} ${mesh.count}`;
+  if (!mesh.boundingBox || boxed.get(mesh) !== key) mesh.computeBoundingBox();
+  boxed.set(mesh, key);
+  return mesh.boundingBox!;
 }

@@ -275,33 +275,28 @@ function isAt(picture: Pixels, pixel: number, source: Pixels, factor: readonly n
   });
 }
 
-/** Shadow on smoke alone: pixels that differ from the frame of a stage, and pixels of smoke. */
-export async function likeStage(values: Values = {}): Promise<{ smoke: number; different: number }> {
+/** Smoke alone: pixels of its shadow on itself, and pixels that differ from the frame of a stage. */
+export async function likeStage(values: Values = {}): Promise<{ shadowed: number; different: number }> {
   const host = emptyHost();
   const { renderer, scene, camera, keyLight } = host;
   scene.background = null;
-  const smoke = await smokeIn(host, { ...HANGING, 'style.tones': 2, ...values });
+  const smoke = await smokeIn(host, { ...SPREAD, 'emission.rate': 240, 'style.tones': 2, ...values });
   const shown = draw(host);
+  renderer.autoClear = false;
   const output = pictureTarget();
   output.setSize(WIDTH, HEIGHT);
   const { passes, simulator, style } = smoke as unknown as Record<'passes', HostPasses> &
     Pick<FrameInput, 'simulator' | 'style'>;
-  const input = { simulator, camera, light: lightFrom(keyLight), style, blend: 1, rigids: [], cull: true, output };
-  renderer.autoClear = false;
-  drawFrame(passes.smoke, { ...input, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
-  const stage = new Uint8Array(4 * WIDTH * HEIGHT);
-  renderer.readRenderTargetPixels(output, 0, 0, WIDTH, HEIGHT, stage);
-  dispose(output, smoke, renderer);
-  const isAlpha = (at: number) => at % 4 === 3;
-  return {
-    smoke: stage.filter((value, at) => isAlpha(at) && value > 0).length,
+  const input = { simulator, camera, light: lightFrom(keyLight), blend: 1, rigids: [], cull: true, output };
+  const [stage, lit] = [style, { ...style, shadows: false }].map((each) => {
+    drawFrame(passes.smoke, { ...input, style: each, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
+    const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+    renderer.readRenderTargetPixels(output, 0, 0, WIDTH, HEIGHT, pixels);
     // The canvas has no alpha, and is black without smoke.
-    different: changedPixels(
-      shown,
-      stage.map((value, at) => (isAlpha(at) ? 255 : value)),
-      2,
-    ),
-  };
+    return pixels.map((value, at) => (at % 4 === 3 ? 255 : value));
+  });
+  dispose(output, smoke, renderer);
+  return { shadowed: changedPixels(stage, lit, 2), different: changedPixels(shown, stage, 2) };
 }
 
 /**
