@@ -3,11 +3,11 @@ import type { ChooseTones } from '../passes/resolve.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
-import { countVolumes, MAX_COUNT } from './countVolumes.ts';
+import { countVolumes, limitOf } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
-import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
+import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 import { THROWS_SHADOW, type Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox, viewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
@@ -43,25 +43,35 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
   if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);
   else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
-  else drawNailboards(passes, input, arranged, surfaceDepth);
+  else drawSmoke(passes, input, arranged, surfaceDepth);
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, input, { bodies, casters }, surfaceDepth) => {
+/**
+ * Draws nailboards with their shadow into the targets, and resolves them.
+ * @param drawCasters counts the volumes of other casters in the stencil
+ */
+export function drawSmoke(
+  passes: SmokePasses,
+  input: FrameInput,
+  { bodies, casters }: ArrangedFrame,
+  surfaceDepth: SurfaceDepth | undefined,
+  drawCasters?: () => void,
+): void {
   const { renderer, targets, mask } = passes;
   const { style, output } = input;
   const shading = drawBodies(passes, style, bodies, surfaceDepth);
   drawStrokes(passes, style, bodies, surfaceDepth);
   if (casters) {
-    const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
-    countVolumes(passes, style, casters.geometry, limit);
+    drawCasters?.();
+    countVolumes(passes, style, casters.geometry, limitOf(style));
     mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output, shading && simplifying(passes, input, shading));
-};
+}
 
 /** Draws puffs into the targets, and returns their shading if the light of the style is simplified. */
-export function drawBodies(
+function drawBodies(
   { renderer, targets, body }: SmokePasses,
   style: Style,
   { geometry }: PuffRows,
@@ -74,7 +84,7 @@ export function drawBodies(
 }
 
 /** Chooses tones by simplified light, after the mask is drawn. */
-export function simplifying(
+function simplifying(
   { renderer, targets, extras }: SmokePasses,
   { simulator, blend, style }: FrameInput,
   shading: Texture,
@@ -84,7 +94,7 @@ export function simplifying(
 }
 
 /** Draws the strokes of the drawn bodies, if the style has any. */
-export function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
+function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
   if (!hasStrokes(style)) return;
   const { renderer, targets, body, extras } = passes;
   extras.strokes!.draw(renderer, targets, bodies.geometry.rows, body.drawing, surfaceDepth);
@@ -105,16 +115,17 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   bodies.fill(seen.rows);
   // Copied, because the next call of arrange replaces it.
   const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
-  const receivers = smokeBox(eye, sources.extents.spread, seen.bounds);
-  const travel = eye.travelAt(receivers.getCenter(new Vector3()));
-  for (const box of sources.boxes) receivers.union(box);
-  eye.receive(receivers);
+  const smoke = smokeBox(eye, sources.extents.spread, seen.bounds);
+  const travel = eye.travelAt(smoke.getCenter(new Vector3()));
+  const receivers = sources.boxes.reduce((all, box) => all.union(box), smoke.clone());
+  eye.receive(input.others ? smoke : receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
   if (throwsShadow) {
     const { rows } = simulator.arrange(lightView(sources, input, receivers, travel));
-    const { extents, boxes } = sources;
-    const shown = { bodies: bodies.places, reach: shownWithin(extents.reach, eye), boxes };
-    casters.fill(rows, passes.findShadowEnds(rows, extents.reach, shown, travel, eye.lamp));
+    input.others?.take(rows);
+    const { reach } = sources.extents;
+    const shown = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes: input.others ? [] : sources.boxes };
+    casters.fill(rows, passes.findShadowEnds(rows, reach, shown, travel, eye.lamp));
   }
   const arrangeMs = performance.now() - started;
   return { bodies, casters: throwsShadow ? casters : undefined, grid, arrangeMs };

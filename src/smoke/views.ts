@@ -29,13 +29,11 @@ export interface ViewSources {
 }
 
 /** @param passes with the surfaces of this frame in place */
-export function viewSources(passes: SmokePasses, { style, receivers }: FrameInput): ViewSources {
-  const boxes = passes.scene?.surfaces.worldBoxes() ?? [];
-  if (receivers && !receivers.isEmpty()) boxes.push(receivers);
+export function viewSources(passes: SmokePasses, { style, others }: FrameInput): ViewSources {
   return {
     eye: passes.eye,
     extents: passes.extentsOf(style.form),
-    boxes,
+    boxes: others?.boxes ?? passes.scene?.surfaces.worldBoxes() ?? [],
     minCap: passes.volumes.minCap,
     isFlat: passes.isFlat,
   };
