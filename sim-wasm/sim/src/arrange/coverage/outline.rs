@@ -2,15 +2,16 @@
 
 use wide::f32x4;
 
+use crate::arrange::coverage::chart::{Linear, Linears};
 use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
-use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::polygon::{Polygon, Reaches};
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::deformation::undeformed;
 use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
 use crate::math::scalar::{clamped, greater};
-use crate::math::simd::{LANES, positive_part};
+use crate::math::simd::positive_part;
 
 /// In the place of an end: nothing is left of the shadow.
 pub(super) const NOTHING_LEFT: u32 = NO_END + 1;
@@ -60,6 +61,8 @@ struct ProjectedPuff {
     tolerance: f32,
     /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
+    /// Displacement of its shadow's start by the nailboard's shear (radii).
+    shear: f32,
     covers: bool,
 }
 
@@ -70,7 +73,9 @@ pub(crate) struct Outliner<'a> {
     orientations: &'a Orientations,
     /// Share by which young puffs are folded; none if all puffs have their baked shapes.
     billow: Option<f32>,
-    corner: [f32; 2],
+    /// Across, up, w and depth.
+    lines: Linears,
+    corner: f32x4,
     density: f32,
 }
 
@@ -81,11 +86,18 @@ impl<'a> Outliner<'a> {
         orientations: &'a Orientations,
         billow: Option<f32>,
     ) -> Self {
+        let chart = &plan.chart;
+        let depth = Linear {
+            normal: chart.axes[2].map(|component| -component),
+            offset: 0.0,
+        };
+        let [left, low] = grid.corner;
         Self {
             plan,
             orientations,
             billow,
-            corner: grid.corner,
+            lines: Linears::new([chart.across, chart.up, chart.w, depth]),
+            corner: f32x4::new([left, low, 0.0, 0.0]),
             density: grid.density,
         }
     }
@@ -124,20 +136,21 @@ impl<'a> Outliner<'a> {
 
     #[inline(always)]
     fn projected(&self, place: [f32; 4]) -> ProjectedPuff {
-        let chart = &self.plan.chart;
-        let w = chart.w.at(place);
-        let [_, _, back] = &chart.axes;
+        let lines = self.lines.at(place);
+        let [_, _, w, depth] = lines.to_array();
+        let [u, v, _, _] = ((lines / f32x4::splat(w) - self.corner) * f32x4::splat(self.density)).to_array();
         let size = place[0].abs() + place[1].abs() + place[2].abs();
         ProjectedPuff {
-            u: (chart.across.at(place) / w - self.corner[0]) * self.density,
-            v: (chart.up.at(place) / w - self.corner[1]) * self.density,
+            u,
+            v,
             density: self.density / w,
-            depth: -(back[0] * place[0] + back[1] * place[1] + back[2] * place[2]),
+            depth,
             w,
             radius: place[3],
             slack: ROUNDING * size,
             tolerance: ROUNDING * size / place[3],
             lift: 0.0,
+            shear: 0.0,
             covers: true,
         }
     }
@@ -249,6 +262,7 @@ impl<'a> Outliner<'a> {
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut projected = self.projected(place);
         let [eye_w, shear] = shadows.seen(place, self.tallest(shadows));
+        projected.shear = shear;
         projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
@@ -256,7 +270,8 @@ impl<'a> Outliner<'a> {
         let start = if projected.covers {
             projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
         } else {
-            f32::NEG_INFINITY
+            // Less than all depths, but not than those outside of the grid.
+            f32::MIN
         };
         outline.hull = flat(
             &projected,
@@ -287,31 +302,25 @@ impl<'a> Outliner<'a> {
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place, self.tallest(shadows));
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
-        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, projected.shear) * place[3]);
         let cells = place[3] * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
         } else {
             f32::NEG_INFINITY
         };
-        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        let mut reaches = Reaches::new();
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let (x, y) = (ball.x * lanes(cells), ball.y * lanes(cells));
             let widest = ball.radius * lanes(outline.balls.ratio);
             let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
-            for lane in 0..LANES {
-                if ball.radius.as_array()[lane] > 0.0 {
-                    let at = |lanes: &f32x4| lanes.as_array()[lane];
-                    outline.polygon.hold(at(&x), at(&y), at(&outside));
-                }
-            }
+            reaches.add(x, y, is_present.select(outside, lanes(f32::NEG_INFINITY)));
             let radius = is_present & positive_part((ball.radius - lanes(projected.tolerance)) * lanes(cells));
             outline.inner.groups[group] = DiscGroup {
                 u: lanes(projected.u) + x,
@@ -322,6 +331,8 @@ impl<'a> Outliner<'a> {
                 rim_depth: lanes(f32::INFINITY),
             };
         }
+        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        outline.polygon.extend(&reaches);
         outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
@@ -359,7 +370,8 @@ impl Shadows<'_> {
     #[inline(always)]
     fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
         let eye = &self.eye;
-        let w = eye.w.at(place);
+        let lines = eye.lines.at(place);
+        let [_, _, w, _] = lines.to_array();
         if !eye.is_perspective {
             return [w, 0.0];
         }
@@ -367,7 +379,7 @@ impl Shadows<'_> {
         if grown <= 0.0 {
             return [w, 0.0];
         }
-        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = (lines / f32x4::splat(w)).to_array();
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
         if self.solids.faces_eye {
