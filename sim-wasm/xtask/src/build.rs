@@ -25,7 +25,7 @@ pub struct Variant {
 /// Set-up code is not inlined: a tenth of the module. Loops over particles mark what must be inlined. Only short loops
 /// are unrolled, and only completely: unrolling loops over particles gains nothing.
 const WRITTEN_ONCE: &[&str] = &[concat!(
-    "-Cllvm-args=-inline-threshold=25",
+    "-Cllvm-args=-inline-threshold=60",
     " -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false",
 )];
 

@@ -13,12 +13,23 @@ pub(crate) struct Linear {
     pub offset: f32,
 }
 
-impl Linear {
-    #[inline(always)]
-    pub(crate) fn at(&self, place: [f32; 4]) -> f32 {
-        self.normal[0] * place[0] + self.normal[1] * place[1] + self.normal[2] * place[2] + self.offset
+/// Four linear functions, by columns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Linears([f32x4; 4]);
+
+impl Linears {
+    pub(crate) fn new(lines: [Linear; 4]) -> Self {
+        Self([0, 1, 2, 3].map(|i| f32x4::new(lines.map(|line| line.normal.get(i).copied().unwrap_or(line.offset)))))
     }
 
+    #[inline(always)]
+    pub(crate) fn at(&self, place: [f32; 4]) -> f32x4 {
+        let [x, y, z, offset] = self.0;
+        x * f32x4::splat(place[0]) + y * f32x4::splat(place[1]) + z * f32x4::splat(place[2]) + offset
+    }
+}
+
+impl Linear {
     /// The value at a depth along `direction`, for a normal parallel to it or zero.
     pub(crate) fn at_depth(&self, depth: f32, direction: [f32; 3]) -> f32 {
         self.offset + depth * (0..3).map(|i| self.normal[i] * direction[i]).sum::<f32>()

@@ -2,17 +2,17 @@
 
 use wide::f32x4;
 
-use crate::arrange::coverage::chart::{MIN_W, dot, from};
+use crate::arrange::coverage::chart::{Linear, Linears, MIN_W, dot, from};
 use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
 use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, ShadowFrame, Shadows};
-use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::polygon::{Polygon, Reaches};
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::deformation::undeformed;
 use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
 use crate::arrange::view::NEAREST_LAMP;
 use crate::math::scalar::{clamped, greater, lesser};
-use crate::math::simd::{LANES, positive_part};
+use crate::math::simd::positive_part;
 
 /// In the place of an end: nothing is left of the shadow.
 pub(super) const NOTHING_LEFT: u32 = NO_END + 1;
@@ -65,6 +65,8 @@ struct ProjectedPuff {
     tolerance: f32,
     /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
+    /// Displacement of its shadow's start by the nailboard's shear (radii).
+    shear: f32,
     covers: bool,
 }
 
@@ -75,7 +77,9 @@ pub(crate) struct Outliner<'a> {
     orientations: &'a Orientations,
     /// Share by which young puffs are folded; none if all puffs have their baked shapes.
     billow: Option<f32>,
-    corner: [f32; 2],
+    /// Across, up, w and depth.
+    lines: Linears,
+    corner: f32x4,
     density: f32,
 }
 
@@ -86,11 +90,18 @@ impl<'a> Outliner<'a> {
         orientations: &'a Orientations,
         billow: Option<f32>,
     ) -> Self {
+        let chart = &plan.chart;
+        let depth = Linear {
+            normal: chart.axes[2].map(|component| -component),
+            offset: 0.0,
+        };
+        let [left, low] = grid.corner;
         Self {
             plan,
             orientations,
             billow,
-            corner: grid.corner,
+            lines: Linears::new([chart.across, chart.up, chart.w, depth]),
+            corner: f32x4::new([left, low, 0.0, 0.0]),
             density: grid.density,
         }
     }
@@ -129,16 +140,18 @@ impl<'a> Outliner<'a> {
     #[inline(always)]
     fn projected(&self, place: [f32; 4]) -> ProjectedPuff {
         let chart = &self.plan.chart;
-        let depth = chart.depth(place);
-        let mut w = chart.w.at(place);
+        let lines = self.lines.at(place);
+        let [_, _, mut w, mut depth] = lines.to_array();
         let mut size = place[0].abs() + place[1].abs() + place[2].abs();
         if chart.lamp.is_some() {
+            depth = chart.depth(place);
             w = greater(w + depth, MIN_W);
             size += depth;
         }
+        let [u, v, _, _] = ((lines / f32x4::splat(w) - self.corner) * f32x4::splat(self.density)).to_array();
         ProjectedPuff {
-            u: (chart.across.at(place) / w - self.corner[0]) * self.density,
-            v: (chart.up.at(place) / w - self.corner[1]) * self.density,
+            u,
+            v,
             density: self.density / w,
             depth,
             w,
@@ -146,6 +159,7 @@ impl<'a> Outliner<'a> {
             slack: ROUNDING * size,
             tolerance: ROUNDING * size / place[3],
             lift: 0.0,
+            shear: 0.0,
             covers: true,
         }
     }
@@ -267,6 +281,7 @@ impl<'a> Outliner<'a> {
             Some(lamp) => shadows.frame_at(lamp, place, projected.depth),
         };
         let [eye_w, shear] = shadows.seen(place, self.tallest(shadows), &frame);
+        projected.shear = shear;
         let bend = frame.bend(shadows.reach);
         projected.covers = (eye_w > place[3] || !shadows.eye.is_perspective) && bend < MOST_BENT;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING + bend;
@@ -275,7 +290,8 @@ impl<'a> Outliner<'a> {
         let start = if projected.covers {
             projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
         } else {
-            f32::NEG_INFINITY
+            // Less than all depths, but not than those outside of the grid.
+            f32::MIN
         };
         let radius = (frame.across(shadows.reach) + projected.tolerance) * place[3];
         outline.hull = flat(&projected, radius, start - projected.slack);
@@ -304,22 +320,21 @@ impl<'a> Outliner<'a> {
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place, self.tallest(shadows), &frame);
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
-        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, projected.shear) * place[3]);
         let cells = place[3] * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
         } else {
             f32::NEG_INFINITY
         };
-        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
         // The starts are planes across the light; the rays of a lamp that are beside the middle reach them farther on.
         let edge = frame.across(shadows.reach) * frame.growth;
         let start = starts[1] * (1.0 + edge * edge).sqrt();
+        let mut reaches = Reaches::new();
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
             let nearness = lanes(1.0) / (lanes(1.0) - lanes(frame.growth) * ball.z);
@@ -329,12 +344,7 @@ impl<'a> Outliner<'a> {
             let widest = inside * lanes(outline.balls.ratio) / (lanes(1.0) - slope * slope).sqrt();
             let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
-            for lane in 0..LANES {
-                if ball.radius.as_array()[lane] > 0.0 {
-                    let at = |lanes: &f32x4| lanes.as_array()[lane];
-                    outline.polygon.hold(at(&x), at(&y), at(&outside));
-                }
-            }
+            reaches.add(x, y, is_present.select(outside, lanes(f32::NEG_INFINITY)));
             let radius = is_present & positive_part((inside - lanes(projected.tolerance)) * lanes(cells));
             outline.inner.groups[group] = DiscGroup {
                 u: lanes(projected.u) + x,
@@ -345,6 +355,8 @@ impl<'a> Outliner<'a> {
                 rim_depth: lanes(f32::INFINITY),
             };
         }
+        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        outline.polygon.extend(&reaches);
         outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
@@ -428,7 +440,8 @@ impl Shadows<'_> {
     #[inline(never)]
     fn seen(&self, place: [f32; 4], tallest: f32, frame: &ShadowFrame) -> [f32; 2] {
         let eye = &self.eye;
-        let w = eye.w.at(place);
+        let lines = eye.lines.at(place);
+        let [_, _, w, _] = lines.to_array();
         if !eye.is_perspective {
             return [w, 0.0];
         }
@@ -436,7 +449,7 @@ impl Shadows<'_> {
         if grown <= 0.0 {
             return [w, 0.0];
         }
-        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = (lines / f32x4::splat(w)).to_array();
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let travel = [-frame.in_view[2][0], -frame.in_view[2][1]];
         let slope = -(travel[0] * ray[0] + travel[1] * ray[1]);

@@ -1,6 +1,8 @@
 //! Preparation of coverage for a view: the chart, the depths, and the geometry of puffs or shadows.
 
-use crate::arrange::coverage::chart::{Chart, Linear};
+use wide::f32x4;
+
+use crate::arrange::coverage::chart::{Chart, Linear, Linears};
 use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
 use crate::arrange::view::lamp_of;
@@ -38,7 +40,7 @@ pub(crate) struct Bodies<'v> {
     pub pad: f32,
     /// Metres per unit of clip w by which surfaces may lift the ring, and the boxes of those surfaces.
     lift: f32,
-    lifters: [[f32; 6]; LIFTERS_LIMIT],
+    lifters: [[f32x4; 2]; LIFTERS_LIMIT],
     lifter_count: usize,
     /// Depth resolution: metres per unit of w squared.
     pub depth_step: f32,
@@ -75,9 +77,8 @@ pub(crate) struct ShadowFrame {
 /// The inputs of a nailboard's shear; see `shearOf` in shaders/volumes/volumes.vert.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowEye {
-    pub right: Linear,
-    pub up: Linear,
-    pub w: Linear,
+    /// Right, up and w.
+    pub lines: Linears,
     /// Clip w at the near plane.
     pub near: f32,
     /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
@@ -159,7 +160,14 @@ impl<'v> Bodies<'v> {
             pixel: numbers.pixel,
             pad: numbers.pad,
             lift: numbers.lift,
-            lifters: numbers.lifter_boxes,
+            // Without limits in the place of the radius.
+            lifters: numbers.lifter_boxes.map(|[left, low, back, right, high, front]| {
+                [
+                    [left, low, back, f32::NEG_INFINITY],
+                    [right, high, front, f32::INFINITY],
+                ]
+                .map(f32x4::new)
+            }),
             lifter_count: numbers.lifters as usize,
             depth_step: eye.depth_step(),
         })
@@ -168,9 +176,11 @@ impl<'v> Bodies<'v> {
     /// Distance (m) by which a surface may lift the ring of a puff; 0 unless a surface is near.
     pub(crate) fn lift_of(&self, place: [f32; 4], w: f32) -> f32 {
         let lift = self.lift * w;
-        let reach = self.reach * place[3] + self.pad * w + lift;
-        let is_near =
-            |lifter: &&[f32; 6]| (0..3).all(|i| lifter[i] - reach <= place[i] && place[i] <= lifter[3 + i] + reach);
+        let (at, reach) = (
+            f32x4::new(place),
+            f32x4::splat(self.reach * place[3] + self.pad * w + lift),
+        );
+        let is_near = |[low, high]: &&[f32x4; 2]| ((*low - reach).simd_le(at) & at.simd_le(*high + reach)).all();
         self.lifters[..self.lifter_count]
             .iter()
             .find(is_near)
@@ -309,9 +319,7 @@ impl EyeAxes {
             }))
         };
         ShadowEye {
-            right: beside(0),
-            up: beside(1),
-            w: linear(self.rows[3]),
+            lines: Linears::new([beside(0), beside(1), linear(self.rows[3]), Linear::default()]),
             near: (along(&self.rows[3]) * f64::from(near) + self.rows[3][3]) as f32,
             slopes: [0, 1]
                 .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - along(&self.rows[axis])) / self.scale[axis]) as f32)),
