@@ -32,6 +32,7 @@ export function createStatistics(stage: Stage): Statistics {
     element: output,
     toggle(isShown = output.hidden !== false) {
       output.hidden = !isShown;
+      stage.timeGpu(isShown);
       // A paused stage emits no frame event.
       output.textContent = describe(stage.stats, 0);
       for (const listener of listeners) listener(isShown);
@@ -51,6 +52,7 @@ function describe(stats: StageStats, framesPerSecond: number): string {
     `${stats.alive} alive, ${stats.waiting} waiting`,
     `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,
     `casters ${stats.castersDrawn} of ${stats.castersTotal}`,
+    ...(stats.gpuMs === undefined ? [] : [`GPU ${milliseconds(stats.gpuMs)}`]),
     `step ${milliseconds(stats.simMs)}, arrange ${milliseconds(stats.arrangeMs)}, draw ${milliseconds(stats.renderMs)}`,
   ].join('\n');
 }
