@@ -52,7 +52,7 @@ function describe(stats: StageStats, framesPerSecond: number): string {
     `${stats.alive} alive, ${stats.waiting} waiting`,
     `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,
     `casters ${stats.castersDrawn} of ${stats.castersTotal}`,
-    ...(stats.gpuMs === undefined ? [] : [`GPU ${milliseconds(stats.gpuMs)}`]),
     `step ${milliseconds(stats.simMs)}, arrange ${milliseconds(stats.arrangeMs)}, draw ${milliseconds(stats.renderMs)}`,
+    ...(stats.gpuMs === undefined ? [] : [`GPU ${milliseconds(stats.gpuMs)}`]),
   ].join('\n');
 }
