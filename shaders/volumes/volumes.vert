@@ -18,7 +18,7 @@ void main() {
     return;
   }
   vec2 ndc = footprint(corner, ends);
-  float nearestZ = min(max(ends.start.z + ends.start.w, ends.end.z + ends.end.w), -near);
+  float nearestZ = min(ends.nearestZ, -near);
   // Clamped, because a rounding error at the near plane must not clip the quad.
   float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
   gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);

@@ -107,7 +107,7 @@ export function writeView(view: View, target: Float32Array): void {
   target.fill(0);
   const light = view.lamp ? 2 : 1;
   target[VIEW_OFFSETS.purpose] = view.purpose === 'light' ? light : 0;
-  copy(view.lamp ?? [0, 0, 0], target, VIEW_OFFSETS.lamp, 3);
+  target.set(view.lamp ?? [], VIEW_OFFSETS.lamp);
   target[VIEW_OFFSETS.blend] = view.blend;
   target[VIEW_OFFSETS.cull] = view.cull ? 1 : 0;
   target[VIEW_OFFSETS.pad] = view.pad;

@@ -137,10 +137,10 @@ function exitFrom(
   let [enter, exit] = [-Infinity, Infinity];
   const radius = ball / Math.sqrt(1 - (ball * growth) ** 2);
   const cut = (way: number, speed: number) => {
-    const at = way / speed;
-    if (speed > 0) exit = Math.min(exit, at);
-    else if (speed < 0) enter = Math.max(enter, at);
-    else if (way < 0) exit = -Infinity;
+    // Not divided by -0.
+    const at = way / (speed + 0);
+    if (speed < 0) enter = Math.max(enter, at);
+    else exit = Math.min(exit, at);
   };
   for (const [index, axis] of (['x', 'y', 'z'] as const).entries()) {
     const place = places[4 * row + index];
