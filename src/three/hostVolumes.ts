@@ -67,7 +67,8 @@ export class HostVolumes {
       attributes[at] = (Math.min(NO_END, Math.ceil(end * steps)) << 16) | (first & 0xffff);
       for (let next = 1; next < ATTRIBUTE_WORDS; next++) attributes[at + next] = casters.attributes[word + next];
     }
-    this.rows.fill({ count, place, attributes });
+    const shortened: Rows = { count, place, attributes };
+    this.rows.fill(shortened);
   }
 
   /**
