@@ -46,14 +46,14 @@ export class HostVolumes {
     const { place, attributes } = this;
     const travel = eye.travelAt(new Vector3());
     const spans = new Spans(boxes, travel);
-    const starts = new Starts(eye, travel, extents, minCap);
+    const latest = latestStart(eye, travel, extents, minCap);
     let count = 0;
     for (let row = 0; row < casters.count; row++) {
       const [from, word] = [PLACE_FLOATS * row, ATTRIBUTE_WORDS * row];
       const radius = casters.place[from + 3];
       spans.find(casters.place, from, extents.reach * radius);
       const steps = END_STEPS / radius;
-      const shift = starts.shiftTo(spans.enter, casters.place, from);
+      const shift = Math.max(0, spans.enter - latest * radius);
       const first = casters.attributes[word];
       const covered = first >>> 16 === NO_END ? Infinity : (first >>> 16) / steps;
       const end = Math.min(spans.exit, covered) - shift;
@@ -67,7 +67,8 @@ export class HostVolumes {
       attributes[at] = (Math.min(NO_END, Math.ceil(end * steps)) << 16) | (first & 0xffff);
       for (let next = 1; next < ATTRIBUTE_WORDS; next++) attributes[at + next] = casters.attributes[word + next];
     }
-    this.rows.fill({ count, place, attributes });
+    const shortened: Rows = { count, place, attributes };
+    this.rows.fill(shortened);
   }
 
   /**
@@ -92,55 +93,15 @@ export class HostVolumes {
   }
 }
 
-/** How far puffs can move along the light, so that their volumes still begin before a distance. */
-class Starts {
-  private readonly view: readonly number[];
-  private readonly clip: readonly number[];
-  private readonly travel: Vector3;
-  private readonly way: Vector3;
-  private readonly tallest: number;
-  private readonly extents: PuffExtents;
-  private readonly cap: number;
-
-  /** @param travel direction of the light */
-  constructor({ uniforms }: FrameView, travel: Vector3, extents: PuffExtents, minCap: number) {
-    const { viewFromWorld, clipFromView } = uniforms;
-    this.view = viewFromWorld.value.elements;
-    this.clip = clipFromView.value.elements;
-    this.travel = travel;
-    this.way = travel.clone().transformDirection(viewFromWorld.value);
-    this.extents = extents;
-    this.tallest = Math.max(1, extents.reach);
-    this.cap = Math.max(extents.capRange[1], minCap) + CAP_SLACK;
-  }
-
-  /** Metres. A volume begins at most this far behind the moved centre: `startCap` in shaders/lib/volume.glsl, bounded. */
-  shiftTo(enter: number, places: Float32Array, at: number): number {
-    const radius = places[at + 3];
-    const farthest = enter - this.cap * radius;
-    if (farthest <= 0 || this.clip[11] === 0) return Math.max(0, farthest);
-    const [near, far] = [this.slopesAt(places, at, 0), this.slopesAt(places, at, farthest)];
-    // Along the way, each slope is between those at its ends.
-    const depth = Math.min(near[2], far[2]);
-    if (depth < radius) return 0;
-    const { way, tallest } = this;
-    const [x, y] = [Math.max(near[0], far[0]), Math.max(near[1], far[1])];
-    const straight = Math.max(tallest, this.extents.depth) * (Math.abs(way.x) * x + Math.abs(way.y) * y);
-    const aside = (0.5 * tallest * tallest * Math.hypot(way.x, way.y) * radius) / depth;
-    return Math.max(0, farthest - (straight + aside) * radius);
-  }
-
-  /** The slopes of the view ray through a puff that is moved, limited to the picture, and its depth. */
-  private slopesAt(places: Float32Array, at: number, shift: number): readonly [number, number, number] {
-    const { view, clip, travel } = this;
-    const [x, y, z] = [0, 1, 2].map((axis) => places[at + axis] + shift * travel.getComponent(axis));
-    const [across, up, back] = [0, 1, 2].map(
-      (row) => view[row] * x + view[4 + row] * y + view[8 + row] * z + view[12 + row],
-    );
-    const limited = (slope: number, scale: number, middle: number) =>
-      Math.abs(Math.min(Math.max(slope, (middle - 1) / scale), (middle + 1) / scale));
-    return [limited(across / -back, clip[0], clip[8]), limited(up / -back, clip[5], clip[9]), -back];
-  }
+/**
+ * Bound of the distance between a puff's centre and the start of its volume, in radii: `startCap` in shaders/lib/volume.glsl with
+ * the steepest view ray, and with the largest product of `grown` and the quotient there.
+ */
+function latestStart(eye: FrameView, travel: Vector3, { reach, depth, capRange }: PuffExtents, minCap: number): number {
+  const { x, y } = travel.clone().transformDirection(eye.uniforms.viewFromWorld.value);
+  const tallest = Math.max(1, reach);
+  const shear = Math.max(tallest, depth) * eye.steepestSlope + 0.29 * tallest * tallest;
+  return Math.max(capRange[1], minCap) + CAP_SLACK + Math.hypot(x, y) * shear;
 }
 
 /** Where parallel beams of light meet boxes. */
