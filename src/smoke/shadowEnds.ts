@@ -51,7 +51,7 @@ export function createShadowEnds(capacity: number): FindEnds {
     const up = right.clone().cross(travel);
     const [way, origin] = [new Vector3(), lamp ?? new Vector3()];
     // The ball that was projected last: its centre and radius on the grid, and its depth along the light.
-    let across: number, upwards: number, radius: number, depth: number;
+    let [across, upwards, radius, depth] = [0, 0, 0, 0];
     let [left, low, perUnit] = [Infinity, Infinity, 0];
 
     function project(places: Float32Array, row: number, ball: number): void {

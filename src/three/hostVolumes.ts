@@ -39,10 +39,10 @@ export class HostVolumes {
    * @param minCap least distance behind a puff's centre at which volumes start, in radii
    */
   fill(casters: Rows, boxes: readonly Box3[], eye: FrameView, extents: PuffExtents, minCap: number): void {
-    if (!eye.isLitBySun) {
-      this.rows.fill(casters);
-      return;
-    }
+    this.rows.fill(eye.lamp ? casters : this.shortened(casters, boxes, eye, extents, minCap));
+  }
+
+  private shortened(casters: Rows, boxes: readonly Box3[], eye: FrameView, extents: PuffExtents, minCap: number): Rows {
     const { place, attributes } = this;
     const travel = eye.travelAt(new Vector3());
     const spans = new Spans(boxes, travel);
@@ -67,8 +67,7 @@ export class HostVolumes {
       attributes[at] = (Math.min(NO_END, Math.ceil(end * steps)) << 16) | (first & 0xffff);
       for (let next = 1; next < ATTRIBUTE_WORDS; next++) attributes[at + next] = casters.attributes[word + next];
     }
-    const shortened: Rows = { count, place, attributes };
-    this.rows.fill(shortened);
+    return { count, place, attributes };
   }
 
   /**
