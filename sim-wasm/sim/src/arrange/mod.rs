@@ -106,6 +106,7 @@ impl Arranger {
         if view.is_light {
             // On GPUs, which test the stencil before the fragment shader, volumes far to near run it less often.
             self.order[..count].reverse();
+            self.attributes[..count].reverse();
         }
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {

@@ -5,7 +5,7 @@ use wide::f32x4;
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::arrange::coverage::start_caps::ENTRIES;
-use crate::arrange::view_layout::{LIFTERS_LIMIT, VIEW_LENGTH, ViewNumbers};
+use crate::arrange::view_layout::{LIFTERS_LIMIT, NEAREST_LAMP, VIEW_LENGTH, ViewNumbers};
 use crate::layout::error::ParameterError;
 use crate::math::scalar::greater;
 use crate::math::simd::{Vector4, positive_part};
@@ -51,7 +51,7 @@ impl<'v> View<'v> {
         Ok(Self {
             blend: numbers.blend,
             direction,
-            lamp: lamp_of(numbers),
+            lamp: numbers.place_of_lamp(),
             is_light: numbers.purpose != 0.0,
             cull,
             coverage,
@@ -63,14 +63,9 @@ impl<'v> View<'v> {
     pub fn depth(&self, place: Vector4) -> f32x4 {
         match self.lamp {
             None => place.dot(Vector4::splat(self.direction)),
-            Some(lamp) => length(place - Vector4::splat(lamp)),
+            Some(lamp) => (place - Vector4::splat(lamp)).length(),
         }
     }
-}
-
-/// The place of the lamp of a view.
-pub(crate) fn lamp_of(numbers: &ViewNumbers) -> Option<[f32; 3]> {
-    (numbers.purpose == 2.0).then_some(numbers.lamp)
 }
 
 fn check_coverage(numbers: &ViewNumbers, solids: &[f32]) -> Result<(), ParameterError> {
@@ -158,9 +153,6 @@ pub struct Cull {
     lamp: Option<LampSweep>,
 }
 
-/// A lamp counts as at least this many radii away; as in shaders/lib/volume.glsl.
-pub(crate) const NEAREST_LAMP: f32 = 1.2;
-
 /// A plane with the signed distance n.x + d, positive inside; also any other linear function of the place.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
@@ -205,7 +197,9 @@ impl Cull {
             reach: f32x4::splat(numbers.reach),
             pad: f32x4::splat(numbers.pad),
             sweep: (numbers.purpose == 1.0).then(|| Sweep::new(numbers.receivers, direction)),
-            lamp: lamp_of(numbers).map(|place| LampSweep::new(numbers.receivers, place)),
+            lamp: numbers
+                .place_of_lamp()
+                .map(|place| LampSweep::new(numbers.receivers, place)),
         }
     }
 
@@ -285,7 +279,7 @@ impl LampSweep {
             place: Vector4::splat(place),
             ahead: Vector4::splat(ahead),
             behind: Vector4::splat(behind),
-            farthest: length(corner),
+            farthest: corner.length(),
         }
     }
 
@@ -293,7 +287,7 @@ impl LampSweep {
     #[inline(never)]
     fn reaches(&self, planes: &[Plane; 4], place: Vector4, ball: f32x4) -> f32x4 {
         let way = place - self.place;
-        let distance = length(way).fast_max(f32x4::splat(1e-6));
+        let distance = way.length().fast_max(f32x4::splat(1e-6));
         // A disc at the caster spans the same angle as the ball, and one at the end of the shadow, too.
         let sine = (ball / distance).fast_min(f32x4::splat(1.0 / NEAREST_LAMP));
         let radius = ball / (f32x4::splat(1.0) - sine * sine).sqrt();
@@ -319,11 +313,6 @@ impl LampSweep {
         }
         kept
     }
-}
-
-#[inline(always)]
-pub(crate) fn length(vector: Vector4) -> f32x4 {
-    vector.dot(vector).sqrt()
 }
 
 impl Sweep {

@@ -23,6 +23,11 @@ macro_rules! view_numbers {
             &[$((stringify!($name), size_of::<$Part>() / size_of::<f32>()),)*];
 
         impl ViewNumbers {
+            /// Place of the lamp, if the view is that of one.
+            pub fn place_of_lamp(&self) -> Option<[f32; 3]> {
+                (self.purpose == 2.0).then_some(self.lamp)
+            }
+
             /// Reads the numbers that start a view.
             pub fn read(numbers: &[f32; VIEW_LENGTH]) -> Self {
                 let mut numbers = numbers.iter();
@@ -90,6 +95,9 @@ view_numbers! {
     /// Place (m) of a lamp.
     lamp: [f32; 3],
 }
+
+/// A lamp counts as at least this many radii away; as in shaders/lib/volume.glsl.
+pub(crate) const NEAREST_LAMP: f32 = 1.2;
 
 /// Count of the numbers of a view, without its solids.
 pub const VIEW_LENGTH: usize = size_of::<ViewNumbers>() / size_of::<f32>();

@@ -3,7 +3,6 @@
 
 use wide::f32x4;
 
-use crate::arrange::view::length;
 use crate::math::simd::Vector4;
 
 /// A linear function of the place: n . p + d.
@@ -69,7 +68,7 @@ impl Chart {
     #[inline(always)]
     fn w_lanes(&self, place: Vector4) -> f32x4 {
         let w = self.w.lanes(place);
-        self.lamp.map_or(w, |lamp| w + length(place - Vector4::splat(lamp)))
+        self.lamp.map_or(w, |lamp| w + (place - Vector4::splat(lamp)).length())
     }
 }
 

@@ -10,7 +10,7 @@ use crate::arrange::coverage::polygon::{Polygon, Reaches};
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::deformation::undeformed;
 use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
-use crate::arrange::view::NEAREST_LAMP;
+use crate::arrange::view_layout::NEAREST_LAMP;
 use crate::math::scalar::{clamped, greater, lesser};
 use crate::math::simd::positive_part;
 
@@ -32,7 +32,7 @@ const GROWTH_TOLERANCE: f32 = 0.002;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
 /// Radii by which the chart of a lamp may move a point of a shadow that covers others.
-const MOST_BENT: f32 = 0.25;
+const MAX_BEND: f32 = 0.25;
 
 /// The discs of one row. The memory is reused.
 #[derive(Debug, Default)]
@@ -283,7 +283,7 @@ impl<'a> Outliner<'a> {
         let [eye_w, shear] = shadows.seen(place, self.tallest(shadows), &frame);
         projected.shear = shear;
         let bend = frame.bend(shadows.reach);
-        projected.covers = (eye_w > place[3] || !shadows.eye.is_perspective) && bend < MOST_BENT;
+        projected.covers = (eye_w > place[3] || !shadows.eye.is_perspective) && bend < MAX_BEND;
         projected.tolerance += shadows.tolerance + EDGE_ROUNDING + bend;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
         projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];

@@ -5,7 +5,6 @@ use wide::f32x4;
 use crate::arrange::coverage::chart::{Chart, Linear, Linears};
 use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
-use crate::arrange::view::lamp_of;
 use crate::arrange::view_layout::{LIFTERS_LIMIT, ViewNumbers};
 use crate::math::double::{cross, dot, length, unit};
 
@@ -101,7 +100,7 @@ impl<'v> Plan<'v> {
         match (covers, numbers.purpose != 0.0) {
             (0, _) => None,
             (_, true) => {
-                let chart = light_chart(direction, lamp_of(numbers));
+                let chart = light_chart(direction, numbers.place_of_lamp());
                 let shadows = Shadows::new(numbers, solids, &eye, &chart)?;
                 let boundless = [f32::NEG_INFINITY, f32::INFINITY];
                 Some(plan(chart, boundless, PlanKind::Shadows(shadows)))
