@@ -13,7 +13,7 @@ import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
-import { BallVolumes, isShown, type BallsOf } from './ballVolumes.ts';
+import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
 import { toSmoke, type SmokeFrame } from './frame.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
 import { newPose, poseOf, requireGeometry, scaleOf, trianglesOf } from './shapes.ts';

@@ -5,7 +5,7 @@ import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
 import type { SmokeFrame } from './frame.ts';
 import { HostDepth } from './hostDepth.ts';
-import { HostVolumes } from './hostVolumes.ts';
+import { HostVolumes } from './volumes/hostVolumes.ts';
 import { LateStencil } from './target/lateStencil.ts';
 import type { LoadError } from '../preset/errors.ts';
 import type { WebGLRenderer } from 'three';

@@ -4,7 +4,7 @@ import { limitOf } from '../../smoke/countVolumes.ts';
 import type { SmokePasses } from '../../smoke/smokePasses.ts';
 import type { Style } from '../../smoke/style.ts';
 import type { HostCasters } from '../casters.ts';
-import type { HostVolumes } from '../hostVolumes.ts';
+import type { HostVolumes } from '../volumes/hostVolumes.ts';
 import type { KeyLight } from '../keyLight.ts';
 import { relight } from '../relight.ts';
 import { isLinearPicture } from '../requirements.ts';

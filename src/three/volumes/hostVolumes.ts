@@ -1,10 +1,10 @@
 import { Vector3, type Box3, type DepthTexture, type WebGLRenderer } from 'three';
-import type { PuffExtents } from '../device/formTextures.ts';
-import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../device/drawnRows.ts';
-import type { FrameView } from '../device/frameView.ts';
-import { PuffRows } from '../rows/puffRows.ts';
-import type { Rows } from '../sim/rows.ts';
-import type { SmokePasses } from '../smoke/smokePasses.ts';
+import type { PuffExtents } from '../../device/formTextures.ts';
+import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../../device/drawnRows.ts';
+import type { FrameView } from '../../device/frameView.ts';
+import { PuffRows } from '../../rows/puffRows.ts';
+import type { Rows } from '../../sim/rows.ts';
+import type { SmokePasses } from '../../smoke/smokePasses.ts';
 
 /** Boxes that are tested one by one. One box contains all others. */
 const MAX_BOXES = 64;
