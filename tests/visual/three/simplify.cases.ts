@@ -62,7 +62,8 @@ const SIMPLIFIED: Values = { ...TWO_TONES, 'style.simplify': 3, 'style.form': 0.
 export async function elsewhere(): Promise<{ composed: Composed; mirrored: Seen; moved: Record<string, number> }> {
   return {
     composed: await byComposer(0, SIMPLIFIED),
-    mirrored: await byMirror(SIMPLIFIED),
+    // From the side, so that the mirror shows light and shade.
+    mirrored: await byMirror(SIMPLIFIED, [4, 2, -2]),
     moved: await together('perspective', SIMPLIFIED),
   };
 }

@@ -10,6 +10,7 @@ import {
   PlaneGeometry,
   SphereGeometry,
   Vector2,
+  type Vector3Tuple,
   WebGLCubeRenderTarget,
   WebGLRenderTarget,
 } from 'three';
@@ -132,14 +133,20 @@ export interface Seen {
   smoke: number;
 }
 
-/** The picture in a mirror, and the number of black pixels of the mirror on the canvas. */
-export async function byMirror(values: Values = HANGING): Promise<Seen & { black: number }> {
+/**
+ * The picture in a mirror, and the number of black pixels of the mirror on the canvas.
+ * @param light its position. By default the shadow of the smoke falls on the mirror
+ */
+export async function byMirror(
+  values: Values = HANGING,
+  light: Vector3Tuple = [1, 2, 5],
+): Promise<Seen & { black: number }> {
   const host = plainHost(0);
   const mirror = new Reflector(new PlaneGeometry(6, 4), { textureWidth: WIDTH, textureHeight: HEIGHT, multisample: 0 });
   mirror.position.set(0, 1, -1.5);
   mirror.rotation.y = 0.3;
-  // The shadow of the smoke falls on the mirror, and no object is behind it.
-  host.keyLight.position.set(1, 2, 5);
+  host.keyLight.position.set(...light);
+  // No object is behind the mirror.
   (host.scene.children[2] as Mesh).geometry = new PlaneGeometry(2.6, 2.6);
   host.scene.add(mirror);
   const smoke = await smokeIn(host, { ...values, 'style.outlines': 0 });
