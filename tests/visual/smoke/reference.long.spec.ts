@@ -36,13 +36,18 @@ function everyMode(): Mode[] {
 
 /** Simulated seconds after which all scenes have enough smoke. */
 const SECONDS = 4;
-/** Smallest number of particles in a picture: the train's steam cloud has the fewest. */
-const FEWEST = 60;
+/** Smallest number of particles in a picture: train-rubber-hose has the fewest, 48 large puffs. */
+const FEWEST = 40;
 /**
  * SwiftShader clips triangles at the border of the picture, where their shared edges then separate. Pixels of the
  * meadow show through these cracks in shadow volumes that cross the lower border: 13 of 76,800.
  */
 const MAX_WITHIN: Readonly<Record<string, number>> = { cloudscape: 0.0003, 'cloudscape-gouache': 0.0003 };
+/**
+ * The campfire has many small puffs whose silhouettes are all edges: 160 of 15,727 edge pixels differ. A shift of the
+ * reference by 1/32 pixel, the rounding of a corner, changes 209 to 297 of them.
+ */
+const MAX_OF_EDGES: Readonly<Record<string, number>> = { campfire: 0.0125 };
 
 /** Pictures per transfer: a description with all triangles has about one megabyte. */
 const BATCH = 12;
@@ -74,7 +79,8 @@ for (const [form, names] of [
       const input = [name, form, SECONDS] as const;
       const picture = await cases.evaluate((module, given) => module.drawnPreset(...given), input);
       expect(picture.bodies).toBeGreaterThan(FEWEST);
-      await expectReference(`${name} of ${form}`, picture, testInfo, { maxWithin: MAX_WITHIN[name] });
+      const limits = { maxWithin: MAX_WITHIN[name], maxOfEdges: MAX_OF_EDGES[name] };
+      await expectReference(`${name} of ${form}`, picture, testInfo, limits);
     });
   }
 }
