@@ -50,6 +50,7 @@ export type {
   StageEvents,
   StageOptions,
   StageStats,
+  StatsOptions,
 } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';

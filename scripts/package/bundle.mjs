@@ -6,6 +6,7 @@ import { rolldown } from 'rolldown';
 import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
+import { withoutFallbacks } from './withoutFallbacks.mjs';
 import { withoutShaders } from './withoutShaders.mjs';
 import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 
@@ -124,7 +125,7 @@ export async function bundleCommand(folder) {
 
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
-  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders()];
+  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders(), withoutFallbacks()];
 }
 
 /**

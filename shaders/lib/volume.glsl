@@ -129,6 +129,21 @@ vec3 discOf(vec4 lobe, mat3 frameFromPuff, float growth) {
   return vec3(seen.xy * nearness, radius * radius / (1.0 - slope * slope));
 }
 
+// Sides of the box around the discs, in the frame of the volume and in radii: along two axes, least and greatest.
+vec4 sides;
+
+// Extends the box around the discs.
+void enclose(vec3 disc, mat2 sideAxes) {
+  float radius = sqrt(disc.z);
+#ifdef DEFORMED
+  sideAxes[0].y /= widthTiltFactor.z;
+  sideAxes[1].y /= widthTiltFactor.z;
+#endif
+  vec2 at = disc.xy * sideAxes;
+  vec2 reached = radius * vec2(length(sideAxes[0]), length(sideAxes[1]));
+  sides = vec4(min(sides.xy, at - reached), max(sides.zw, at + reached));
+}
+
 // Distance from the centre to the far side of a disc.
 float farSide(vec3 disc) {
 #ifdef DEFORMED
@@ -138,10 +153,11 @@ float farSide(vec3 disc) {
 #endif
 }
 
-// Computes the discs. Returns the radius of the circle about the centre that contains them.
-float spreadDiscs(mat3 frameFromPuff, float growth) {
+// Computes the discs and their sides. Returns the radius of the circle about the centre that contains the discs.
+float spreadDiscs(mat3 frameFromPuff, float growth, mat2 sideAxes) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float widest = 0.0;
+  sides = vec4(vec2(1e9), vec2(-1e9));
 #ifdef DEFORMED
   farthest = 0.0;
 #endif
@@ -149,15 +165,20 @@ float spreadDiscs(mat3 frameFromPuff, float growth) {
   for (int i = 0; i < LOBES; i++) {
     discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
     widest = max(widest, farSide(discs[ i ]));
+    enclose(discs[ i ], sideAxes);
   }
   #pragma unroll_loop_end
   return widest;
 }
 
-// Bounding spheres of the ends of a volume in view space: centre and radius.
+// The ends of a volume in view space: centres, two axes, and scales of `sides` along them; the z of the
+// point that is nearest to the eye.
 struct Ends {
-  vec4 start;
-  vec4 end;
+  vec3 start;
+  vec3 end;
+  mat2x3 sideAxes;
+  vec2 scales;
+  float nearestZ;
 };
 
 // Computes the outputs. Returns false if the row has no volume.
@@ -181,7 +202,12 @@ bool writeVolume(out Ends ends) {
 
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
   float growth = lightInWorld.w / distance;
-  float widest = spreadDiscs(frameFromView * viewFromPuff, growth);
+  // One side along the picture, across the volume.
+  vec3 across = cross(centre, axis);
+  across = dot(across, across) > 1e-6 ? normalize(across) : aside;
+  ends.sideAxes = mat2x3(across, cross(across, axis));
+  mat2 sideAxes = mat2((frameFromView * ends.sideAxes[0]).xy, (frameFromView * ends.sideAxes[1]).xy);
+  float widest = spreadDiscs(frameFromView * viewFromPuff, growth, sideAxes);
   float cap = startCap(axis, viewFromPuff, centre);
   #pragma insert_8
   float extent = min(exitOf(place.w * widest, growth / place.w) / place.w, endOf(attributes)) - cap;
@@ -194,8 +220,10 @@ bool writeVolume(out Ends ends) {
   rightAndLength = vec4(frameFromView[0] / place.w, extent);
   upAndScale = vec4(frameFromView[1] / place.w, scale);
   eyeAndGrowth = vec4(frameFromView * -start / place.w, growth);
-  float ball = place.w * widest * scale;
-  ends.start = vec4(start, ball);
-  ends.end = vec4(start + extent * place.w * axis, ball + place.w * widest * growth * extent);
+  ends.scales = place.w * vec2(scale, scale + growth * extent);
+  ends.start = start;
+  ends.end = start + extent * place.w * axis;
+  float box = length(max(-sides.xy, sides.zw));
+  ends.nearestZ = max(ends.start.z + box * ends.scales.x, ends.end.z + box * ends.scales.y);
   return true;
 }

@@ -5,8 +5,6 @@ precision highp float;
 uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform vec3 deepShadow;
-// Treats everything except ink as in deep shadow, whatever the mask is.
-uniform bool isAllDeep;
 // Whether this is the last pass. The page expects premultiplied colours.
 uniform bool isLast;
 
@@ -18,7 +16,7 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
-  if (isAllDeep ? !isInk(direct.a) : isDeep(direct.a)) shadowed.rgb *= deepShadow;
-  vec3 tone = isAllDeep || isShadowed(direct.a) ? shadowed.rgb : direct.rgb;
+  if (isDeep(direct.a)) shadowed.rgb *= deepShadow;
+  vec3 tone = isShadowed(direct.a) ? shadowed.rgb : direct.rgb;
   pixel = vec4(isLast ? tone * shadowed.a : tone, shadowed.a);
 }

@@ -86,9 +86,9 @@ void main() {
   }
   vec2 pixel = float(DEPTH_TILE) * (vec2(tile) + 0.5 + 0.5 * corner);
   vec2 ndc = tileNumber == WHOLE
-    ? footprint(corner, ends.start, ends.end, clipFromView, near)
+    ? footprint(corner, ends)
     : 2.0 * pixel / viewport - 1.0;
-  float nearestZ = min(max(ends.start.z + ends.start.w, ends.end.z + ends.end.w), -near);
+  float nearestZ = min(ends.nearestZ, -near);
   // Clamped, because a rounding error at the near plane must not clip the quad.
   float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
   gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);

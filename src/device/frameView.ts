@@ -74,15 +74,18 @@ export class FrameView {
     this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
   }
 
-  /** Unit vector along which the light travels at a point, world space. */
+  /** Unit vector along which the light travels at a point, world space; downwards at the place of a lamp. */
   travelAt(place: Vector3): Vector3 {
     const { x, y, z, w } = this.uniforms.lightInWorld.value;
-    return new Vector3(x, y, z).addScaledVector(place, -w).normalize().negate();
+    const towards = new Vector3(x, y, z).addScaledVector(place, -w);
+    if (towards.lengthSq() === 0) towards.y = 1;
+    return towards.normalize().negate();
   }
 
-  /** Whether the light is directional, with parallel rays. */
-  get isLitBySun(): boolean {
-    return this.uniforms.lightInWorld.value.w === 0;
+  /** Place of a lamp, world space; undefined if the light is a sun, with parallel rays. */
+  get lamp(): Vector3 | undefined {
+    const { x, y, z, w } = this.uniforms.lightInWorld.value;
+    return w === 0 ? undefined : new Vector3(x, y, z);
   }
 
   /** @param box box of everything that can receive a shadow, world space */

@@ -42,7 +42,6 @@ export class ResolvePass {
   private readonly uniforms = {
     unlit: { value: null as Texture | null },
     lit: { value: null as Texture | null },
-    isAllDeep: { value: false },
     isLast: { value: false },
   };
   private readonly chosen = pictureTarget();
@@ -58,16 +57,6 @@ export class ResolvePass {
     this.tiles = new FullScreen(tilesShader, smoothing);
     this.copy = new FullScreen(copyShader, smoothing);
     this.edges = new DrawnPoints(edgesVertexShader, edgesShader, smoothing);
-  }
-
-  /**
-   * Resolves as if everything were in deep shadow.
-   * @param output render target, or null for the canvas
-   */
-  drawDeep(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null): void {
-    this.uniforms.isAllDeep.value = true;
-    this.draw(renderer, sources, output);
-    this.uniforms.isAllDeep.value = false;
   }
 
   /**

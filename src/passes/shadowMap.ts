@@ -131,7 +131,7 @@ export class ShadowMapPass {
     this.shadowed.setSize(targets.width, targets.height);
     renderer.setRenderTarget(this.shadowed);
     renderer.clear(true, false, false);
-    if (this.eye.isLitBySun) this.drawBy(this.sunCamera(), renderer, casters);
+    if (!this.eye.lamp) this.drawBy(this.sunCamera(), renderer, casters);
     else for (const camera of this.lampCameras()) this.drawBy(camera, renderer, casters);
     renderer.setRenderTarget(targets.renderTarget);
     this.apply.draw(renderer);

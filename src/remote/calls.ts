@@ -95,7 +95,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   readTake: call([bytes(MAX_BYTES)], take),
   playTake: call([bytes(MAX_BYTES)]),
   hash: call([], text),
-  stats: call([], figures),
+  stats: call([optional(record({ gpu: optional(flag) }))], figures),
   resize: call([length, length, optional(number(FAR))]),
   pointer: call([pointer], oneOf('rigid', null)),
   blow: call([blow]),

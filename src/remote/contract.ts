@@ -1,6 +1,6 @@
 import type { Values } from '../preset/parameter.ts';
 import type { BlowInput } from '../stage/blow.ts';
-import type { PointerInput, StageEvents, StageOptions, StageStats } from '../stage/contract.ts';
+import type { PointerInput, StageEvents, StageOptions, StageStats, StatsOptions } from '../stage/contract.ts';
 import type { ScenePlane } from '../stage/sight.ts';
 import type { Take } from '../stage/take.ts';
 
@@ -38,7 +38,7 @@ export interface RemoteMethods {
   playTake(take: Take | Uint8Array): Promise<void>;
   /** 16 hexadecimal digits. */
   hash(): Promise<string>;
-  stats(): Promise<StageStats>;
+  stats(options?: StatsOptions): Promise<StageStats>;
   /** @param width, height in CSS pixels, at most 65,536 */
   resize(width: number, height: number, pixelRatio?: number): Promise<void>;
   pointer(input: PointerInput): Promise<'rigid' | null>;

@@ -32,7 +32,10 @@ const methods = {
   readTake: (stage, bytes) => stage.readTake(bytes),
   playTake: (stage, take) => stage.playTake(take),
   hash: (stage) => stage.hash(),
-  stats: (stage) => stage.stats,
+  stats: (stage, { gpu = false } = {}) => {
+    stage.timeGpu(gpu);
+    return stage.stats;
+  },
   resize: (stage, width, height, pixelRatio) => stage.resize(width, height, pixelRatio),
   pointer: (stage, input) => stage.pointer(input),
   blow: (stage, input) => stage.blow(input),

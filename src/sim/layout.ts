@@ -24,10 +24,11 @@ export const VIEW_OFFSETS = {
   lifters: 42,
   lifterBoxes: 43,
   capsFollow: 91,
+  lamp: 92,
 } as const;
 
 /** Floats of a packed view, without the solids and the start caps that can follow. */
-export const VIEW_FLOATS = 92;
+export const VIEW_FLOATS = 95;
 
 /** Maximum number of boxes of surfaces that lift ink. */
 export const LIFTERS_LIMIT = 8;

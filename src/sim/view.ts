@@ -2,7 +2,10 @@ import { VIEW_FLOATS, VIEW_OFFSETS } from './layout.ts';
 
 type Triple = ArrayLike<number>;
 
-/** A view to arrange rows for. Rows are sorted front to back along {@link View.direction}, deterministically. */
+/**
+ * A view to arrange rows for. Rows are sorted along {@link View.direction}, deterministically: bodies near to far, casters
+ * far to near.
+ */
 export interface View {
   /** `eye` keeps the visible bodies, `light` the casters with visible shadows. */
   purpose: 'eye' | 'light';
@@ -14,8 +17,13 @@ export interface View {
   pad: number;
   /** The eye's projection matrix times its view matrix, 16 numbers, column-major. Used for both purposes. */
   clipFromWorld: ArrayLike<number>;
-  /** Unit vector in world space: the eye's forward direction, or the direction of light propagation. */
+  /**
+   * Unit vector in world space: the eye's forward direction, or the direction of light propagation; for a lamp, in the
+   * middle of the smoke.
+   */
   direction: Triple;
+  /** Place of the lamp, metres. Casters are sorted by their distance from it. */
+  lamp?: Triple;
   /** Radius of a puff's bounding sphere, in particle radii. */
   reach: number;
   /** Bounding box of all shadow receivers, metres. Casters are swept to where their shadow leaves it. */
@@ -97,7 +105,9 @@ export function viewLength({ coverage }: View): number {
  */
 export function writeView(view: View, target: Float32Array): void {
   target.fill(0);
-  target[VIEW_OFFSETS.purpose] = view.purpose === 'light' ? 1 : 0;
+  const light = view.lamp ? 2 : 1;
+  target[VIEW_OFFSETS.purpose] = view.purpose === 'light' ? light : 0;
+  target.set(view.lamp ?? [], VIEW_OFFSETS.lamp);
   target[VIEW_OFFSETS.blend] = view.blend;
   target[VIEW_OFFSETS.cull] = view.cull ? 1 : 0;
   target[VIEW_OFFSETS.pad] = view.pad;

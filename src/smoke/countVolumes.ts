@@ -9,9 +9,14 @@ export const MAX_COUNT = 255;
 /** Distance of the nearest puff, in radii, below which volumes are drawn in tiles. */
 const CLOSE = 10;
 
+/** Count from which on more volumes make no difference. */
+export function limitOf({ shadowSteps, shadowDepth }: Style): number {
+  return shadowSteps === 2 ? Math.min(shadowDepth, MAX_COUNT) : 1;
+}
+
 /**
  * Counts the shadow volumes that contain the place at each pixel, in the stencil buffer.
- * @param limit count from which on more volumes make no difference, 1..MAX_COUNT
+ * @param limit see {@link limitOf}
  */
 export function countVolumes(passes: SmokePasses, style: Style, casters: RowGeometry, limit: number): void {
   const { renderer, targets, extras, isFlat } = passes;

@@ -2,15 +2,14 @@ import { Vector3, type Texture } from 'three';
 import type { ChooseTones } from '../passes/resolve.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
-import type { Rows } from '../sim/rows.ts';
 import { ALL_THAT_LIVES } from '../sim/view.ts';
-import { countVolumes, MAX_COUNT } from './countVolumes.ts';
+import { countVolumes, limitOf } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
-import type { ArrangedFrame, DrawSmoke, SmokePasses } from './smokePasses.ts';
+import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 import { THROWS_SHADOW, type Style } from './style.ts';
-import { eyeView, lightView, shownWithin, smokeBox, viewSources, type ViewSources } from './views.ts';
+import { eyeView, lightView, shownWithin, smokeBox, viewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
 /** Animation on twos: lines change at half of 24 frames a second. */
@@ -44,25 +43,35 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
   if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);
   else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
-  else drawNailboards(passes, input, arranged, surfaceDepth);
+  else drawSmoke(passes, input, arranged, surfaceDepth);
   return reportOf(arranged);
 }
 
-const drawNailboards: DrawSmoke = (passes, input, { bodies, casters }, surfaceDepth) => {
+/**
+ * Draws nailboards with their shadow into the targets, and resolves them.
+ * @param drawCasters counts the volumes of other casters in the stencil
+ */
+export function drawSmoke(
+  passes: SmokePasses,
+  input: FrameInput,
+  { bodies, casters }: ArrangedFrame,
+  surfaceDepth: SurfaceDepth | undefined,
+  drawCasters?: () => void,
+): void {
   const { renderer, targets, mask } = passes;
   const { style, output } = input;
   const shading = drawBodies(passes, style, bodies, surfaceDepth);
   drawStrokes(passes, style, bodies, surfaceDepth);
   if (casters) {
-    const limit = style.shadowSteps === 2 ? Math.min(style.shadowDepth, MAX_COUNT) : 1;
-    countVolumes(passes, style, casters.geometry, limit);
+    drawCasters?.();
+    countVolumes(passes, style, casters.geometry, limitOf(style));
     mask.draw(renderer);
   }
   passes.resolve.draw(renderer, targets, output, shading && simplifying(passes, input, shading));
-};
+}
 
 /** Draws puffs into the targets, and returns their shading if the light of the style is simplified. */
-export function drawBodies(
+function drawBodies(
   { renderer, targets, body }: SmokePasses,
   style: Style,
   { geometry }: PuffRows,
@@ -75,7 +84,7 @@ export function drawBodies(
 }
 
 /** Chooses tones by simplified light, after the mask is drawn. */
-export function simplifying(
+function simplifying(
   { renderer, targets, extras }: SmokePasses,
   { simulator, blend, style }: FrameInput,
   shading: Texture,
@@ -85,7 +94,7 @@ export function simplifying(
 }
 
 /** Draws the strokes of the drawn bodies, if the style has any. */
-export function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
+function drawStrokes(passes: SmokePasses, style: Style, bodies: PuffRows, surfaceDepth?: SurfaceDepth): void {
   if (!hasStrokes(style)) return;
   const { renderer, targets, body, extras } = passes;
   extras.strokes!.draw(renderer, targets, bodies.geometry.rows, body.drawing, surfaceDepth);
@@ -106,15 +115,17 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   bodies.fill(seen.rows);
   // Copied, because the next call of arrange replaces it.
   const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
-  const receivers = sources.boxes.reduce(
-    (all, box) => all.union(box),
-    smokeBox(eye, sources.extents.spread, seen.bounds),
-  );
-  eye.receive(receivers);
+  const smoke = smokeBox(eye, sources.extents.spread, seen.bounds);
+  const travel = eye.travelAt(smoke.getCenter(new Vector3()));
+  const receivers = sources.boxes.reduce((all, box) => all.union(box), smoke.clone());
+  eye.receive(input.others ? smoke : receivers);
   const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
   if (throwsShadow) {
-    const { rows } = simulator.arrange(lightView(sources, input, receivers));
-    casters.fill(rows, shadowEndsOf(passes, sources, rows));
+    const { rows } = simulator.arrange(lightView(sources, input, receivers, travel));
+    input.others?.take(rows);
+    const { reach } = sources.extents;
+    const shown = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes: input.others ? [] : sources.boxes };
+    casters.fill(rows, passes.findShadowEnds(rows, reach, shown, travel, eye.lamp));
   }
   const arrangeMs = performance.now() - started;
   return { bodies, casters: throwsShadow ? casters : undefined, grid, arrangeMs };
@@ -132,18 +143,4 @@ function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, 
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   passes.scene?.place(rigids, parts ?? []);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
-}
-
-/**
- * Where the shadow of each caster is behind all receivers. The shadows of a lamp end at the box of all receivers, so
- * there is none for them.
- */
-function shadowEndsOf(
-  { eye, bodies, shadowEnds }: SmokePasses,
-  { extents: { reach }, boxes }: ViewSources,
-  casters: Rows,
-): Float32Array | undefined {
-  if (!eye.isLitBySun) return undefined;
-  const receivers = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes };
-  return shadowEnds.find(casters, reach, receivers, eye.travelAt(new Vector3()));
 }

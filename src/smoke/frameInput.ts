@@ -1,6 +1,7 @@
 import type { Box3, Camera, Matrix4, WebGLRenderTarget } from 'three';
 import type { DebugView } from '../preset/quality.ts';
 import type { Arranged } from '../sim/arranged.ts';
+import type { Rows } from '../sim/rows.ts';
 import type { View } from '../sim/view.ts';
 import type { Light } from './light.ts';
 import type { Style } from './style.ts';
@@ -30,8 +31,8 @@ export interface FrameInput {
   rigids: readonly Matrix4[];
   /** World transforms of the scene parts, attached to a rigid or not, by their index. */
   parts?: readonly Matrix4[];
-  /** World-space box of additional receivers of shadow besides the surfaces and the smoke. */
-  receivers?: Box3;
+  /** What else receives shadow, which is drawn after the frame. */
+  others?: OtherReceivers;
   /** Whether to cull puffs and casters that cannot be visible. The picture is the same with and without. */
   cull: boolean;
   /** A debug view instead of the picture. Only the renderer 'nailboards' has views. */
@@ -40,6 +41,14 @@ export interface FrameInput {
   isTransparent?: boolean;
   /** Render target of the picture, or null for the canvas. */
   output: WebGLRenderTarget | null;
+}
+
+/** Receivers of shadow that a frame does not draw. */
+export interface OtherReceivers {
+  /** World-space boxes that contain them. */
+  readonly boxes: readonly Box3[];
+  /** Receives all casters, valid until the next call of arrange. */
+  take(casters: Rows): void;
 }
 
 /** Statistics of a frame. */

@@ -1,14 +1,15 @@
 /**
  * Finds where shadows may end: behind the last visible receiver. Visible puffs, as left by arrange(eye), are rasterised
- * to a grid perpendicular to the light; surfaces are represented by their bounding boxes.
+ * to a grid; surfaces are represented by their bounding boxes. The grid is perpendicular to the light of a sun. Around a
+ * lamp it is the stereographic projection of the directions, in which balls appear as circles.
  */
 import { Vector3, type Box3 } from 'three';
 import type { Rows } from '../sim/rows.ts';
 
 /** Cells along each side of the grid, chosen so that a cell is about as wide as a puff. */
 const CELLS = 40;
-
-type Triple = readonly [number, number, number];
+/** As in shaders/lib/volume.glsl: a lamp counts as at least this many bounding radii away. */
+const NEAREST = 1.2;
 
 /** Everything that shadows can fall on. */
 export interface Receivers {
@@ -20,117 +21,131 @@ export interface Receivers {
   readonly boxes: readonly Box3[];
 }
 
-/** Finds the ends of parallel shadows. The buffers are reused between frames. */
-export class ShadowEnds {
-  private readonly ends: Float32Array;
-  private readonly farthest = new Float32Array(CELLS * CELLS);
-  private readonly corner: [number, number] = [0, 0];
-  private perMetre = 0;
-  private right: Triple = [1, 0, 0];
-  private up: Triple = [0, 1, 0];
-  private travel: Triple = [0, 0, -1];
+/**
+ * Returns, for each caster, the distance behind its centre at which its shadow has left every receiver, metres;
+ * negative if no receiver is behind it. The array is valid until the next call.
+ * @param widest radius of the bounding sphere of a puff, in puff radii
+ * @param receivers visible puffs and boxes
+ * @param travel unit vector along which the light travels, in the middle of the grid
+ * @param lamp place of the light, absent for a sun
+ */
+export type FindEnds = (
+  casters: Rows,
+  widest: number,
+  receivers: Receivers,
+  travel: Vector3,
+  lamp?: Vector3,
+) => Float32Array;
 
-  /** @param capacity maximum number of casters */
-  constructor(capacity: number) {
-    this.ends = new Float32Array(capacity);
-  }
+/**
+ * Creates the function with its buffers, which are reused between frames.
+ * @param capacity maximum number of casters
+ */
+export function createShadowEnds(capacity: number): FindEnds {
+  const ends = new Float32Array(capacity);
+  const farthest = new Float32Array(CELLS * CELLS);
 
-  /**
-   * Returns, for each caster, the distance behind its centre at which its shadow has left every receiver, metres;
-   * negative if no receiver is behind it. The array is valid until the next call.
-   * @param widest radius of the bounding sphere of a puff, in puff radii
-   * @param receivers visible puffs and boxes
-   * @param travel unit vector along which the light travels
-   */
-  find({ count, place }: Rows, widest: number, receivers: Receivers, travel: Vector3): Float32Array {
-    this.face(travel);
-    this.fill(receivers.bodies, receivers.reach);
-    for (let row = 0; row < count; row++) {
-      const radius = widest * place[4 * row + 3];
-      const depth = at(place, row, this.travel);
-      let end = this.farthestWithin(at(place, row, this.right), at(place, row, this.up), radius) - depth;
-      for (const box of receivers.boxes) end = Math.max(end, exitFrom(box, place, row, radius, this.travel));
-      this.ends[row] = end;
-    }
-    return this.ends;
-  }
-
-  private face(travel: Vector3): void {
+  return ({ count, place }, widest, { bodies, reach, boxes }, travel, lamp) => {
     const side = Math.abs(travel.x) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
     const right = side.cross(travel).normalize();
-    this.right = right.toArray();
-    this.up = right.clone().cross(travel).toArray();
-    this.travel = travel.toArray();
-  }
+    const up = right.clone().cross(travel);
+    const [way, origin] = [new Vector3(), lamp ?? new Vector3()];
+    // The ball that was projected last: its centre and radius on the grid, and its depth along the light.
+    let [across, upwards, radius, depth] = [0, 0, 0, 0];
+    let [left, low, perUnit] = [Infinity, Infinity, 0];
 
-  /** Stores in each cell the largest distance along the light that a puff over it reaches. */
-  private fill(bodies: Float32Array, reach: number): void {
-    this.measure(bodies, reach);
-    this.farthest.fill(-Infinity);
-    for (let row = 0; 4 * row < bodies.length; row++) {
-      const radius = reach * bodies[4 * row + 3];
-      const depth = at(bodies, row, this.travel) + radius;
-      const [firstColumn, lastColumn] = this.cellsOf(at(bodies, row, this.right), radius, 0);
-      const [firstRow, lastRow] = this.cellsOf(at(bodies, row, this.up), radius, 1);
+    function project(places: Float32Array, row: number, ball: number): void {
+      way.fromArray(places, 4 * row).sub(origin);
+      across = way.dot(right);
+      upwards = way.dot(up);
+      depth = way.dot(travel);
+      radius = ball;
+      if (!lamp) return;
+      const distance = way.length();
+      const sine = ball / distance;
+      // Tangents of half the angles from the middle of the grid and across the ball.
+      const scale = 1 / (distance + depth);
+      across *= scale;
+      upwards *= scale;
+      depth = distance;
+      const beside = Math.hypot(across, upwards);
+      const half = sine * NEAREST < 1 ? sine / (1 + Math.sqrt(1 - sine * sine)) : Infinity;
+      radius = half * beside < 1 ? (half * (1 + beside * beside)) / (1 - half * beside) : Infinity;
+    }
+
+    /** Calls back for the cells around the projected ball. */
+    function forCells(visit: (cell: number) => void): void {
+      const [firstColumn, lastColumn] = cellsAround(across - left, radius, perUnit);
+      const [firstRow, lastRow] = cellsAround(upwards - low, radius, perUnit);
       for (let j = firstRow; j <= lastRow; j++) {
-        for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) {
-          if (this.farthest[cell] < depth) this.farthest[cell] = depth;
-        }
+        for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) visit(cell);
       }
     }
-  }
 
-  /** Fits the grid to the bounds of all puffs. */
-  private measure(bodies: Float32Array, reach: number): void {
-    let side = 0;
-    [this.right, this.up].forEach((axis, index) => {
-      let [min, max] = [Infinity, -Infinity];
-      for (let row = 0; 4 * row < bodies.length; row++) {
-        const [middle, radius] = [at(bodies, row, axis), reach * bodies[4 * row + 3]];
-        min = Math.min(min, middle - radius);
-        max = Math.max(max, middle + radius);
-      }
-      this.corner[index] = min;
-      side = Math.max(side, max - min);
-    });
-    this.perMetre = side > 0 ? CELLS / side : 0;
-  }
-
-  private farthestWithin(across: number, upwards: number, radius: number): number {
-    const [firstColumn, lastColumn] = this.cellsOf(across, radius, 0);
-    const [firstRow, lastRow] = this.cellsOf(upwards, radius, 1);
-    let farthest = -Infinity;
-    for (let j = firstRow; j <= lastRow; j++) {
-      for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) {
-        if (this.farthest[cell] > farthest) farthest = this.farthest[cell];
-      }
+    // Fits the grid to the bounds of all puffs.
+    let [rightmost, high] = [-Infinity, -Infinity];
+    for (let row = 0; 4 * row < bodies.length; row++) {
+      project(bodies, row, reach * bodies[4 * row + 3]);
+      left = Math.min(left, across - radius);
+      low = Math.min(low, upwards - radius);
+      rightmost = Math.max(rightmost, across + radius);
+      high = Math.max(high, upwards + radius);
     }
-    return farthest;
-  }
+    perUnit = CELLS / Math.max(rightmost - left, high - low);
+    // Puffs around the lamp do not fit on a grid.
+    if (!(perUnit > 0) && bodies.length > 0) return ends.fill(Infinity);
 
-  /** First and last cell along an axis; the range is empty if the first is after the last. */
-  private cellsOf(middle: number, radius: number, axis: 0 | 1): [number, number] {
-    const from = Math.floor((middle - radius - this.corner[axis]) * this.perMetre);
-    const to = Math.floor((middle + radius - this.corner[axis]) * this.perMetre);
-    return [Math.max(0, from), Math.min(CELLS - 1, to)];
-  }
+    farthest.fill(-Infinity);
+    for (let row = 0; 4 * row < bodies.length; row++) {
+      const ball = reach * bodies[4 * row + 3];
+      project(bodies, row, ball);
+      forCells((cell) => (farthest[cell] = Math.max(farthest[cell], depth + ball)));
+    }
+    for (let row = 0; row < count; row++) {
+      let end = -Infinity;
+      const ball = widest * place[4 * row + 3];
+      project(place, row, ball);
+      forCells((cell) => (end = Math.max(end, farthest[cell])));
+      end -= depth;
+      const ray = lamp ? way.divideScalar(depth) : travel;
+      const growth = lamp ? 1 / Math.max(depth, NEAREST * ball) : 0;
+      for (const box of boxes) end = Math.max(end, exitFrom(box, place, row, ball, ray, growth));
+      ends[row] = end;
+    }
+    return ends;
+  };
 }
 
-function at(places: Float32Array, row: number, [x, y, z]: Triple): number {
-  return places[4 * row] * x + places[4 * row + 1] * y + places[4 * row + 2] * z;
+/** First and last cell along an axis; the range is empty if the first is after the last. */
+function cellsAround(middle: number, radius: number, perUnit: number): [number, number] {
+  const at = (position: number) => Math.floor(position * perUnit);
+  return [Math.max(0, at(middle - radius)), Math.min(CELLS - 1, at(middle + radius))];
 }
 
-/** Distance along the light at which a sphere leaves a box; -Infinity if it misses the box. */
-function exitFrom({ min, max }: Box3, places: Float32Array, row: number, radius: number, travel: Triple): number {
+/**
+ * Distance along the light at which the shadow of a ball leaves a box; -Infinity if it misses the box.
+ * @param growth ratio of the growth of the radius to the radius, for each metre
+ */
+function exitFrom(
+  { min, max }: Box3,
+  places: Float32Array,
+  row: number,
+  ball: number,
+  travel: Vector3,
+  growth: number,
+): number {
   let [enter, exit] = [-Infinity, Infinity];
-  const [low, high] = [min.toArray(), max.toArray()];
-  for (let axis = 0; axis < 3; axis++) {
-    const place = places[4 * row + axis];
-    const [ahead, behind] = [(high[axis] + radius - place) / travel[axis], (low[axis] - radius - place) / travel[axis]];
-    if (travel[axis] === 0 && (place > high[axis] + radius || place < low[axis] - radius)) return -Infinity;
-    if (travel[axis] === 0) continue;
-    enter = Math.max(enter, Math.min(ahead, behind));
-    exit = Math.min(exit, Math.max(ahead, behind));
+  const radius = ball / Math.sqrt(1 - (ball * growth) ** 2);
+  const cut = (way: number, speed: number) => {
+    // Not divided by -0.
+    const at = way / (speed + 0);
+    if (speed < 0) enter = Math.max(enter, at);
+    else exit = Math.min(exit, at);
+  };
+  for (const [index, axis] of (['x', 'y', 'z'] as const).entries()) {
+    const place = places[4 * row + index];
+    cut(max[axis] + radius - place, travel[axis] - radius * growth);
+    cut(place - min[axis] + radius, -travel[axis] - radius * growth);
   }
   return enter <= exit ? exit : -Infinity;
 }

@@ -17,7 +17,7 @@ import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
-import { ShadowEnds } from './shadowEnds.ts';
+import { createShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import { TINTS } from '../constants.ts';
@@ -81,7 +81,7 @@ export class SmokeRenderer {
       targets: new Targets(),
       bodies,
       casters,
-      shadowEnds: new ShadowEnds(capacity),
+      findShadowEnds: createShadowEnds(capacity),
       backdrop: new BackdropPass(eye),
       scene: surfaces?.make(eye, this.ramps, FIRST_SURFACE_RAMP),
       surfaceDepth: new SurfaceDepthPass(this.surfaces.length > 0),

@@ -18,7 +18,7 @@ import type { VolumesPass } from '../passes/volumes.ts';
 import type { CoverageGrid } from '../sim/view.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SceneSurfaces } from './sceneSurfaces.ts';
-import type { ShadowEnds } from './shadowEnds.ts';
+import type { FindEnds } from './shadowEnds.ts';
 
 /** Everything that a frame draws with, created once for a smoke. */
 export interface SmokePasses {
@@ -27,7 +27,7 @@ export interface SmokePasses {
   readonly targets: Targets;
   readonly bodies: PuffRows;
   readonly casters: CasterRows;
-  readonly shadowEnds: ShadowEnds;
+  readonly findShadowEnds: FindEnds;
   readonly backdrop: BackdropPass;
   /** Undefined without surfaces. */
   readonly scene: SceneSurfaces | undefined;

@@ -29,13 +29,11 @@ export interface ViewSources {
 }
 
 /** @param passes with the surfaces of this frame in place */
-export function viewSources(passes: SmokePasses, { style, receivers }: FrameInput): ViewSources {
-  const boxes = passes.scene?.surfaces.worldBoxes() ?? [];
-  if (receivers && !receivers.isEmpty()) boxes.push(receivers);
+export function viewSources(passes: SmokePasses, { style, others }: FrameInput): ViewSources {
   return {
     eye: passes.eye,
     extents: passes.extentsOf(style.form),
-    boxes,
+    boxes: others?.boxes ?? passes.scene?.surfaces.worldBoxes() ?? [],
     minCap: passes.volumes.minCap,
     isFlat: passes.isFlat,
   };
@@ -55,18 +53,20 @@ export function eyeView(sources: ViewSources, input: FrameInput): View {
   };
 }
 
-/** @param receivers world-space box of everything that can receive a shadow */
-export function lightView(sources: ViewSources, input: FrameInput, receivers: Box3): View {
+/**
+ * @param receivers world-space box of everything that can receive a shadow
+ * @param travel unit vector along which the light travels, in the middle of the smoke
+ */
+export function lightView(sources: ViewSources, input: FrameInput, receivers: Box3, travel: Vector3): View {
   const { eye, extents } = sources;
   const { style } = input;
   const coverage = coverageOf(sources, input, style.shadowSteps === 2 ? style.shadowDepth : 1);
   return {
     ...common(sources, input),
     purpose: 'light',
-    // Culling of casters projects them along one common direction, which a lamp does not have.
-    cull: input.cull && eye.isLitBySun,
+    lamp: eye.lamp?.toArray(),
     pad: 0,
-    direction: eye.travelAt(receivers.getCenter(new Vector3())).toArray(),
+    direction: travel.toArray(),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
     coverage: coverage && { ...coverage, startCaps: extents.capTable },
   };

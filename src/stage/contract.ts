@@ -69,6 +69,16 @@ export interface StageStats {
   writesDepth: boolean;
   /** Fraction of the pixel ratio that the latest frame was drawn with. */
   scale: number;
+  /**
+   * Milliseconds that the GPU took for a recent frame. Missing until it is measured (see `Stage.timeGpu`), and
+   * where the browser lacks EXT_disjoint_timer_query_webgl2.
+   */
+  gpuMs?: number;
+}
+
+export interface StatsOptions {
+  /** Whether to measure `gpuMs` in the frames until the next call. Default: false. */
+  gpu?: boolean;
 }
 
 export interface EnterOptions {

@@ -85,11 +85,11 @@ export class FrameLoop {
   private begin(): void {
     this.clock.rest();
     this.governor.rest();
-    this.request = requestFrame(this.tick);
+    this.request = requestAnimationFrame(this.tick);
   }
 
   private end(): void {
-    cancelFrame(this.request);
+    cancelAnimationFrame(this.request);
     this.clock.rest();
   }
 
@@ -101,7 +101,7 @@ export class FrameLoop {
 
   private readonly tick = (now: number): void => {
     if (!this.isRunning || !this.hasViewers) return;
-    this.request = requestFrame(this.tick);
+    this.request = requestAnimationFrame(this.tick);
     if (this.tasks.isBehind || !this.isDue(now)) return;
     if (this.isHeld) return this.governor.rest();
     this.governor.tick(now);
@@ -117,20 +117,4 @@ export class FrameLoop {
       this.tasks.fail(error as Error);
     }
   };
-}
-
-/** Display frames, on pages and in workers. */
-
-const INTERVAL_MS = 1000 / 60;
-
-/** Some browsers support OffscreenCanvas in workers without requestAnimationFrame; use a timer there. */
-function requestFrame(callback: (now: number) => void): number {
-  if ('requestAnimationFrame' in globalThis) return requestAnimationFrame(callback);
-  const now = performance.now();
-  return Number(setTimeout(() => callback(performance.now()), INTERVAL_MS - (now % INTERVAL_MS)));
-}
-
-function cancelFrame(request: number): void {
-  if ('cancelAnimationFrame' in globalThis) cancelAnimationFrame(request);
-  else clearTimeout(request);
 }

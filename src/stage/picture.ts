@@ -1,4 +1,5 @@
 import { MathUtils, Vector2, type DepthTexture, type Matrix4, type PerspectiveCamera, type WebGLRenderer } from 'three';
+import type { GpuTimer } from '../device/gpuTimer.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
@@ -46,6 +47,8 @@ export class Picture {
   /** Scale of the latest frame. */
   scale = 1;
   renderMs = 0;
+  /** Undefined unless frames are timed on the GPU. */
+  timer: GpuTimer | undefined;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
   private readonly presenter: Presenter;
   private camera: OrbitCamera;
@@ -55,6 +58,7 @@ export class Picture {
   private pixelRatio = 1;
   private chosenQuality: Quality = 1;
   private chosenView: DebugView | undefined;
+  private isTimed = false;
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
@@ -94,6 +98,21 @@ export class Picture {
       throw new ParameterError('view', view, DEBUG_VIEWS.join(', '));
     }
     this.chosenView = view;
+  }
+
+  /** See `Stage.timeGpu`. */
+  timeGpu(isOn: boolean): void {
+    this.isTimed = isOn;
+    if (isOn) {
+      void import('../device/gpuTimer.ts').then(
+        ({ createGpuTimer }) => this.isTimed && (this.timer ??= createGpuTimer(this.presenter.device)),
+        // The statistics are then without this time.
+        () => {},
+      );
+    } else {
+      this.timer?.dispose();
+      this.timer = undefined;
+    }
   }
 
   /** The settings that decide whether more code must be loaded. */
@@ -161,6 +180,7 @@ export class Picture {
   draw(moment: PictureState): boolean {
     const { device } = this.presenter;
     if (!this.isVisible || !device.isUsable) return false;
+    const end = this.timer?.begin();
     try {
       this.smoke.bake(moment.isPlaying ? BAKING_MS : Infinity);
       this.eye.follow(secondsAt(moment.simulator.steps, moment.blend));
@@ -176,6 +196,8 @@ export class Picture {
     } catch (error) {
       if (device.isUsable) throw error;
       return false;
+    } finally {
+      end?.();
     }
   }
 
@@ -197,6 +219,7 @@ export class Picture {
 
   /** Also disposes the device if the stage owns it. */
   dispose(): void {
+    this.timeGpu(false);
     this.smoke.dispose();
     this.presenter.dispose();
   }

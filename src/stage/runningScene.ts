@@ -358,7 +358,7 @@ function differing(values: Values, before: Values): Values {
 
 function statsOf(
   simulation: Simulation,
-  { smoke, report, renderMs, drawCalls, writesDepth, scale }: Picture,
+  { smoke, report, renderMs, drawCalls, writesDepth, scale, timer }: Picture,
 ): StageStats {
   const { alive, waiting, steps, inputCount, isTruncated } = simulation.simulator;
   return {
@@ -377,5 +377,6 @@ function statsOf(
     drawCalls,
     writesDepth,
     scale,
+    ...timer?.read(),
   };
 }

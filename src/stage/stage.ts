@@ -33,7 +33,7 @@ import { noteOf, takeOf, type Take } from './take.ts';
  * - state: `save`, `restore`, `hash`, `take`, `playTake`, `readTake`
  * - picture: `picture`, `resize`, `visible`, `background`, `quality`, `view`, `camera`, `sight`
  * - input: `pointer`, `nudge`, `blow`, `steer`, `drop`, `dropCount`
- * - statistics: `stats`
+ * - statistics: `stats`, `timeGpu`
  */
 export class Stage {
   /** Resolves when the first picture is drawn. */
@@ -127,6 +127,11 @@ export class Stage {
 
   get stats(): StageStats {
     return this.#running.stats;
+  }
+
+  /** Starts or stops measuring the time that the GPU takes for a frame, `stats.gpuMs`. It is not measured by default. */
+  timeGpu(isOn: boolean): void {
+    this.#picture.timeGpu(isOn);
   }
 
   /**

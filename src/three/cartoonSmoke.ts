@@ -1,4 +1,4 @@
-import { Box3, Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
+import { Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
@@ -82,7 +82,6 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
   private readonly reported = new Set<string>();
   private readonly hasPhysics: boolean;
   private readonly clock = new Clock();
-  private readonly receivers = new Box3();
   private readonly viewport = new Vector4();
   private readonly puffs: LivePuffs;
   private readonly completion: Completion;
@@ -115,8 +114,8 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     try {
       const [factory] = await Promise.all([
         loadSimulators({ physics: options.physics ?? true }),
-        // Casters that are balls do not deform.
-        fetchExtras({ ...hostStyle(values), isDeformed: false }),
+        // Casters that are balls do not deform. Volumes are counted where the host's buffer is multisampled.
+        fetchExtras({ ...hostStyle(values), isDeformed: false, volumes: 'counted' }),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,
@@ -372,10 +371,10 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     try {
       const { origin, ...input } = this.lookFrom(renderer);
       const { keyLight, onRelight } = this;
-      const placed = this.frame.view(this, camera, lightFrom(keyLight), receiversIn(scene, this.receivers));
+      const { boxes, ...placed } = this.frame.view(this, camera, lightFrom(keyLight), receiversIn(scene));
       const { scale } = this.frame.drawn;
       const view = { renderer, scene, camera, keyLight, scale, origin, onRelight };
-      this.drawn = drawIntoHost(this.passes, view, { ...input, ...placed });
+      this.drawn = drawIntoHost(this.passes, view, boxes, { ...input, ...placed });
       this.hasDrawn = true;
       return true;
     } catch (failure) {

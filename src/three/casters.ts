@@ -13,7 +13,7 @@ import type { FrameView } from '../device/frameView.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
-import { BallVolumes, isShown, type BallsOf } from './ballVolumes.ts';
+import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
 import { toSmoke, type SmokeFrame } from './frame.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
 import { newPose, poseOf, requireGeometry, scaleOf, trianglesOf } from './shapes.ts';
@@ -139,27 +139,26 @@ function openMesh({ name, type }: Mesh): ParameterError {
   );
 }
 
-const scratch = new Box3();
-
-/** World-space bounding box of all opaque objects in a scene. No shadow is visible outside it. */
-export function receiversIn(scene: Object3D, into: Box3): Box3 {
-  into.makeEmpty();
+/** World-space bounding boxes of the opaque objects in a scene. No shadow is visible outside them. */
+export function receiversIn(scene: Object3D): Box3[] {
+  const boxes: Box3[] = [];
   scene.traverseVisible((object) => {
     if (!('isMesh' in object)) return;
     const mesh = object as Mesh;
     if (!materialsOf(mesh).some((material) => !isBlended(material))) return;
-    const { min, max } = boxOf(mesh, scratch);
+    const box = boxOf(mesh, new Box3());
     // An object with a broken transform is not drawn, and must not break the shadows of all others.
-    if (min.distanceToSquared(max) < Infinity) into.union(scratch);
+    if (box.min.distanceToSquared(box.max) < Infinity) boxes.push(box);
   });
-  return into;
+  return boxes;
 }
 
-/** Bounds as three.js uses them for culling: deformed meshes provide their own bounding sphere. */
+/** Bounds as three.js uses them for culling: skinned meshes provide their own bounding sphere. That of instances is too wide. */
 function boxOf(mesh: Mesh, into: Box3): Box3 {
-  const deformed = mesh as Mesh &
-    Partial<Pick<SkinnedMesh | InstancedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
-  if (deformed.computeBoundingSphere) {
+  const deformed = mesh as Mesh & Partial<Pick<SkinnedMesh, 'boundingSphere' | 'computeBoundingSphere'>>;
+  if ('isInstancedMesh' in mesh) {
+    into.copy(boxOfInstances(mesh as InstancedMesh));
+  } else if (deformed.computeBoundingSphere) {
     if (!deformed.boundingSphere) deformed.computeBoundingSphere();
     deformed.boundingSphere!.getBoundingBox(into);
   } else {
@@ -167,4 +166,14 @@ function boxOf(mesh: Mesh, into: Box3): Box3 {
     into.copy(mesh.geometry.boundingBox!);
   }
   return into.applyMatrix4(mesh.matrixWorld);
+}
+
+/** The version and number of instances that each box was computed from. */
+const boxed = new WeakMap<InstancedMesh, string>();
+
+function boxOfInstances(mesh: InstancedMesh): Box3 {
+  const key = `${mesh.instanceMatrix.version} ${mesh.count}`;
+  if (!mesh.boundingBox || boxed.get(mesh) !== key) mesh.computeBoundingBox();
+  boxed.set(mesh, key);
+  return mesh.boundingBox!;
 }

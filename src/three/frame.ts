@@ -110,16 +110,14 @@ export class SmokeFrame {
    * What a frame is drawn from, in the space of the smoke. Picture and window depths are those of the host's camera.
    * @param object the smoke object. Local smoke is drawn where it is now, since the host may move it after `update`
    */
-  view(object: Object3D, camera: Camera, light: Light, receivers: Box3) {
+  view(object: Object3D, camera: Camera, light: Light, boxes: Box3[]) {
     const placement = copy(this.drawn, this.space === 'local' ? shownAt(object, this.now) : this.now);
-    if (isWorld(placement)) return { camera, light, receivers };
+    if (isWorld(placement)) return { camera, light, boxes };
     const { position, rotation, scale } = placement;
     const world = new Matrix4().compose(position, rotation, new Vector3(scale, scale, scale));
-    return {
-      camera: this.camera.follow(camera, world, scale),
-      light: lightIn(light, placement),
-      receivers: receivers.applyMatrix4(world.invert()),
-    };
+    const shown = this.camera.follow(camera, world, scale);
+    world.invert();
+    return { camera: shown, light: lightIn(light, placement), boxes: boxes.map((box) => box.applyMatrix4(world)) };
   }
 }
 

@@ -1,4 +1,4 @@
-import { Vector2, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import { Vector2, type DepthTexture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import { depthCopy } from '../device/depthCopy.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 
@@ -8,7 +8,13 @@ import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
  */
 const SLACK_OF_SAMPLES = 0.75;
 
-/** Copies the depth of the host's framebuffer for puffs that touch the host's scene. */
+/** A copy of the depth in the viewport of the smoke. */
+export interface CopiedDepth extends SurfaceDepth {
+  /** The same depth at the coordinates of the framebuffer. */
+  readonly inPlace: DepthTexture;
+}
+
+/** Copies the depth of the host's framebuffer, for puffs that touch the host's scene and for shadow on it. */
 export class HostDepth {
   /** The depth in the viewport of the smoke. */
   private readonly copy = depthCopy();
@@ -18,18 +24,18 @@ export class HostDepth {
 
   /**
    * Copies the depth of the host's bound framebuffer and unbinds that framebuffer. If the depth format cannot be
-   * copied, smoke has no contact lines.
+   * copied, smoke has no contact lines, and shadow volumes are counted.
    * @param origin lower left corner of the viewport of the smoke, pixels
    * @param size size of that viewport, pixels
    */
-  take(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isInked: boolean): SurfaceDepth | undefined {
+  take(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isNeeded: boolean): CopiedDepth | undefined {
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    if (!isInked || !this.copyable.includesBound(gl)) return undefined;
+    if (!isNeeded || !this.copyable.includesBound(gl)) return undefined;
     const slack = (gl.getParameter(gl.SAMPLES) as number) > 0 ? SLACK_OF_SAMPLES : 0;
     const isPart = origin.x > 0 || origin.y > 0;
     copyDepth(renderer, isPart ? this.whole : this.copy, origin, origin, size);
     if (isPart) copyDepth(renderer, this.copy, origin, new Vector2(), size);
-    return { depth: this.copy.depthTexture!, slack };
+    return { depth: this.copy.depthTexture!, slack, inPlace: (isPart ? this.whole : this.copy).depthTexture! };
   }
 
   /** Frees the GPU resources. The next copy recreates them. */

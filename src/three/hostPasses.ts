@@ -1,10 +1,11 @@
 import { Device } from '../device/device.ts';
+import { pictureTarget } from '../device/pictureTarget.ts';
 import { InsertPass } from '../passes/insert.ts';
-import { SmokePictures } from '../passes/pictures.ts';
 import { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
 import type { SmokeFrame } from './frame.ts';
 import { HostDepth } from './hostDepth.ts';
+import { HostVolumes } from './volumes/hostVolumes.ts';
 import { LateStencil } from './target/lateStencil.ts';
 import type { LoadError } from '../preset/errors.ts';
 import type { WebGLRenderer } from 'three';
@@ -14,7 +15,9 @@ export class HostPasses {
   readonly smoke: SmokeRenderer;
   readonly casters: HostCasters;
   readonly insert: InsertPass;
-  readonly pictures = new SmokePictures();
+  readonly volumes: HostVolumes;
+  /** The smoke with its shadow: premultiplied, display-encoded. */
+  readonly picture = pictureTarget();
   readonly depth = new HostDepth();
 
   readonly ownStencil: LateStencil;
@@ -28,6 +31,7 @@ export class HostPasses {
     this.smoke = new SmokeRenderer(device, { capacity });
     const { eye } = this.smoke.passes;
     this.casters = new HostCasters(device, eye, frame);
+    this.volumes = new HostVolumes(capacity);
     this.insert = new InsertPass(eye);
     this.ownStencil = new LateStencil(eye, miss);
   }
@@ -35,7 +39,8 @@ export class HostPasses {
   /** Frees the GPU resources. The next draw recreates them. */
   release(): void {
     this.insert.dispose();
-    this.pictures.dispose();
+    this.volumes.dispose();
+    this.picture.dispose();
     this.depth.dispose();
     this.ownStencil.dispose();
     this.casters.release();

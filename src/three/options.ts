@@ -116,10 +116,7 @@ function requireOpen(values: Values): void {
   }
 }
 
-/**
- * A preset may select a comparison renderer; in a host scene only nailboards are supported. Volumes are counted, because
- * the host's buffer may be multisampled.
- */
+/** A preset may select a comparison renderer; in a host scene only nailboards are supported. */
 export function hostStyle(values: Values): Style {
-  return { ...styleOf(values), renderer: 'nailboards', volumes: 'counted' };
+  return { ...styleOf(values), renderer: 'nailboards' };
 }

@@ -23,11 +23,14 @@ pub struct Variant {
 }
 
 /// Set-up code is not inlined: a tenth of the module. Loops over particles mark what must be inlined. Only short loops
-/// are unrolled, and only completely: unrolling loops over particles gains nothing.
-const WRITTEN_ONCE: &[&str] = &[concat!(
-    "-Cllvm-args=-inline-threshold=25",
-    " -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false",
-)];
+/// are unrolled, and only completely: unrolling loops over particles gains nothing. The limit for inlining applies to
+/// Rapier's code too.
+fn llvm_arguments(variant: &Variant) -> [String; 1] {
+    let inlined = if variant.has_rapier { 25 } else { 60 };
+    [format!(
+        "-Cllvm-args=-inline-threshold={inlined} -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false"
+    )]
+}
 
 /// All builds in order. The small one comes first: most pages load it.
 pub const VARIANTS: &[Variant] = &[
@@ -79,7 +82,10 @@ fn compile(variant: &Variant, folders: &Folders, target: &PathBuf) -> Result<()>
         .args(["--target", TARGET])
         .arg("--target-dir")
         .arg(target)
-        .args(["--config", &format!("target.{TARGET}.rustflags={WRITTEN_ONCE:?}")])
+        .args([
+            "--config",
+            &format!("target.{TARGET}.rustflags={:?}", llvm_arguments(variant)),
+        ])
         .args(["--features", &variant.features.join(",")])
         .status()
         .context("cargo cannot be started")?;

@@ -32,6 +32,7 @@ export function createStatistics(stage: Stage): Statistics {
     element: output,
     toggle(isShown = output.hidden !== false) {
       output.hidden = !isShown;
+      stage.timeGpu(isShown);
       // A paused stage emits no frame event.
       output.textContent = describe(stage.stats, 0);
       for (const listener of listeners) listener(isShown);
@@ -52,5 +53,6 @@ function describe(stats: StageStats, framesPerSecond: number): string {
     `bodies  ${stats.bodiesDrawn} of ${stats.bodiesTotal}`,
     `casters ${stats.castersDrawn} of ${stats.castersTotal}`,
     `step ${milliseconds(stats.simMs)}, arrange ${milliseconds(stats.arrangeMs)}, draw ${milliseconds(stats.renderMs)}`,
+    ...(stats.gpuMs === undefined ? [] : [`GPU ${milliseconds(stats.gpuMs)}`]),
   ].join('\n');
 }

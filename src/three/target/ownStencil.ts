@@ -6,6 +6,7 @@ import {
   OneMinusSrcAlphaFactor,
   WebGLRenderTarget,
   type Camera,
+  type DepthTexture,
   type Scene,
   type Texture,
   type Vector2,
@@ -14,15 +15,14 @@ import {
 import fragmentShader from '../../../shaders/insert/shadow.frag';
 import type { FrameView } from '../../device/frameView.ts';
 import { FullScreen } from '../../device/fullScreen.ts';
-import type { ArrangedFrame } from '../../smoke/smokePasses.ts';
 import type { Style } from '../../smoke/style.ts';
 import { drawAgain } from '../relight.ts';
-import { countShadows, drawShadow, hasDeep, type HostView, type InsertionPasses } from './insertion.ts';
+import { insertShadow, type HostView, type InsertionPasses } from './insertion.ts';
 
 /**
  * A target with depth and stencil in place of a host's target that has no stencil. The host's opaque objects are drawn
  * into its depth again: a depth buffer cannot be copied to one of another format, and the samples of a multisampled one
- * cannot be read. Shadow and smoke are drawn into it one after the other, and copied to the host's target.
+ * cannot be read. The shadow is drawn into it, and copied to the host's target.
  */
 export class OwnStencil {
   private readonly target = new WebGLRenderTarget(1, 1, {
@@ -52,7 +52,9 @@ export class OwnStencil {
     if (this.target.samples !== samples) this.target.dispose();
     this.target.samples = samples;
     this.target.setSize(size.x, size.y);
-    this.clear(renderer, true);
+    renderer.setRenderTarget(this.target);
+    renderer.setClearColor(0x000000, 0);
+    renderer.clear(true, true, false);
     const { color, stencil } = renderer.state.buffers;
     color.setMask(false);
     color.setLocked(true);
@@ -68,59 +70,30 @@ export class OwnStencil {
   }
 
   /**
-   * Inserts shadow and smoke into the host's target, except the colour of smoke, which the marker draws.
+   * Inserts the shadow on the host's objects into the host's target.
+   * @param receivers the depth of the pixels of this target, if they have one each
    * @param surfaceDepth depth of the host's opaque objects
    */
   insert(
     passes: InsertionPasses,
     view: HostView & { returnToTarget(): void },
     style: Style,
-    casters: ArrangedFrame['casters'],
+    receivers: DepthTexture | undefined,
     surfaceDepth: Texture | undefined,
   ): void {
     const { renderer, origin } = view;
-    const { insert, pictures, smoke } = passes;
-    const { eye, targets } = smoke.passes;
-    const { viewportOrigin } = eye.uniforms;
-    const here = viewportOrigin.value.clone();
     renderer.setRenderTarget(this.target);
-    insert.setSmoke(pictures, targets.depth, true);
-    countShadows(passes, view, casters);
-    if (casters) drawShadow(view);
-    if (hasDeep(style)) insert.darken(renderer, style.shadowDepth, style.deepShadow);
-
+    insertShadow(passes, view, style, receivers);
     view.returnToTarget();
-    viewportOrigin.value.copy(origin);
+    passes.smoke.passes.eye.uniforms.viewportOrigin.value.copy(origin);
     this.surfaceDepth.value = surfaceDepth ?? null;
     this.shadow.draw(renderer);
-
-    viewportOrigin.value.copy(here);
-    // The host's target tests the depth of each sample, so that here all samples of a pixel have its smoke.
-    this.clear(renderer, this.target.samples > 0);
-    insert.setSmoke(pictures, targets.depth, false);
-    insert.setFog(null);
-    insert.drawLit(renderer);
-    if (hasDeep(style)) insert.drawDeep(renderer);
-    insert.drawUnlit(renderer);
-
-    view.returnToTarget();
-    viewportOrigin.value.copy(origin);
-    const { texture } = this.target;
-    insert.setSmoke({ lit: texture, unlit: texture, deep: texture }, targets.depth, true);
-    insert.setFog(view.scene.fog, view.scale);
-    insert.drawDepth(renderer);
   }
 
   /** Frees the GPU resources. The next draw recreates them. */
   dispose(): void {
     this.target.dispose();
     this.shadow.dispose();
-  }
-
-  private clear(renderer: WebGLRenderer, hasDepth: boolean): void {
-    renderer.setRenderTarget(this.target);
-    renderer.setClearColor(0x000000, 0);
-    renderer.clear(true, hasDepth, false);
   }
 }
 

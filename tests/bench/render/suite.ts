@@ -2,6 +2,7 @@
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
+import { measureHost } from './host.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
 import { measureSmall } from './small.ts';
@@ -21,6 +22,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),
     ...(await measureSmall(quick)),
+    ...(await measureHost(quick)),
     ...(await measureUploads()),
     ...(await measureTargets()),
     ...(await measureMemory()),

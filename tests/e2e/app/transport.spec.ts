@@ -60,6 +60,12 @@ test('mouse and keys use the timeline and the presets', async ({ page }) => {
     await expect.poll(() => stepsOf(page)).toBe(steps - 1);
     await page.keyboard.press('i');
     await expect(page.locator('.statistics')).toContainText('alive');
+    await expect(async () => {
+      await page.keyboard.press('.');
+      await expect(page.locator('.statistics')).toContainText(/^GPU \d+\.\d ms$/m, { timeout: 500 });
+    }).toPass();
+    await page.keyboard.press('i');
+    expect(await ask(page, (stage) => stage.stats.gpuMs)).toBe(undefined);
     await page.keyboard.press('f');
     await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
     await page.keyboard.press('f');

@@ -27,7 +27,7 @@ for (const thread of ['main', 'worker'] as const) {
 
 for (const thread of ['main', 'worker'] as const) {
   test(`all smoke recovers from a context that is lost twice: ${thread}`, async ({ load, blank }) => {
-    await expectBack({ load, blank }, 6, thread);
+    await expectBack({ load, blank }, 2, thread);
   });
 
   test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread}`, async ({

@@ -249,3 +249,23 @@ export async function abortStarts() {
   controllers[1].abort('soon');
   return Promise.all(starts.map((start) => start.then(String, String)));
 }
+
+/** GPU time of a frame before statistics ask for it, while they do, and afterwards, in milliseconds. */
+export async function timeGpu(
+  thread: 'main' | 'worker',
+): Promise<Record<'before' | 'timed' | 'after', number | undefined>> {
+  const { stage } = await open({ thread });
+  const next = async (options?: { gpu: boolean }) => {
+    await stage.step();
+    await new Promise(requestAnimationFrame);
+    return (await stage.stats(options)).gpuMs;
+  };
+  const before = await next();
+  let timed: number | undefined;
+  for (const until = performance.now() + TIMEOUT_MS; timed === undefined && performance.now() < until;)
+    timed = await next({ gpu: true });
+  await stage.stats();
+  const after = await next();
+  await stage.dispose();
+  return { before, timed, after };
+}

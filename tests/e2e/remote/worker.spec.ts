@@ -43,6 +43,16 @@ test('takes and states survive a round trip to the worker', async ({ load }) => 
   expect({ inputs, isOfStart }).toEqual({ inputs: 2, isOfStart: true });
 });
 
+test('statistics have the GPU time of frames while they ask for it', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const thread of ['worker', 'main'] as const) {
+    const { before, timed, after } = await cases.evaluate((module, where) => module.timeGpu(where), thread);
+    expect({ before, after }, thread).toEqual({ before: undefined, after: undefined });
+    expect(timed, thread).toBeGreaterThan(0.1);
+    expect(timed, thread).toBeLessThan(60_000);
+  }
+});
+
 test('a playing stage sends no message without a listener', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.listen(module.watch()));

@@ -31,6 +31,7 @@ describe('the layout of rows and views', () => {
       pad: 0.5,
       clipFromWorld: Array.from({ length: 16 }, (_, index) => 100 + index),
       direction: [0, -0.625, 0.75],
+      lamp: [7, 8, -9],
       reach: 1.5,
       receivers: { min: [-1, -2, -3], max: [1, 2, 3] },
       coverage: {
@@ -49,7 +50,8 @@ describe('the layout of rows and views', () => {
     const floats = new Float32Array(viewLength(view)).fill(77);
     writeView(view, floats);
     const parts: Record<keyof typeof VIEW_OFFSETS, number[]> = {
-      purpose: [1],
+      purpose: [2],
+      lamp: [7, 8, -9],
       blend: [0.25],
       cull: [1],
       pad: [0.5],

@@ -1,4 +1,4 @@
-import { PerspectiveCamera, Vector4 } from 'three';
+import { PerspectiveCamera, Vector3, Vector4 } from 'three';
 import { expect, test } from 'vitest';
 import { FrameView } from '../../../src/device/frameView.ts';
 import { defaults } from '../../../src/preset/values.ts';
@@ -16,4 +16,11 @@ test('hidden puffs are culled among more than 100 particles, and if their number
     return eyeView(sources, input as unknown as FrameInput).coverage !== undefined;
   };
   expect([0, 100, 101, undefined].map(isCulled)).toEqual([false, false, true, true]);
+});
+
+test('the light has a direction at the place of a lamp, too', () => {
+  const eye = new FrameView(styleUniforms());
+  eye.look(new PerspectiveCamera(), new Vector4(0, 2, 0, 1), 64, 48);
+  expect(eye.travelAt(new Vector3(0, 2, 3)).z).toBe(1);
+  expect(eye.travelAt(new Vector3(0, 2, 0)).length()).toBe(1);
 });

@@ -32,10 +32,15 @@ function wordsOf(link: string, frames: string, out: string, ...words: string[]):
   return [link, '--frames', frames, '--out', join(folder, out), ...SMALL, ...words];
 }
 
+/** The browser of the tests: it starts with less than the one of users, which is stopped below. */
+function withShell(): NodeJS.ProcessEnv {
+  return { ...process.env, CHROMIUM_PATH: process.env.TEST_BROWSER };
+}
+
 function film(...given: Parameters<typeof wordsOf>): Promise<Ending> {
   const parameters = [SCRIPT, ...wordsOf(...given)];
   return new Promise((resolve) => {
-    execFile(process.execPath, parameters, { cwd: ROOT }, (error, _output, errors) =>
+    execFile(process.execPath, parameters, { cwd: ROOT, env: withShell() }, (error, _output, errors) =>
       resolve({ status: error ? Number(error.code) : 0, errors }),
     );
   });
@@ -45,9 +50,14 @@ function film(...given: Parameters<typeof wordsOf>): Promise<Ending> {
  * Starts a run and sends it a signal when a file is there. The run has a folder of its own for temporary files.
  * @returns its exit status, null if the signal ended it
  */
-async function stoppedAt(file: string, signal: NodeJS.Signals, words: readonly string[]): Promise<number | null> {
+async function stoppedAt(
+  file: string,
+  signal: NodeJS.Signals,
+  words: readonly string[],
+  environment = process.env,
+): Promise<number | null> {
   mkdirSync(join(folder, 'temporary'), { recursive: true });
-  const env = { ...process.env, TMPDIR: join(folder, 'temporary') };
+  const env = { ...environment, TMPDIR: join(folder, 'temporary') };
   const child = spawn(process.execPath, [SCRIPT, ...words], { cwd: ROOT, env, stdio: 'ignore' });
   const ended = new Promise<number | null>((resolve) => child.once('close', resolve));
   while (child.exitCode === null && !existsSync(join(folder, file))) await wait(5);
@@ -73,11 +83,11 @@ test('shards, killed runs and one run write the same files, also from the states
   ).evaluate((cases, hash) => cases.disturbed(hash), HASH);
   expect(await film(link, '10-25', 'one')).toMatchObject({ status: 0 });
   const states = ['--states', join(folder, 'states'), '--states-every', '4'];
-  const shard = wordsOf(link, '10-25', 'shards', '--shard', '1/2', ...states);
-  expect(await stoppedAt('shards/frame-000010.json', 'SIGINT', shard)).toBe(130);
-  expect(Object.keys(filesIn('shards')).filter((name) => name.endsWith('.part'))).toEqual([]);
+  expect(await stoppedAt('stopped/frame-000010.json', 'SIGINT', wordsOf(link, '10-25', 'stopped'))).toBe(130);
+  expect(Object.keys(filesIn('stopped')).filter((name) => name.endsWith('.part'))).toEqual([]);
   expect(readdirSync(join(folder, 'temporary')), 'what the browser left').toEqual([]);
-  expect(await stoppedAt('shards/frame-000012.png', 'SIGKILL', shard)).toBeNull();
+  const shard = wordsOf(link, '10-25', 'shards', '--shard', '1/2', ...states);
+  expect(await stoppedAt('shards/frame-000012.png', 'SIGKILL', shard, withShell())).toBeNull();
   const unfinished = Object.keys(filesIn('shards'));
   expect(unfinished).toContain('/frame-000011.json');
   expect(unfinished).not.toContain('/frame-000017.json');
@@ -195,7 +205,7 @@ test('a full disk ends the run with one line, and the files on it are whole', ()
   const commands = 'mount -t tmpfs -o size=96k tmpfs "$1" && shift && "$@"; status=$?; cp -r disk/. copy; exit $status';
   const run = [process.execPath, join(ROOT, SCRIPT), ...wordsOf(HASH, '0-60', 'disk')];
   const parameters = ['--mount', 'sh', '-c', commands, 'sh', disk, ...run];
-  const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8' });
+  const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8', env: withShell() });
   expect(status).toBe(1);
   expect(stderr.trim().split('\n').at(-1)).toMatch(
     /^The disk is full: .*frame-0000\d\d\.(png|json) was not written\.$/,

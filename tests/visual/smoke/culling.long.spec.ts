@@ -21,10 +21,16 @@ const STYLES = {
 } as const;
 
 for (const form of ['lobes', 'billboards']) {
-  for (const seconds of [3, 6]) {
-    test(`culling changes no pixel of the lamp of ${form} after ${seconds} s`, async ({ load }) => {
+  for (const [seconds, light] of [
+    [3, 'sun'],
+    [6, 'sun'],
+    [6, 'lamp'],
+  ] as const) {
+    test(`culling changes no pixel of the magic lamp of ${form} after ${seconds} s, lit by a ${light}`, async ({
+      load,
+    }) => {
       const cases = await load<Cases>(CASES);
-      const [values, places] = [{ ...DENSE, 'puff.form': form }, PLACES];
+      const [values, places] = [{ ...DENSE, 'puff.form': form, 'light.kind': light }, PLACES];
       const comparisons = await cases.evaluate(
         (module, input) => module.compareScene(input.values, input.seconds, input.places),
         { values, seconds, places },

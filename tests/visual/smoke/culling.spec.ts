@@ -16,6 +16,22 @@ test('culling changes no pixel of the lamp', async ({ load }) => {
   expectSame(comparisons);
 });
 
+test('culling changes no pixel of smoke in the light of a lamp', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const values = {
+    'simulation.maxParticles': 800,
+    'emission.rate': 150,
+    'light.kind': 'lamp',
+    'light.azimuth': -60,
+  };
+  const comparisons = await cases.evaluate(
+    (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),
+    values,
+  );
+  expectSame(comparisons);
+  for (const { casters } of comparisons) expect(casters[0]).toBeLessThan(0.8 * casters[1]);
+});
+
 test('culling changes no pixel of puffs that turn, stretch and unfold', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const values = {

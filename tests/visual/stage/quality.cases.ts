@@ -1,7 +1,9 @@
 /** Stages that draw fewer pixels than the page has. */
 import { createDevice, type Device } from '../../../src/device/device.ts';
+import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 import { differing, HEIGHT, pixelsOf, shown, SMALL, visibleCanvas, WIDTH } from './stage.cases.ts';
 
 /**
@@ -59,7 +61,8 @@ export async function governedScales(quality: 'auto' | undefined): Promise<{ pla
     return 1;
   };
   const canvas = new OffscreenCanvas(64, 48);
-  const stage = await createStage(canvas, { values: SMALL, width: 64, height: 48, pixelRatio: 1, quality });
+  const values = { ...presetValues(findPreset('air')!), ...PLAIN_LOOK, 'simulation.maxParticles': 50 };
+  const stage = await createStage(canvas, { values, width: 64, height: 48, pixelRatio: 1, quality });
   const played: number[] = [];
   stage.play();
   for (let now = 0, count = 0; count < 60; ++count) {

@@ -36,6 +36,34 @@ for (const { antialias, toneMapped, reversedDepthBuffer } of [
   });
 }
 
+for (const steps of [1, 2]) {
+  test(`smoke has the shadow on itself that it has in a stage, with ${steps} steps of shadow`, async ({ load }) => {
+    const cases = await load<Shadow>(SHADOW);
+    const { shadowed, different } = await cases.evaluate(
+      (module, count) => module.likeStage({ 'style.shadowSteps': count }),
+      steps,
+    );
+    expect(shadowed).toBeGreaterThan(60);
+    expect(different).toBeLessThanOrEqual(0.001 * 200 * 140);
+  });
+}
+
+test('the stencil of a scene serves the shadow on its objects only', async ({ load }) => {
+  const cases = await load<Shadow>(SHADOW);
+  const { alone, above, beside } = await cases.evaluate((module) => module.stencilDraws());
+  expect([alone, beside]).toEqual([0, 0]);
+  expect(above).toBeGreaterThan(0);
+});
+
+for (const antialias of [false, true]) {
+  test(`volumes begin and end where objects are, ${antialias ? 'counted' : 'by receiver'}`, async ({ load }) => {
+    const cases = await load<Shadow>(SHADOW);
+    const { different, dark } = await cases.evaluate((module, is) => module.longVolumes({ antialias: is }), antialias);
+    expect(dark).toBeGreaterThan(100);
+    expect(different).toBe(0);
+  });
+}
+
 test('an invisible box shadows the objects behind it', async ({ load }) => {
   const cases = await load<Shadow>(SHADOW);
   const { wrong, between, dark, lit } = await cases.evaluate((module) => module.meshShadow());

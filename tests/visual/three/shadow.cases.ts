@@ -12,10 +12,16 @@ import {
   type Object3D,
   type WebGLRendererParameters,
 } from 'three';
+import { pictureTarget } from '../../../src/device/pictureTarget.ts';
+import { drawFrame } from '../../../src/smoke/frame.ts';
+import type { FrameInput } from '../../../src/smoke/frameInput.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import type { HostPasses } from '../../../src/three/hostPasses.ts';
+import { lightFrom } from '../../../src/three/keyLight.ts';
 import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/three/proxies.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import {
+  changedPixels,
   differences,
   dispose,
   draw,
@@ -267,4 +273,85 @@ function isAt(picture: Pixels, pixel: number, source: Pixels, factor: readonly n
     const at = 4 * pixel + channel;
     return Math.abs(picture[at] - (source[at] * share) / 255) <= 1;
   });
+}
+
+/** Smoke alone: pixels of its shadow on itself, and pixels that differ from the frame of a stage. */
+export async function likeStage(values: Values = {}): Promise<{ shadowed: number; different: number }> {
+  const host = emptyHost();
+  const { renderer, scene, camera, keyLight } = host;
+  scene.background = null;
+  const smoke = await smokeIn(host, { ...SPREAD, 'emission.rate': 240, 'style.tones': 2, ...values });
+  const shown = draw(host);
+  renderer.autoClear = false;
+  const output = pictureTarget();
+  output.setSize(WIDTH, HEIGHT);
+  const { passes, simulator, style } = smoke as unknown as Record<'passes', HostPasses> &
+    Pick<FrameInput, 'simulator' | 'style'>;
+  const input = { simulator, camera, light: lightFrom(keyLight), blend: 1, rigids: [], cull: true, output };
+  const [stage, lit] = [style, { ...style, shadows: false }].map((each) => {
+    drawFrame(passes.smoke, { ...input, style: each, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
+    const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+    renderer.readRenderTargetPixels(output, 0, 0, WIDTH, HEIGHT, pixels);
+    // The canvas has no alpha, and is black without smoke.
+    return pixels.map((value, at) => (at % 4 === 3 ? 255 : value));
+  });
+  dispose(output, smoke, renderer);
+  return { shadowed: changedPixels(stage, lit, 2), different: changedPixels(shown, stage, 2) };
+}
+
+/**
+ * Draw calls with a stencil test into the canvas: for smoke alone, for smoke above a floor, and for smoke whose shadow falls
+ * beside an object.
+ */
+export async function stencilDraws(): Promise<Record<'alone' | 'above' | 'beside', number>> {
+  const host = emptyHost();
+  const { renderer, scene } = host;
+  const smoke = await smokeIn(host);
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const { drawElements } = gl;
+  let draws = 0;
+  gl.drawElements = (...call) => {
+    if (gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING) === null && gl.isEnabled(gl.STENCIL_TEST)) ++draws;
+    drawElements.apply(gl, call);
+  };
+  const drawsWith = (place: Vector3 | undefined) => {
+    const floor = new Mesh(new BoxGeometry(1, 0.1, 1), new MeshStandardMaterial());
+    if (place) scene.add(floor);
+    floor.position.copy(place ?? floor.position);
+    draws = 0;
+    draw(host);
+    floor.removeFromParent();
+    return draws;
+  };
+  const counts = {
+    alone: drawsWith(undefined),
+    above: drawsWith(new Vector3()),
+    beside: drawsWith(new Vector3(1.5, 0, 1)),
+  };
+  dispose(smoke, renderer);
+  return counts;
+}
+
+/**
+ * Pixels that differ if all volumes reach from their puffs through the whole scene, as an invisible object around it makes
+ * them do, and pixels in the shadow.
+ */
+export async function longVolumes(
+  parameters: WebGLRendererParameters,
+  values: Values = {},
+): Promise<{ different: number; dark: number }> {
+  const host = furnishedHost(makeRenderer(parameters));
+  host.camera.fov = 75;
+  host.camera.updateProjectionMatrix();
+  const before = draw(host);
+  const smoke = await smokeIn(host, { ...SPREAD, ...values });
+  const isSmoke = maskOf(host, smoke);
+  const short = draw(host);
+  host.scene.add(new Mesh(new BoxGeometry(60, 60, 60), UNSEEN));
+  const long = draw(host);
+  dispose(smoke, host.renderer);
+  return {
+    different: changedPixels(short, long),
+    dark: differences(before, short).filter((difference, pixel) => !isSmoke[pixel] && difference > 0).length,
+  };
 }

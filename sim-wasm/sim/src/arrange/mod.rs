@@ -1,4 +1,5 @@
-//! Arranging particles into rows: the visible ones, near to far, in a reused buffer.
+//! Arranging particles into rows: the visible ones, near to far, or the casters of a light, far to near, in a reused
+//! buffer.
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
@@ -15,10 +16,8 @@ use wide::f32x4;
 
 use crate::arrange::coverage::Coverage;
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::row_layout::{
-    AGE, ATTRIBUTE_WORDS, Attributes, CASTER_AGE, END, NO_END, PLACE_FLOATS, ROLL, SEED, VARIATION,
-};
-use crate::arrange::rows::RowSampler;
+use crate::arrange::row_layout::{ATTRIBUTE_WORDS, Attributes, NO_END, PLACE_FLOATS};
+use crate::arrange::rows::{RowSampler, caster};
 use crate::arrange::view::View;
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::{LANES, Vector4, blocks};
@@ -87,10 +86,11 @@ impl Arranger {
         );
         let count = match (&view.coverage, &chart_extent) {
             (Some(plan), Some(chart_extent)) => {
-                let attributes = |particle: usize| sampler.shape(particles, particle);
+                let shape = |particle: usize| sampler.shape(particles, particle);
                 let rows = &mut self.order[..count];
                 self.coverage.billow = sampler.is_deformed().then_some(sampler.billow);
-                self.coverage.cull(plan, chart_extent, rows, &self.place, attributes)
+                self.coverage
+                    .cull(plan, chart_extent, rows, &mut self.attributes, &self.place, shape)
             }
             _ => {
                 self.coverage.grid.empty();
@@ -101,21 +101,25 @@ impl Arranger {
         count
     }
 
-    /// Writes the rows of the remaining entries over the places used for culling.
+    /// Writes the rows of the remaining entries over the places used for culling, which left the shapes of the rows.
     fn write(&mut self, particles: &Particles, view: &View, sampler: &RowSampler, count: usize) {
+        if view.is_light {
+            // On GPUs, which test the stencil before the fragment shader, volumes far to near run it less often.
+            self.order[..count].reverse();
+            self.attributes[..count].reverse();
+        }
         let has_ends = view.coverage.is_some_and(|plan| plan.has_ends());
         for (row, [end, particle]) in self.order[..count].iter().enumerate() {
             let particle = *particle as usize;
             self.place[row] = sampler.place(particles, particle);
-            self.attributes[row] = sampler.attributes(particles, particle);
-            if view.is_light {
-                let end = if has_ends { *end } else { NO_END };
-                let attributes = &mut self.attributes[row];
-                let [roll, age] = [ROLL, AGE].map(|bits| bits.of(*attributes));
-                attributes[END.word] = ROLL.packed(roll) | END.packed(end);
-                let [variation, seed] = [VARIATION, SEED].map(|bits| bits.of(*attributes));
-                attributes[CASTER_AGE.word] = VARIATION.packed(variation) | SEED.packed(seed) | CASTER_AGE.packed(age);
-            }
+            let shape = match view.coverage {
+                Some(_) => self.attributes[row],
+                None => sampler.shape(particles, particle),
+            };
+            self.attributes[row] = match view.is_light {
+                true => caster(shape, if has_ends { *end } else { NO_END }),
+                false => sampler.body(particles, particle, shape),
+            };
         }
     }
 
@@ -127,7 +131,6 @@ impl Arranger {
         sampler: &RowSampler,
         mut chart_extent: Option<&mut ChartExtent>,
     ) -> usize {
-        let direction = Vector4::splat(view.direction);
         let mut extent = RowBounds::new();
         let mut count = 0;
         let found = entries(&mut self.attributes);
@@ -139,18 +142,17 @@ impl Arranger {
             if let (Some(chart_extent), Some(plan)) = (chart_extent.as_deref_mut(), &view.coverage) {
                 chart_extent.add(&plan.chart, place, radius * f32x4::splat(plan.radius_factor()), kept);
             }
-            let kept = kept.to_bitmask();
+            let kept = kept.to_bitmask() as usize;
             if view.coverage.is_some() {
                 let rows = f32x4::transpose([place.x, place.y, place.z, radius]);
                 let places = self.place[block * LANES..][..LANES].iter_mut();
                 places.zip(rows).for_each(|(place, row)| *place = row.to_array());
             }
-            let depth = place.dot(direction).to_array();
+            let depth = view.depth(place).to_array();
             for (lane, depth) in depth.into_iter().enumerate() {
-                if kept >> lane & 1 == 1 {
-                    found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
-                    count += 1;
-                }
+                // Without a branch: one more entry may be written than counts.
+                found[count] = [radix_sort::key(depth), (block * LANES + lane) as u32];
+                count += kept >> lane & 1;
             }
         }
         self.bounds = extent.corners();

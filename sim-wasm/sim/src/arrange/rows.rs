@@ -2,7 +2,8 @@
 
 use crate::arrange::deformation;
 use crate::arrange::row_layout::{
-    AGE, Attributes, Bits, EROSION, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT, VARIATION,
+    AGE, Attributes, Bits, CASTER_AGE, END, EROSION, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT,
+    VARIATION,
 };
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
@@ -62,7 +63,7 @@ impl RowSampler {
 
     /// The part of the packed attributes that determines the shape of particle `i`: roll, age, variation, seed, turn,
     /// stretch and erosion.
-    // Called in three loops; inlining would repeat it in each.
+    // Called in two loops; inlining would repeat it in each.
     #[inline(never)]
     pub fn shape(&self, particles: &Particles, i: usize) -> Attributes {
         let attributes = particles.attributes[i];
@@ -84,13 +85,23 @@ impl RowSampler {
             .map_or([0; 2], |law| deformation::packed(&law, particles, i, back))
     }
 
-    /// The packed attributes of particle `i`.
-    pub fn attributes(&self, particles: &Particles, i: usize) -> Attributes {
-        let [shape, constant, turn, stretch] = self.shape(particles, i);
+    /// The packed attributes of particle `i` for the eye, by its [`RowSampler::shape`].
+    pub fn body(&self, particles: &Particles, i: usize, [shape, constant, turn, stretch]: Attributes) -> Attributes {
         let heat = TEMPERATURE.packed(fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE));
         let tint = TINT.packed(particles.attributes[i] >> 28);
         [shape, constant | heat | tint, turn, stretch]
     }
+}
+
+/// The packed attributes for the light, by the [`RowSampler::shape`] of a particle and the end of its shadow.
+pub fn caster(shape: Attributes, end: u32) -> Attributes {
+    let [roll, constant, turn, stretch] = shape;
+    [
+        ROLL.packed(roll) | END.packed(end),
+        constant | CASTER_AGE.packed(AGE.of(shape)),
+        turn,
+        stretch,
+    ]
 }
 
 /// Variation and seed, which no step changes.

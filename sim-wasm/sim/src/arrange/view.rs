@@ -5,8 +5,9 @@ use wide::f32x4;
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::arrange::coverage::start_caps::ENTRIES;
-use crate::arrange::view_layout::{LIFTERS_LIMIT, VIEW_LENGTH, ViewNumbers};
+use crate::arrange::view_layout::{LIFTERS_LIMIT, NEAREST_LAMP, VIEW_LENGTH, ViewNumbers};
 use crate::layout::error::ParameterError;
+use crate::math::scalar::greater;
 use crate::math::simd::{Vector4, positive_part};
 
 /// Maximum number of covers.
@@ -19,6 +20,8 @@ pub struct View<'v> {
     pub blend: f32,
     /// Unit vector along which rows are sorted, near to far.
     pub direction: [f32; 3],
+    /// Place of a lamp, whose rows are sorted by their distance from it.
+    pub lamp: Option<[f32; 3]>,
     /// True for the casters of a light: rows hold the ends of shadows instead of ages.
     pub is_light: bool,
     /// Frustum culling, if enabled.
@@ -36,7 +39,7 @@ impl<'v> View<'v> {
             let limit = f64::from(f32::MAX);
             within(&format!("view[{index}]"), all[index], -limit, limit)?;
         }
-        within("view.purpose", numbers.purpose, 0.0, 1.0)?;
+        within("view.purpose", numbers.purpose, 0.0, 2.0)?;
         within("view.blend", numbers.blend, 0.0, 1.0)?;
         within("view.cull", numbers.cull, 0.0, 1.0)?;
         within("view.pad", numbers.pad, 0.0, 1e6)?;
@@ -48,10 +51,20 @@ impl<'v> View<'v> {
         Ok(Self {
             blend: numbers.blend,
             direction,
+            lamp: numbers.place_of_lamp(),
             is_light: numbers.purpose != 0.0,
             cull,
             coverage,
         })
+    }
+
+    /// Depths by which rows are sorted (m).
+    #[inline(always)]
+    pub fn depth(&self, place: Vector4) -> f32x4 {
+        match self.lamp {
+            None => place.dot(Vector4::splat(self.direction)),
+            Some(lamp) => (place - Vector4::splat(lamp)).length(),
+        }
     }
 }
 
@@ -137,6 +150,7 @@ pub struct Cull {
     reach: f32x4,
     pad: f32x4,
     sweep: Option<Sweep>,
+    lamp: Option<LampSweep>,
 }
 
 /// A plane with the signed distance n.x + d, positive inside; also any other linear function of the place.
@@ -157,6 +171,17 @@ struct Sweep {
     never: Vector4,
 }
 
+/// The paths of the shadows of a lamp.
+#[derive(Clone, Copy, Debug)]
+struct LampSweep {
+    place: Vector4,
+    /// Distances to the faces of the receivers' box in the positive and in the negative directions, and to its farthest
+    /// corner.
+    ahead: Vector4,
+    behind: Vector4,
+    farthest: f32x4,
+}
+
 impl Cull {
     fn new(numbers: &ViewNumbers, direction: [f32; 3]) -> Self {
         let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(numbers.clip_from_world[4 * column + row]));
@@ -171,13 +196,19 @@ impl Cull {
             clip_w: ExactPlane::new(row(3)).lanes(),
             reach: f32x4::splat(numbers.reach),
             pad: f32x4::splat(numbers.pad),
-            sweep: (numbers.purpose != 0.0).then(|| Sweep::new(numbers.receivers, direction)),
+            sweep: (numbers.purpose == 1.0).then(|| Sweep::new(numbers.receivers, direction)),
+            lamp: numbers
+                .place_of_lamp()
+                .map(|place| LampSweep::new(numbers.receivers, place)),
         }
     }
 
     /// A mask of the particles that may touch the frustum.
     #[inline(always)]
     pub fn keeps(&self, place: Vector4, radius: f32x4) -> f32x4 {
+        if let Some(lamp) = &self.lamp {
+            return lamp.reaches(&self.planes, place, radius * self.reach);
+        }
         let length = self.sweep.map_or(f32x4::ZERO, |sweep| sweep.length(place));
         let direction = self.sweep.map_or(Vector4::zero(), |sweep| sweep.direction);
         let w = self.clip_w.value(place);
@@ -236,6 +267,51 @@ impl ExactPlane {
             normal: Vector4::splat(self.normal.map(|component| component as f32)),
             offset: f32x4::splat(self.offset as f32),
         }
+    }
+}
+
+impl LampSweep {
+    fn new(receivers: [f32; 6], place: [f32; 3]) -> Self {
+        let ahead = [0, 1, 2].map(|axis: usize| receivers[3 + axis] - place[axis]);
+        let behind = [0, 1, 2].map(|axis: usize| place[axis] - receivers[axis]);
+        let corner = Vector4::splat([0, 1, 2].map(|axis: usize| greater(ahead[axis].abs(), behind[axis].abs())));
+        Self {
+            place: Vector4::splat(place),
+            ahead: Vector4::splat(ahead),
+            behind: Vector4::splat(behind),
+            farthest: corner.length(),
+        }
+    }
+
+    /// A mask of the balls whose shadows may touch the frustum: of those that are not empty, see [`Cull::keeps`].
+    #[inline(never)]
+    fn reaches(&self, planes: &[Plane; 4], place: Vector4, ball: f32x4) -> f32x4 {
+        let way = place - self.place;
+        let distance = way.length().fast_max(f32x4::splat(1e-6));
+        // A disc at the caster spans the same angle as the ball, and one at the end of the shadow, too.
+        let sine = (ball / distance).fast_min(f32x4::splat(1.0 / NEAREST_LAMP));
+        let radius = ball / (f32x4::splat(1.0) - sine * sine).sqrt();
+        let mut growth = self.farthest / distance;
+        let [x, y, z] = [
+            (way.x, self.ahead.x, self.behind.x),
+            (way.y, self.ahead.y, self.behind.y),
+            (way.z, self.ahead.z, self.behind.z),
+        ];
+        for (way, ahead, behind) in [x, y, z] {
+            let face = way.simd_gt(f32x4::ZERO).select(ahead, behind);
+            let least = way.abs() - radius;
+            growth = least.simd_gt(f32x4::ZERO).select(growth.fast_min(face / least), growth);
+        }
+        growth = growth.fast_max(f32x4::splat(1.0));
+        let size = place.x.abs() + place.y.abs() + place.z.abs() + distance;
+        let mut kept = ball.simd_gt(f32x4::ZERO);
+        for plane in planes {
+            let (at_lamp, start) = (plane.value(self.place), plane.value(place));
+            let touch = radius + (size + at_lamp.abs() + plane.offset.abs()) * f32x4::splat(4e-6);
+            let end = at_lamp + (start - at_lamp + touch) * growth;
+            kept &= (start + touch).fast_max(end).simd_ge(f32x4::ZERO);
+        }
+        kept
     }
 }
 

@@ -23,6 +23,11 @@ macro_rules! view_numbers {
             &[$((stringify!($name), size_of::<$Part>() / size_of::<f32>()),)*];
 
         impl ViewNumbers {
+            /// Place of the lamp, if the view is that of one.
+            pub fn place_of_lamp(&self) -> Option<[f32; 3]> {
+                (self.purpose == 2.0).then_some(self.lamp)
+            }
+
             /// Reads the numbers that start a view.
             pub fn read(numbers: &[f32; VIEW_LENGTH]) -> Self {
                 let mut numbers = numbers.iter();
@@ -43,7 +48,7 @@ macro_rules! view_numbers {
 }
 
 view_numbers! {
-    /// 0 for the bodies of the eye, 1 for the casters of a light.
+    /// 0 for the bodies of the eye, 1 for the casters of a sun, 2 for those of a lamp.
     purpose: f32,
     /// Interpolation between the previous step (0) and now (1).
     blend: f32,
@@ -53,7 +58,7 @@ view_numbers! {
     pad: f32,
     /// Matrix by columns.
     clip_from_world: [f32; 16],
-    /// Direction of the order: a unit vector.
+    /// Direction of the order: a unit vector. For a lamp, the direction towards the middle of the smoke.
     direction: [f32; 3],
     /// Factor on each radius.
     reach: f32,
@@ -87,7 +92,12 @@ view_numbers! {
     lifter_boxes: [[f32; 6]; LIFTERS_LIMIT],
     /// 1 if the tables of the start caps follow the balls, else 0.
     caps_follow: f32,
+    /// Place (m) of a lamp.
+    lamp: [f32; 3],
 }
+
+/// A lamp counts as at least this many radii away; as in shaders/lib/volume.glsl.
+pub(crate) const NEAREST_LAMP: f32 = 1.2;
 
 /// Count of the numbers of a view, without its solids.
 pub const VIEW_LENGTH: usize = size_of::<ViewNumbers>() / size_of::<f32>();

@@ -33,6 +33,11 @@ impl Vector4 {
         }
     }
 
+    #[inline(always)]
+    pub fn length(self) -> f32x4 {
+        self.dot(self).sqrt()
+    }
+
     /// The same number in every component.
     #[inline(always)]
     pub fn diagonal(value: f32x4) -> Self {

@@ -99,6 +99,20 @@ fn rows_come_near_to_far_and_are_complete() {
         places.dedup();
         assert_eq!(places.len(), 1001);
     }
+    let lamp = [3.0, 8.0, -2.0];
+    let view = ViewNumbers {
+        purpose: 2.0,
+        lamp,
+        ..view()
+    };
+    let rows = rows(&mut simulator, &view);
+    let distance = |row: &[f32; 4]| (0..3).map(|i| (row[i] - lamp[i]).powi(2)).sum::<f32>().sqrt();
+    assert_eq!(rows.len(), 1001);
+    assert!(
+        rows.windows(2)
+            .all(|pair| distance(&pair[0]) >= distance(&pair[1]) - 1e-5),
+        "out of order around a lamp"
+    );
 }
 
 #[test]
@@ -360,6 +374,41 @@ fn culling_keeps_every_caster_whose_sweep_touches_the_frustum() {
             assert!(
                 !(0..300).any(|_| touches()),
                 "the shadow of {row:?} along {direction:?} can be seen"
+            );
+        }
+        assert!(
+            kept.len() > 200 && kept.len() < 1900,
+            "{} of {} kept",
+            kept.len(),
+            all.len()
+        );
+    }
+}
+
+#[test]
+fn culling_keeps_every_caster_whose_shadow_of_a_lamp_touches_the_frustum() {
+    let mut simulator = cloud(2000);
+    let all = rows(&mut simulator, &view());
+    let mut random = Random::new(3);
+    for lamp in [[-16.0, 20.0, 3.0], [2.0, 11.0, -14.0], [0.0, 6.0, 0.0]] {
+        let view = ViewNumbers {
+            purpose: 2.0,
+            cull: 1.0,
+            lamp,
+            ..view()
+        };
+        let kept = rows(&mut simulator, &view);
+        for row in all.iter().filter(|row| !kept.contains(row)) {
+            let is_in_box = |at: [f64; 3]| (0..3).all(|i| f64::from(BOX[i]) <= at[i] && at[i] <= f64::from(BOX[3 + i]));
+            let mut touches = || {
+                let (ratio, place) = (1.0 + 9.0 * f64::from(random.unit()).powi(2), within(&mut random, *row));
+                let from = lamp.map(f64::from);
+                let at = [0, 1, 2].map(|i: usize| from[i] + ratio * (place[i] - from[i]));
+                is_in_box(at) && is_inside(&view.clip_from_world, at)
+            };
+            assert!(
+                !(0..300).any(|_| touches()),
+                "the shadow of {row:?} from {lamp:?} can be seen"
             );
         }
         assert!(

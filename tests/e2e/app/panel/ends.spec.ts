@@ -9,10 +9,12 @@ test.use({ viewport: { width: 96, height: 72 } });
 
 const SMALL = '#v=3&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
-test('parameters of the simulator change its state', async ({ page }) => {
+test('parameters of the simulator and items of all lists change its state, and all of them at once do not stop it', async ({
+  page,
+}) => {
   await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);
   await ask(page, (stage) => stage.step(60));
-  const trials = singleTrials('simulator', 'stage');
+  const trials = [...singleTrials('simulator', 'stage'), ...itemTrials()];
   // Saving and restoring a state without rigids is ten times as fast, and most rows need no rigids.
   const left = new Set(await withoutEffectOnState(page, trials));
   expect(left.size).toBeLessThan(trials.length / 4);
@@ -20,12 +22,6 @@ test('parameters of the simulator change its state', async ({ page }) => {
   await ask(page, (stage) => stage.step(60));
   const needing = trials.filter(({ name }) => left.has(name));
   expect(await withoutEffectOnState(page, needing)).toEqual([]);
-});
-
-test('items of all lists change its state, and all of them at once do not stop the simulator', async ({ page }) => {
-  await open(page, `?paused=1&ui=0${SMALL}`);
-  await ask(page, (stage) => stage.step(60));
-  expect(await withoutEffectOnState(page, itemTrials())).toEqual([]);
   await expectAlive(page);
 });
 

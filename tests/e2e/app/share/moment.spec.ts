@@ -2,7 +2,7 @@ import type { Page } from '@playwright/test';
 import { packBytes } from '../../../../src/preset/packing.ts';
 import { expect, knowGestures, test } from '../../../support/fixtures.ts';
 import { HASH_2, TAKE_2 } from '../../../support/sim/takeVersion2.ts';
-import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, messagesOf, open } from '../page.ts';
+import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, LIGHT, messagesOf, open } from '../page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
 
@@ -95,11 +95,11 @@ test('a moment of another scene, opened by the address bar, stays there until th
 test('without user input a moment is only its time; a long take replays with progress and can be stopped', async ({
   page,
 }) => {
-  await open(page, `?paused=1${LAMP}`);
+  await open(page, `?paused=1${LIGHT}`);
   await test.step('without user input a moment is only its time', async () => {
     await ask(page, (stage) => stage.step(7));
     const { search, hash } = new URL(await momentLink(page));
-    expect([search, hash]).toEqual(['?paused=1&t=0.117', LAMP]);
+    expect([search, hash]).toEqual(['?paused=1&t=0.117', LIGHT]);
   });
   await test.step('a long take replays with progress and can be stopped', async () => {
     await ask(page, (stage) => stage.blow({ x: 100, y: 100, dx: 5 }));
@@ -117,23 +117,22 @@ test('without user input a moment is only its time; a long take replays with pro
 });
 
 test('an invalid moment keeps the look, with a notice', async ({ page }) => {
-  await open(page, `?paused=1${LAMP}`);
-  const bytes = await ask(page, (stage) => {
-    stage.set({ 'simulation.maxParticles': 60_000 });
-    return [...stage.take().toBytes()];
-  });
-  const tooMany = await packBytes(Uint8Array.from(bytes));
-  for (const [take, message] of [
-    [tooMany, 'it needs room for 60000 particles. The limit for links is 50000.'],
-    ['AAAA', 'The moment in the link is damaged'],
-    ['AwA', 'The moment in the link cannot be shown'],
-  ]) {
-    await open(page, `?paused=1${LAMP}&puff.size=2&take=${take}`);
+  const expectRejected = async (take: string, message: string) => {
+    await open(page, `?paused=1${LIGHT}&puff.size=2&take=${take}`);
     await expect(page.locator('.notice')).toContainText(message);
     await expectValue(page, 'puff.size', 2);
     await ask(page, (stage) => stage.step(2));
     expect(await ask(page, (stage) => stage.stats.steps)).toBe(2);
-  }
+  };
+  await expectRejected('AAAA', 'The moment in the link is damaged');
+  await expectRejected('AwA', 'The moment in the link cannot be shown');
+  const bytes = await ask(page, (stage) => {
+    stage.restart();
+    stage.set({ 'simulation.maxParticles': 60_000 });
+    return [...stage.take().toBytes()];
+  });
+  const tooMany = await packBytes(Uint8Array.from(bytes));
+  await expectRejected(tooMany, 'it needs room for 60000 particles. The limit for links is 50000.');
   await test.step('a moment of version 2 is shown, with a notice', async () => {
     await open(page, `?paused=1#v=3&preset=wisp&puff.variations=1&take=${TAKE_2}`);
     await expect(page.locator('.notice')).toContainText('The smoke may end differently.');

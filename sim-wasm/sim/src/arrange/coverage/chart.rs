@@ -1,4 +1,5 @@
-//! The plane of coverage: the eye's image plane at unit depth, or a plane across the light.
+//! The plane of coverage: the eye's image plane at unit depth, a plane across the light of a sun, or the stereographic
+//! projection of the directions from a lamp, which hardly distorts small discs.
 
 use wide::f32x4;
 
@@ -11,12 +12,23 @@ pub(crate) struct Linear {
     pub offset: f32,
 }
 
-impl Linear {
-    #[inline(always)]
-    pub(crate) fn at(&self, place: [f32; 4]) -> f32 {
-        self.normal[0] * place[0] + self.normal[1] * place[1] + self.normal[2] * place[2] + self.offset
+/// Four linear functions, by columns.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Linears([f32x4; 4]);
+
+impl Linears {
+    pub(crate) fn new(lines: [Linear; 4]) -> Self {
+        Self([0, 1, 2, 3].map(|i| f32x4::new(lines.map(|line| line.normal.get(i).copied().unwrap_or(line.offset)))))
     }
 
+    #[inline(always)]
+    pub(crate) fn at(&self, place: [f32; 4]) -> f32x4 {
+        let [x, y, z, offset] = self.0;
+        x * f32x4::splat(place[0]) + y * f32x4::splat(place[1]) + z * f32x4::splat(place[2]) + offset
+    }
+}
+
+impl Linear {
     /// The value at a depth along `direction`, for a normal parallel to it or zero.
     pub(crate) fn at_depth(&self, depth: f32, direction: [f32; 3]) -> f32 {
         self.offset + depth * (0..3).map(|i| self.normal[i] * direction[i]).sum::<f32>()
@@ -38,6 +50,37 @@ pub(crate) struct Chart {
     pub axes: [[f32; 3]; 3],
     /// Limits of the view: left, low, right, high.
     pub limits: [f32; 4],
+    /// Place of the lamp, whose distance adds to `w`.
+    pub lamp: Option<[f32; 3]>,
+}
+
+impl Chart {
+    /// Depth along the view.
+    #[inline(always)]
+    pub(crate) fn depth(&self, place: [f32; 4]) -> f32 {
+        let [x, y, z] = match self.lamp {
+            None => return -dot(self.axes[2], [place[0], place[1], place[2]]),
+            Some(lamp) => from(lamp, place),
+        };
+        (x * x + y * y + z * z).sqrt()
+    }
+
+    #[inline(always)]
+    fn w_lanes(&self, place: Vector4) -> f32x4 {
+        let w = self.w.lanes(place);
+        self.lamp.map_or(w, |lamp| w + (place - Vector4::splat(lamp)).length())
+    }
+}
+
+/// The way from a lamp to a place.
+#[inline(always)]
+pub(crate) fn from(lamp: [f32; 3], place: [f32; 4]) -> [f32; 3] {
+    [0, 1, 2].map(|axis: usize| place[axis] - lamp[axis])
+}
+
+#[inline(always)]
+pub(crate) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The extent of all puffs on a chart, and their typical size.
@@ -51,7 +94,7 @@ pub(crate) struct ChartExtent {
 }
 
 /// Minimum clip w: nothing is drawn nearer to the eye.
-const MIN_W: f32 = 1e-3;
+pub(crate) const MIN_W: f32 = 1e-3;
 
 impl ChartExtent {
     pub(crate) fn new(chart: &Chart) -> Self {
@@ -69,7 +112,7 @@ impl ChartExtent {
     /// Adds balls of `radius` (m) in the lanes of `kept`.
     #[inline(always)]
     pub(crate) fn add(&mut self, chart: &Chart, place: Vector4, radius: f32x4, kept: f32x4) {
-        let scale = f32x4::splat(1.0) / chart.w.lanes(place).fast_max(f32x4::splat(MIN_W));
+        let scale = f32x4::splat(1.0) / chart.w_lanes(place).fast_max(f32x4::splat(MIN_W));
         let size = radius * scale;
         for (axis, line) in [chart.across, chart.up].iter().enumerate() {
             let middle = line.lanes(place) * scale;

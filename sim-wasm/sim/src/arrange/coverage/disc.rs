@@ -36,6 +36,14 @@ impl Disc {
         }
     }
 
+    /// A mask of the cells, of four at these squared distances, that a disc without a rim touches and where it is not
+    /// behind the depth.
+    #[inline(always)]
+    pub(crate) fn shows(&self, squared: f32x4, cells: f32x4) -> u32 {
+        let [depth, radius] = [self.depth, self.radius].map(f32x4::splat);
+        is_within(depth, radius, self.bulge, squared, cells)
+    }
+
     /// Depth of the front at a squared distance from the centre, for four cells. Outside of the disc, the depth of the
     /// centre plane.
     #[inline(always)]
@@ -84,9 +92,10 @@ impl Discs {
         &self.groups[..self.count]
     }
 
+    /// The disc in lane `number` of all groups.
     #[inline(always)]
-    pub(crate) fn get(&self, group: usize, lane: usize) -> Disc {
-        let group = &self.groups[group];
+    pub(crate) fn get(&self, number: usize) -> Disc {
+        let (group, lane) = (&self.groups[number / LANES], number % LANES);
         let value = |lanes: &f32x4| lanes.as_array()[lane];
         Disc {
             u: value(&group.u),
@@ -101,19 +110,39 @@ impl Discs {
 
     /// The disc with the greatest radius.
     pub(crate) fn largest(&self) -> Disc {
-        let all = (0..self.count).flat_map(|group| (0..LANES).map(move |lane| self.get(group, lane)));
+        let all = (0..self.count * LANES).map(|number| self.get(number));
         all.fold(Disc::default(), |largest, disc| {
             if disc.radius >= largest.radius { disc } else { largest }
         })
     }
 }
 
+impl DiscGroup {
+    /// A mask of the discs that touch a block at these squared distances and are not behind its depth.
+    #[inline(always)]
+    pub(crate) fn shows(&self, bulge: f32, squared: f32x4, block: f32x4) -> u32 {
+        let touched = squared.simd_lt(self.rim * self.rim);
+        let front = front(self.depth, self.radius, bulge, squared).fast_min(self.rim_depth);
+        (touched & block.simd_ge(front)).to_bitmask()
+    }
+
+    /// The same without rims.
+    #[inline(always)]
+    pub(crate) fn covers(&self, bulge: f32, squared: f32x4, block: f32x4) -> u32 {
+        is_within(self.depth, self.radius, bulge, squared, block)
+    }
+}
+
 /// Depth of a front at a squared distance from its centre.
 #[inline(always)]
 pub(crate) fn front(depth: f32x4, radius: f32x4, bulge: f32, squared: f32x4) -> f32x4 {
-    if bulge == 0.0 {
-        return depth;
-    }
     let height = (radius * radius - squared).fast_max(f32x4::ZERO).sqrt();
     depth - height * f32x4::splat(bulge)
+}
+
+/// A mask of the lanes where a disc is not behind `depths`. Beyond its radius the root is NaN and the comparison false.
+#[inline(always)]
+fn is_within(depth: f32x4, radius: f32x4, bulge: f32, squared: f32x4, depths: f32x4) -> u32 {
+    let height = (radius * radius - squared).sqrt();
+    depths.simd_ge(depth - height * f32x4::splat(bulge)).to_bitmask()
 }

@@ -1,14 +1,12 @@
 //! A grid of covered depths, with two coarser levels of 4 by 4 cells that hold the maximum depth.
 
-use wide::f32x4;
+use wide::{f32x4, u32x4};
 
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs, front};
+use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::polygon::Polygon;
-use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::math::scalar::greater;
-use crate::math::simd::LANES;
 
 /// Cells along a side of a block; also the number of SIMD lanes.
 const BLOCK: usize = 4;
@@ -18,6 +16,10 @@ const FINENESS: f32 = 10.0;
 const CELLS: [usize; 2] = [1 << 10, 1 << 16];
 const CELLS_A_PARTICLE: usize = 64;
 
+/// For each mask the positions of its bits; the rest means nothing.
+const POSITIONS: [[u32; BLOCK]; 1 << BLOCK] = positions();
+/// Blocks that are tested at a time.
+const BATCH: usize = 64;
 /// Distance from the middle of a block to its edge, in cells.
 const BLOCK_EDGE: f32 = BLOCK as f32 / 2.0;
 
@@ -44,8 +46,9 @@ pub(crate) struct CoverageGrid {
     /// Maxima of 4 by 4 blocks.
     fields: Vec<f32>,
     coarsest: Lattice,
-    /// Column and row of the blocks in which the hull may show that was tested last.
-    open: Vec<[u16; 2]>,
+    /// The blocks in which the hull may show that was tested last: column, and row in the upper half; and their number.
+    open: Vec<u32>,
+    open_count: usize,
     covers: usize,
     /// Limits of the grid beyond which puffs may show: left, low, right, high, in cells.
     ends: [f32; 4],
@@ -67,7 +70,8 @@ impl CoverageGrid {
             coarse: Lattice::default(),
             fields: vec![NOTHING; cells / 16 + BLOCK],
             coarsest: Lattice::default(),
-            open: Vec::with_capacity(cells / 4 + BLOCK),
+            open: vec![0; cells / 4 + BLOCK],
+            open_count: 0,
             covers: 1,
             ends: [0.0; 4],
             corner: [0.0; 2],
@@ -118,18 +122,14 @@ impl CoverageGrid {
                 row[..columns].fill(NOTHING);
             }
         }
-        let blocks = &mut self.blocks[..self.coarse.stride * self.coarse.rows];
-        blocks.fill(OUTSIDE);
-        for row in blocks.chunks_exact_mut(self.coarse.stride) {
-            row[..self.coarse.columns].fill(NOTHING);
+        self.coarsest = lattice(self.coarse.columns.div_ceil(BLOCK), self.coarse.rows.div_ceil(BLOCK));
+        for (level, depths) in [(&self.coarse, &mut self.blocks), (&self.coarsest, &mut self.fields)] {
+            let depths = &mut depths[..level.stride * level.rows];
+            depths.fill(OUTSIDE);
+            for row in depths.chunks_exact_mut(level.stride) {
+                row[..level.columns].fill(NOTHING);
+            }
         }
-        let fields = self.coarse.columns.div_ceil(BLOCK);
-        self.coarsest = Lattice {
-            columns: fields,
-            rows: self.coarse.rows.div_ceil(BLOCK),
-            stride: fields,
-        };
-        self.fields[..fields * self.coarsest.rows].fill(NOTHING);
     }
 
     /// Empties the grid.
@@ -157,21 +157,21 @@ impl CoverageGrid {
     /// Returns true if the whole hull of a puff is covered. Finds the blocks in which it may show, for the calls that
     /// follow for the same puff.
     pub(crate) fn hides_hull(&mut self, hull: &Disc) -> bool {
-        self.open.clear();
+        self.open_count = 0;
         let (fields, blocks) = (hull.on_coarser((BLOCK * BLOCK) as f32), hull.on_coarser(BLOCK as f32));
         let [left, low, right, high] = self.coarsest.around(&fields);
         for row in low..high {
             let beside = nearest_squared(row, fields.v);
             for column in (left..right).step_by(BLOCK) {
                 let depths = load(&self.fields, row * self.coarsest.stride + column);
-                let mask = shown(&fields, nearest(&fields, column, beside), depths, &self.range);
+                let mask = fields.shows(nearest(&fields, column, beside), depths);
                 // The last lanes may lie in the next row.
                 for lane in lanes(mask).take_while(|lane| column + lane < right) {
                     self.open_blocks(&blocks, column + lane, row);
                 }
             }
         }
-        self.open.is_empty() && !self.is_left_by(hull)
+        self.open_count == 0 && !self.is_left_by(hull)
     }
 
     /// Finds the blocks of a field in which a hull may show; its lengths are in blocks.
@@ -180,10 +180,11 @@ impl CoverageGrid {
         let column = column * BLOCK;
         for row in row * BLOCK..((row + 1) * BLOCK).min(self.coarse.rows) {
             let squared = nearest(hull, column, nearest_squared(row, hull.v));
-            let depths = load(&self.blocks, row * self.coarse.stride + column);
-            let mask = shown(hull, squared, depths, &self.range);
-            self.open
-                .extend(lanes(mask).map(|lane| [(column + lane) as u16, row as u16]));
+            let mask = hull.shows(squared, load(&self.blocks, row * self.coarse.stride + column));
+            // Without a branch for each block: of four numbers, as many count as there are bits.
+            let found = u32x4::splat((row << 16 | column) as u32) + u32x4::new(POSITIONS[mask as usize]);
+            self.open[self.open_count..self.open_count + BLOCK].copy_from_slice(found.as_array());
+            self.open_count += mask.count_ones() as usize;
         }
     }
 
@@ -226,26 +227,16 @@ impl CoverageGrid {
     pub(crate) fn hides(&self, discs: &Discs) -> bool {
         let last = &self.depths[(self.covers - 1) * self.layer()..];
         !discs.groups().iter().any(|group| self.is_left_by_any(group))
-            && self.open.iter().all(|block| {
-                let [column, row] = block.map(usize::from);
-                let depth = self.blocks[row * self.coarse.stride + column];
-                (0..discs.count).all(|index| {
-                    let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE, 0.0);
-                    let mask = self.shown_of(discs, index, squared, depth);
-                    !lanes(mask).any(|lane| self.shows_in_block(last, &discs.get(index, lane), column, row))
+            && !(0..discs.count).any(|index| {
+                let group = discs.groups[index];
+                self.open[..self.open_count].iter().any(|block| {
+                    let (column, row) = column_and_row(*block);
+                    let squared = nearest_of(&group, column, row, BLOCK_EDGE, 0.0);
+                    let depth = f32x4::splat(self.blocks[row * self.coarse.stride + column]);
+                    lanes(group.shows(discs.bulge, squared, depth))
+                        .any(|lane| self.shows_in_block(last, &discs.get(index * BLOCK + lane), column, row))
                 })
             })
-    }
-
-    /// A mask of the discs of a group that show in a block at these squared distances, unless its cells are nearer than
-    /// its depth.
-    #[inline(always)]
-    fn shown_of(&self, discs: &Discs, index: usize, squared: f32x4, depth: f32) -> u32 {
-        let group = &discs.groups[index];
-        let touched = squared.simd_lt(group.rim * group.rim);
-        let front = front(group.depth, group.radius, discs.bulge, squared).fast_min(group.rim_depth);
-        let drawn = front.fast_max(self.range[0]).fast_min(self.range[1]);
-        (touched & f32x4::splat(depth).simd_ge(drawn)).to_bitmask()
     }
 
     fn is_left_by_any(&self, group: &DiscGroup) -> bool {
@@ -261,7 +252,7 @@ impl CoverageGrid {
         (0..BLOCK).any(|line| {
             let beside = nearest_squared(row * BLOCK + line, disc.v);
             let cells = load(depths, at + line * self.fine.stride);
-            shown(disc, nearest(disc, column * BLOCK, beside), cells, &self.range) != 0
+            shown(disc, nearest(disc, column * BLOCK, beside), cells) != 0
         })
     }
 
@@ -275,49 +266,59 @@ impl CoverageGrid {
     /// Adds the covered area of the puff whose hull was tested last. With several covers it must be a single disc.
     pub(crate) fn cover(&mut self, discs: &Discs) {
         let mut changed = [usize::MAX, usize::MAX, 0, 0];
-        for at in 0..self.open.len() {
-            let [column, row] = self.open[at].map(usize::from);
-            let block = row * self.coarse.stride + column;
-            let masks: [u32; BALLS_LIMIT / LANES] = std::array::from_fn(|index| {
-                if index >= discs.count {
-                    return 0;
+        for from in (0..self.open_count).step_by(BATCH) {
+            let mut batch = [0; BATCH];
+            let count = (self.open_count - from).min(BATCH);
+            let batch = &mut batch[..count];
+            batch.copy_from_slice(&self.open[from..from + count]);
+            let mut masks = [0; BATCH];
+            for (index, group) in discs.groups().iter().enumerate() {
+                let group = *group;
+                for (block, mask) in batch.iter().zip(&mut masks) {
+                    let (column, row) = column_and_row(*block);
+                    // Only what covers a whole cell counts.
+                    let squared = nearest_of(&group, column, row, BLOCK_EDGE - 1.0, 0.5);
+                    let depth = f32x4::splat(self.blocks[row * self.coarse.stride + column]);
+                    *mask |= group.covers(discs.bulge, squared, depth) << (index * BLOCK);
                 }
-                // Only what covers a whole cell counts.
-                let squared = nearest_of(&discs.groups[index], column, row, BLOCK_EDGE - 1.0, 0.5);
-                self.shown_of(discs, index, squared, self.blocks[block])
-            });
-            if masks != [0; BALLS_LIMIT / LANES] {
-                self.blocks[block] = self.mark(discs, masks, column, row);
-                changed = [
-                    changed[0].min(column),
-                    changed[1].min(row),
-                    changed[2].max(column),
-                    changed[3].max(row),
-                ];
+            }
+            for (block, mask) in batch.iter().zip(masks) {
+                if mask != 0 {
+                    let (column, row) = column_and_row(*block);
+                    self.blocks[row * self.coarse.stride + column] = self.mark(discs, mask, column, row);
+                    changed = [
+                        changed[0].min(column),
+                        changed[1].min(row),
+                        changed[2].max(column),
+                        changed[3].max(row),
+                    ];
+                }
             }
         }
         self.gather_fields(changed);
     }
 
-    /// Adds the parts of discs in a block. Returns the new maximum depth of the last cover.
+    /// Adds the parts in a block of the discs in `mask`. Returns the new maximum depth of the last cover.
     #[inline(always)]
-    fn mark(&mut self, discs: &Discs, masks: [u32; BALLS_LIMIT / LANES], column: usize, row: usize) -> f32 {
-        let mut depths = [f32x4::splat(NOTHING); BLOCK];
-        for (index, mask) in masks.into_iter().enumerate() {
-            for lane in lanes(mask) {
-                let disc = discs.get(index, lane);
-                let along = away(&disc, column * BLOCK) + f32x4::splat(0.5);
-                let along = along * along;
-                for (line, depth) in depths.iter_mut().enumerate() {
-                    let beside = ((row * BLOCK + line) as f32 + 0.5 - disc.v).abs() + 0.5;
-                    let certain = certain(&disc, along + f32x4::splat(beside * beside), &self.range);
-                    *depth = depth.fast_min(certain);
-                }
-            }
+    fn mark(&mut self, discs: &Discs, mask: u32, column: usize, row: usize) -> f32 {
+        let [mut first, mut second, mut third, mut fourth] = [f32x4::splat(NOTHING); BLOCK];
+        for number in lanes(mask) {
+            let disc = discs.get(number);
+            let squared = |start: usize, at: f32| {
+                let away = (middles(start) - f32x4::splat(at)).abs() + f32x4::splat(0.5);
+                away * away
+            };
+            let along = away(&disc, column * BLOCK) + f32x4::splat(0.5);
+            let along = along * along;
+            let [a, b, c, d] = squared(row * BLOCK, disc.v).to_array();
+            first = first.fast_min(certain(&disc, along, a, &self.range));
+            second = second.fast_min(certain(&disc, along, b, &self.range));
+            third = third.fast_min(certain(&disc, along, c, &self.range));
+            fourth = fourth.fast_min(certain(&disc, along, d, &self.range));
         }
         let layer = self.layer();
         let mut farthest = f32x4::splat(OUTSIDE);
-        for (line, mut depth) in depths.into_iter().enumerate() {
+        for (line, mut depth) in [first, second, third, fourth].into_iter().enumerate() {
             for cover in 0..self.covers {
                 let at = cover * layer + (row * BLOCK + line) * self.fine.stride + column * BLOCK;
                 let cells = load(&self.depths, at);
@@ -372,6 +373,23 @@ impl Lattice {
     }
 }
 
+const fn positions() -> [[u32; BLOCK]; 1 << BLOCK] {
+    let mut all = [[0; BLOCK]; 1 << BLOCK];
+    let mut mask = 0;
+    while mask < all.len() {
+        let (mut lane, mut count) = (0, 0);
+        while lane < BLOCK {
+            if mask >> lane & 1 == 1 {
+                all[mask][count] = lane as u32;
+                count += 1;
+            }
+            lane += 1;
+        }
+        mask += 1;
+    }
+    all
+}
+
 /// The cell at a position; the first one left of or below the grid.
 #[inline(always)]
 fn cell_at(position: f32) -> usize {
@@ -422,21 +440,34 @@ fn nearest_of(group: &DiscGroup, column: usize, row: usize, edge: f32, least: f3
 }
 
 /// A mask of the cells, of four at these squared distances, that the disc touches and where it is not behind the depth.
+/// Depths of cells are infinite or in the range of drawn depths, so clamping the disc to this range changes nothing.
 #[inline(always)]
-fn shown(disc: &Disc, squared: f32x4, cells: f32x4, range: &[f32x4; 2]) -> u32 {
+fn shown(disc: &Disc, squared: f32x4, cells: f32x4) -> u32 {
     let touched = squared.simd_lt(f32x4::splat(disc.rim * disc.rim));
     let front = disc.front(squared).fast_min(f32x4::splat(disc.rim_depth));
-    let drawn = front.fast_max(range[0]).fast_min(range[1]);
-    (touched & cells.simd_ge(drawn)).to_bitmask()
+    (touched & cells.simd_ge(front)).to_bitmask()
 }
 
-/// Maximum depth of the disc in each of four cells, by the squared distances of their farthest corners; infinite unless
-/// it covers the whole cell.
+/// Maximum depth of the disc in each of four cells, by the squared distances of their farthest corners along and beside
+/// the row; infinite unless it covers the whole cell.
 #[inline(always)]
-fn certain(disc: &Disc, squared: f32x4, range: &[f32x4; 2]) -> f32x4 {
+fn certain(disc: &Disc, along: f32x4, beside: f32, range: &[f32x4; 2]) -> f32x4 {
+    let squared = along + f32x4::splat(beside);
     let depth = disc.front(squared).fast_max(range[0]);
     let covers = squared.simd_lt(f32x4::splat(disc.radius * disc.radius)) & depth.simd_lt(range[1]);
     covers.select(depth, f32x4::splat(NOTHING))
+}
+
+/// Middles of four cells in a row or column from `start` on.
+#[inline(always)]
+fn middles(start: usize) -> f32x4 {
+    f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(start as f32)
+}
+
+/// Column and row of a block in a list.
+#[inline(always)]
+fn column_and_row(block: u32) -> (usize, usize) {
+    ((block & 0xffff) as usize, (block >> 16) as usize)
 }
 
 /// Distance in cells from the centre of the disc to those of four cells in a row.

@@ -47,15 +47,16 @@ impl Coverage {
         }
     }
 
-    /// Culls `rows`: keys and particle indices, in order. `places` and `attributes` are those of the particles. Returns
-    /// the number of rows that stay. For shadows the keys become ends.
+    /// Culls `rows`: keys and particle indices, in order. `places` and `shape` are those of the particles. Returns the
+    /// number of rows that stay, with their shapes in `shapes`. For shadows the keys become ends.
     pub(crate) fn cull(
         &mut self,
         plan: &Plan,
         extent: &ChartExtent,
         rows: &mut [Entry],
+        shapes: &mut [Attributes],
         places: &[[f32; 4]],
-        attributes: impl Fn(usize) -> Attributes,
+        shape: impl Fn(usize) -> Attributes,
     ) -> usize {
         self.grid.reset(plan, extent);
         let outliner = Outliner::new(plan, &self.grid, &self.orientations, self.billow);
@@ -71,16 +72,17 @@ impl Coverage {
             if !outliner.place(place, &mut self.outline) || self.grid.hides_hull(&self.outline.hull) {
                 continue;
             }
-            outliner.draw(place, attributes(particle), &mut self.outline);
+            let shape = shape(particle);
+            outliner.draw(place, shape, &mut self.outline);
             if self.is_hidden(plan) {
                 continue;
             }
             self.grid.cover(&self.outline.inner);
-            rows[kept] = rows[at];
+            (rows[kept], shapes[kept]) = (rows[at], shape);
             kept += 1;
         }
         if plan.has_ends() {
-            kept = self.shorten(plan, extent, &mut rows[..kept], places, attributes);
+            kept = self.shorten(plan, extent, &mut rows[..kept], shapes, places);
         }
         kept
     }
@@ -99,16 +101,15 @@ impl Coverage {
         plan: &Plan,
         extent: &ChartExtent,
         rows: &mut [Entry],
+        shapes: &mut [Attributes],
         places: &[[f32; 4]],
-        attributes: impl Fn(usize) -> Attributes,
     ) -> usize {
         self.grid.reset(plan, extent);
         let outliner = Outliner::new(plan, &self.grid, &self.orientations, self.billow);
         let typical = extent.typical() / plan.radius_factor();
         for are_large in [true, false] {
-            for row in rows.iter_mut() {
-                let particle = row[1] as usize;
-                let place = places[particle];
+            for (row, shape) in rows.iter_mut().zip(&*shapes) {
+                let place = places[row[1] as usize];
                 if (place[3] > LARGE * typical) != are_large {
                     continue;
                 }
@@ -117,7 +118,7 @@ impl Coverage {
                     row[0] = NOTHING_LEFT;
                     continue;
                 }
-                outliner.draw(place, attributes(particle), &mut self.outline);
+                outliner.draw(place, *shape, &mut self.outline);
                 let polygon = &self.outline.polygon;
                 let farthest = self.grid.farthest(polygon, polygon.depth, f32::INFINITY);
                 row[0] = outliner.end(place, farthest, &self.outline);
@@ -129,7 +130,7 @@ impl Coverage {
         let mut kept = 0;
         for at in 0..rows.len() {
             if rows[at][0] != NOTHING_LEFT {
-                rows[kept] = rows[at];
+                (rows[kept], shapes[kept]) = (rows[at], shapes[at]);
                 kept += 1;
             }
         }

@@ -2,15 +2,17 @@
 
 use wide::f32x4;
 
+use crate::arrange::coverage::chart::{Linear, Linears, MIN_W, dot, from};
 use crate::arrange::coverage::disc::{Disc, DiscGroup, Discs};
 use crate::arrange::coverage::grid::CoverageGrid;
-use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, Shadows};
-use crate::arrange::coverage::polygon::Polygon;
+use crate::arrange::coverage::plan::{Bodies, Plan, PlanKind, ShadowFrame, Shadows};
+use crate::arrange::coverage::polygon::{Polygon, Reaches};
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls};
 use crate::arrange::deformation::undeformed;
 use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
-use crate::math::scalar::{clamped, greater};
-use crate::math::simd::{LANES, positive_part};
+use crate::arrange::view_layout::NEAREST_LAMP;
+use crate::math::scalar::{clamped, greater, lesser};
+use crate::math::simd::positive_part;
 
 /// In the place of an end: nothing is left of the shadow.
 pub(super) const NOTHING_LEFT: u32 = NO_END + 1;
@@ -29,6 +31,8 @@ const MIN_COVERING_GROWTH: f32 = 0.05;
 const GROWTH_TOLERANCE: f32 = 0.002;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
+/// Radii by which the chart of a lamp may move a point of a shadow that covers others.
+const MAX_BEND: f32 = 0.25;
 
 /// The discs of one row. The memory is reused.
 #[derive(Debug, Default)]
@@ -41,6 +45,7 @@ pub(crate) struct Outline {
     pub inner: Discs,
     /// What a body may show.
     pub outer: Discs,
+    frame: ShadowFrame,
     balls: RotatedBalls,
     projected: ProjectedPuff,
 }
@@ -60,6 +65,8 @@ struct ProjectedPuff {
     tolerance: f32,
     /// Distance (m) by which its ring may be nearer than its lobes.
     lift: f32,
+    /// Displacement of its shadow's start by the nailboard's shear (radii).
+    shear: f32,
     covers: bool,
 }
 
@@ -70,7 +77,9 @@ pub(crate) struct Outliner<'a> {
     orientations: &'a Orientations,
     /// Share by which young puffs are folded; none if all puffs have their baked shapes.
     billow: Option<f32>,
-    corner: [f32; 2],
+    /// Across, up, w and depth.
+    lines: Linears,
+    corner: f32x4,
     density: f32,
 }
 
@@ -81,17 +90,24 @@ impl<'a> Outliner<'a> {
         orientations: &'a Orientations,
         billow: Option<f32>,
     ) -> Self {
+        let chart = &plan.chart;
+        let depth = Linear {
+            normal: chart.axes[2].map(|component| -component),
+            offset: 0.0,
+        };
+        let [left, low] = grid.corner;
         Self {
             plan,
             orientations,
             billow,
-            corner: grid.corner,
+            lines: Linears::new([chart.across, chart.up, chart.w, depth]),
+            corner: f32x4::new([left, low, 0.0, 0.0]),
             density: grid.density,
         }
     }
 
     /// Writes the bounding disc of a row. Returns false if nothing of it is drawn.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn place(&self, place: [f32; 4], outline: &mut Outline) -> bool {
         match &self.plan.kind {
             PlanKind::Bodies(bodies) => self.place_body(bodies, place, outline),
@@ -100,7 +116,7 @@ impl<'a> Outliner<'a> {
     }
 
     /// Writes the discs of the row that `place` projected.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn draw(&self, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
         // A puff that is eroded may have holes.
         outline.projected.covers &= EROSION.of(attributes) == 0;
@@ -112,8 +128,7 @@ impl<'a> Outliner<'a> {
 
     /// Rows of the map from a puff's frame to the axes of the chart, for a puff fixed in world space.
     #[inline(always)]
-    fn standing(&self, attributes: Attributes) -> [[f32; 3]; 3] {
-        let axes = &self.plan.chart.axes;
+    fn standing(&self, attributes: Attributes, axes: &[[f32; 3]; 3]) -> [[f32; 3]; 3] {
         match self.billow {
             None => self.orientations.standing(attributes, axes),
             Some(_) => self
@@ -125,25 +140,35 @@ impl<'a> Outliner<'a> {
     #[inline(always)]
     fn projected(&self, place: [f32; 4]) -> ProjectedPuff {
         let chart = &self.plan.chart;
-        let w = chart.w.at(place);
-        let [_, _, back] = &chart.axes;
-        let size = place[0].abs() + place[1].abs() + place[2].abs();
+        let lines = self.lines.at(place);
+        let [_, _, mut w, mut depth] = lines.to_array();
+        let mut size = place[0].abs() + place[1].abs() + place[2].abs();
+        if chart.lamp.is_some() {
+            depth = chart.depth(place);
+            w = greater(w + depth, MIN_W);
+            size += depth;
+        }
+        let [u, v, _, _] = ((lines / f32x4::splat(w) - self.corner) * f32x4::splat(self.density)).to_array();
         ProjectedPuff {
-            u: (chart.across.at(place) / w - self.corner[0]) * self.density,
-            v: (chart.up.at(place) / w - self.corner[1]) * self.density,
+            u,
+            v,
             density: self.density / w,
-            depth: -(back[0] * place[0] + back[1] * place[1] + back[2] * place[2]),
+            depth,
             w,
             radius: place[3],
             slack: ROUNDING * size,
             tolerance: ROUNDING * size / place[3],
             lift: 0.0,
+            shear: 0.0,
             covers: true,
         }
     }
 
     /// The end of the shadow that was just drawn, if others continue from `depth`.
     pub(crate) fn end(&self, place: [f32; 4], depth: f32, outline: &Outline) -> u32 {
+        if outline.projected.tolerance == f32::INFINITY {
+            return NO_END;
+        }
         if depth <= outline.polygon.depth {
             return NOTHING_LEFT;
         }
@@ -155,6 +180,7 @@ impl<'a> Outliner<'a> {
         }
     }
 
+    #[inline(never)]
     fn place_body(&self, bodies: &Bodies, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut projected = self.projected(place);
         let grown = grown(projected.depth - self.plan.range[0], place[3]);
@@ -190,6 +216,7 @@ impl<'a> Outliner<'a> {
         true
     }
 
+    #[inline(never)]
     fn draw_body(&self, bodies: &Bodies, attributes: Attributes, outline: &mut Outline) {
         let projected = outline.projected;
         outline.inner.count = 0;
@@ -200,7 +227,7 @@ impl<'a> Outliner<'a> {
         let rotation = if bodies.solids.faces_eye {
             self.orientations.facing(attributes, &VIEW_AXES)
         } else {
-            self.standing(attributes)
+            self.standing(attributes, &self.plan.chart.axes)
         };
         bodies
             .solids
@@ -246,24 +273,29 @@ impl<'a> Outliner<'a> {
         (outline.inner.bulge, outline.outer.bulge) = (bulge, bulge);
     }
 
+    #[inline(never)]
     fn place_shadow(&self, shadows: &Shadows, place: [f32; 4], outline: &mut Outline) -> bool {
         let mut projected = self.projected(place);
-        let [eye_w, shear] = shadows.seen(place, self.tallest(shadows));
-        projected.covers = eye_w > place[3] || !shadows.eye.is_perspective;
-        projected.tolerance += shadows.tolerance + EDGE_ROUNDING;
+        let frame = match self.plan.chart.lamp {
+            None => shadows.frame,
+            Some(lamp) => shadows.frame_at(lamp, place, projected.depth),
+        };
+        let [eye_w, shear] = shadows.seen(place, self.tallest(shadows), &frame);
+        projected.shear = shear;
+        let bend = frame.bend(shadows.reach);
+        projected.covers = (eye_w > place[3] || !shadows.eye.is_perspective) && bend < MAX_BEND;
+        projected.tolerance += shadows.tolerance + EDGE_ROUNDING + bend;
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
         projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
         let start = if projected.covers {
             projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
         } else {
-            f32::NEG_INFINITY
+            // Less than all depths, but not than those outside of the grid.
+            f32::MIN
         };
-        outline.hull = flat(
-            &projected,
-            (shadows.reach + projected.tolerance) * place[3],
-            start - projected.slack,
-        );
-        outline.projected = projected;
+        let radius = (frame.across(shadows.reach) + projected.tolerance) * place[3];
+        outline.hull = flat(&projected, radius, start - projected.slack);
+        (outline.projected, outline.frame) = (projected, frame);
         place[3] > 0.0
     }
 
@@ -277,51 +309,54 @@ impl<'a> Outliner<'a> {
 
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
     /// them bounds what it may darken.
+    #[inline(never)]
     fn draw_shadow(&self, shadows: &Shadows, place: [f32; 4], attributes: Attributes, outline: &mut Outline) {
-        let projected = outline.projected;
+        let (projected, frame) = (outline.projected, outline.frame);
         let rotation = if shadows.solids.faces_eye {
-            self.orientations.facing(attributes, &shadows.axes_in_view)
+            self.orientations.facing(attributes, &frame.in_view)
         } else {
-            self.standing(attributes)
+            self.standing(attributes, &frame.axes)
         };
         shadows
             .solids
             .rotate(attributes, &rotation, self.billow, &mut outline.balls);
-        let [_, shear] = shadows.seen(place, self.tallest(shadows));
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
-        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, shear) * place[3]);
+        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, projected.shear) * place[3]);
         let cells = place[3] * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
         } else {
             f32::NEG_INFINITY
         };
-        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        // The starts are planes across the light; the rays of a lamp that are beside the middle reach them farther on.
+        let edge = frame.across(shadows.reach) * frame.growth;
+        let start = starts[1] * (1.0 + edge * edge).sqrt();
+        let mut reaches = Reaches::new();
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
-            let (x, y) = (ball.x * lanes(cells), ball.y * lanes(cells));
-            let widest = ball.radius * lanes(outline.balls.ratio);
+            let nearness = lanes(1.0) / (lanes(1.0) - lanes(frame.growth) * ball.z);
+            let (x, y) = (ball.x * nearness * lanes(cells), ball.y * nearness * lanes(cells));
+            let inside = ball.radius * nearness;
+            let slope = inside * lanes(frame.growth);
+            let widest = inside * lanes(outline.balls.ratio) / (lanes(1.0) - slope * slope).sqrt();
             let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
-            for lane in 0..LANES {
-                if ball.radius.as_array()[lane] > 0.0 {
-                    let at = |lanes: &f32x4| lanes.as_array()[lane];
-                    outline.polygon.hold(at(&x), at(&y), at(&outside));
-                }
-            }
-            let radius = is_present & positive_part((ball.radius - lanes(projected.tolerance)) * lanes(cells));
+            reaches.add(x, y, is_present.select(outside, lanes(f32::NEG_INFINITY)));
+            let radius = is_present & positive_part((inside - lanes(projected.tolerance)) * lanes(cells));
             outline.inner.groups[group] = DiscGroup {
                 u: lanes(projected.u) + x,
                 v: lanes(projected.v) + y,
                 radius,
-                depth: lanes(starts[1] + projected.slack),
+                depth: lanes(start + projected.slack),
                 rim: radius,
                 rim_depth: lanes(f32::INFINITY),
             };
         }
+        outline.polygon = Polygon::at(projected.u, projected.v, nearest);
+        outline.polygon.extend(&reaches);
         outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
@@ -353,13 +388,60 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
     }
 }
 
+impl ShadowFrame {
+    /// Radius of a puff's shadow at its centre (radii).
+    #[inline(never)]
+    fn across(&self, reach: f32) -> f32 {
+        let sine = lesser(self.growth * reach, 1.0 / NEAREST_LAMP);
+        reach / (1.0 - sine * sine).sqrt()
+    }
+
+    /// Distance (radii) by which the chart of a lamp moves a point of a puff's shadow, against a plane at its centre.
+    #[inline(never)]
+    fn bend(&self, reach: f32) -> f32 {
+        if self.growth == 0.0 {
+            return 0.0;
+        }
+        let across = self.across(reach);
+        let edge = across * self.growth;
+        let w = 1.0 + self.cosine - edge * self.sine;
+        if w > 0.0 && self.growth * reach * NEAREST_LAMP < 1.0 {
+            across * edge * (self.sine + edge) / w
+        } else {
+            f32::INFINITY
+        }
+    }
+}
+
 impl Shadows<'_> {
+    /// The frame of a place in the light of a lamp, turned from the middle of the chart the shortest way.
+    #[inline(never)]
+    fn frame_at(&self, lamp: [f32; 3], place: [f32; 4], distance: f32) -> ShadowFrame {
+        let ray = from(lamp, place).map(|component| component / distance);
+        let [right, up, back] = self.frame.axes;
+        let middle = back.map(|component| -component);
+        let cosine = dot(ray, middle);
+        let turned = |axis: [f32; 3]| {
+            let share = dot(axis, ray) / greater(1.0 + cosine, 1e-3);
+            std::array::from_fn(|i| axis[i] - share * (middle[i] + ray[i]))
+        };
+        let axes = [turned(right), turned(up), ray.map(|component| -component)];
+        ShadowFrame {
+            axes,
+            in_view: axes.map(|axis| self.view_axes.map(|side| dot(side, axis))),
+            growth: place[3] / distance,
+            sine: greater(1.0 - cosine * cosine, 0.0).sqrt(),
+            cosine,
+        }
+    }
+
     /// Clip w of a place, and the displacement of the volume's start by the nailboard's shear (radii), for
     /// puffs of a height `tallest` (radii).
-    #[inline(always)]
-    fn seen(&self, place: [f32; 4], tallest: f32) -> [f32; 2] {
+    #[inline(never)]
+    fn seen(&self, place: [f32; 4], tallest: f32, frame: &ShadowFrame) -> [f32; 2] {
         let eye = &self.eye;
-        let w = eye.w.at(place);
+        let lines = eye.lines.at(place);
+        let [_, _, w, _] = lines.to_array();
         if !eye.is_perspective {
             return [w, 0.0];
         }
@@ -367,13 +449,14 @@ impl Shadows<'_> {
         if grown <= 0.0 {
             return [w, 0.0];
         }
-        let ray = [eye.right.at(place) / w, eye.up.at(place) / w];
+        let ray = (lines / f32x4::splat(w)).to_array();
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
-        let slope = -(eye.travel[0] * ray[0] + eye.travel[1] * ray[1]);
+        let travel = [-frame.in_view[2][0], -frame.in_view[2][1]];
+        let slope = -(travel[0] * ray[0] + travel[1] * ray[1]);
         if self.solids.faces_eye {
             return [w, grown * greater(slope, 0.0)];
         }
-        let sideways = (eye.travel[0] * eye.travel[0] + eye.travel[1] * eye.travel[1]).sqrt();
+        let sideways = (travel[0] * travel[0] + travel[1] * travel[1]).sqrt();
         let aside = 0.5 * tallest * tallest * sideways * grown * place[3] / w;
         [w, grown * (greater(tallest * slope, -self.depth * slope) + aside)]
     }

@@ -1,6 +1,8 @@
 //! Preparation of coverage for a view: the chart, the depths, and the geometry of puffs or shadows.
 
-use crate::arrange::coverage::chart::{Chart, Linear};
+use wide::f32x4;
+
+use crate::arrange::coverage::chart::{Chart, Linear, Linears};
 use crate::arrange::coverage::solids::Solids;
 use crate::arrange::coverage::start_caps::{ENTRIES, StartCaps};
 use crate::arrange::view_layout::{LIFTERS_LIMIT, ViewNumbers};
@@ -37,7 +39,7 @@ pub(crate) struct Bodies<'v> {
     pub pad: f32,
     /// Metres per unit of clip w by which surfaces may lift the ring, and the boxes of those surfaces.
     lift: f32,
-    lifters: [[f32; 6]; LIFTERS_LIMIT],
+    lifters: [[f32x4; 2]; LIFTERS_LIMIT],
     lifter_count: usize,
     /// Depth resolution: metres per unit of w squared.
     pub depth_step: f32,
@@ -53,18 +55,29 @@ pub(crate) struct Shadows<'v> {
     /// Maximum depth behind its centre plane at which a puff is visible.
     pub depth: f32,
     pub eye: ShadowEye,
-    /// The axes of the chart in view space.
-    pub axes_in_view: [[f32; 3]; 3],
+    /// The axes of the view.
+    pub view_axes: [[f32; 3]; 3],
+    /// The frame of all places, except with a lamp.
+    pub frame: ShadowFrame,
+}
+
+/// The axes of a shadow: right and up on the chart, and towards the light.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ShadowFrame {
+    pub axes: [[f32; 3]; 3],
+    pub in_view: [[f32; 3]; 3],
+    /// A radius over the distance of the lamp; 0 for a sun.
+    pub growth: f32,
+    /// The ray of the light against the middle of the chart: sine and cosine.
+    pub sine: f32,
+    pub cosine: f32,
 }
 
 /// The inputs of a nailboard's shear; see `shearOf` in shaders/volumes/volumes.vert.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowEye {
-    pub right: Linear,
-    pub up: Linear,
-    pub w: Linear,
-    /// Right and up component of the light's direction.
-    pub travel: [f32; 2],
+    /// Right, up and w.
+    pub lines: Linears,
     /// Clip w at the near plane.
     pub near: f32,
     /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
@@ -87,7 +100,7 @@ impl<'v> Plan<'v> {
         match (covers, numbers.purpose != 0.0) {
             (0, _) => None,
             (_, true) => {
-                let chart = light_chart(direction);
+                let chart = light_chart(direction, numbers.place_of_lamp());
                 let shadows = Shadows::new(numbers, solids, &eye, &chart)?;
                 let boundless = [f32::NEG_INFINITY, f32::INFINITY];
                 Some(plan(chart, boundless, PlanKind::Shadows(shadows)))
@@ -146,7 +159,14 @@ impl<'v> Bodies<'v> {
             pixel: numbers.pixel,
             pad: numbers.pad,
             lift: numbers.lift,
-            lifters: numbers.lifter_boxes,
+            // Without limits in the place of the radius.
+            lifters: numbers.lifter_boxes.map(|[left, low, back, right, high, front]| {
+                [
+                    [left, low, back, f32::NEG_INFINITY],
+                    [right, high, front, f32::INFINITY],
+                ]
+                .map(f32x4::new)
+            }),
             lifter_count: numbers.lifters as usize,
             depth_step: eye.depth_step(),
         })
@@ -155,9 +175,11 @@ impl<'v> Bodies<'v> {
     /// Distance (m) by which a surface may lift the ring of a puff; 0 unless a surface is near.
     pub(crate) fn lift_of(&self, place: [f32; 4], w: f32) -> f32 {
         let lift = self.lift * w;
-        let reach = self.reach * place[3] + self.pad * w + lift;
-        let is_near =
-            |lifter: &&[f32; 6]| (0..3).all(|i| lifter[i] - reach <= place[i] && place[i] <= lifter[3 + i] + reach);
+        let (at, reach) = (
+            f32x4::new(place),
+            f32x4::splat(self.reach * place[3] + self.pad * w + lift),
+        );
+        let is_near = |[low, high]: &&[f32x4; 2]| ((*low - reach).simd_le(at) & at.simd_le(*high + reach)).all();
         self.lifters[..self.lifter_count]
             .iter()
             .find(is_near)
@@ -178,7 +200,6 @@ impl<'v> Bodies<'v> {
 
 impl<'v> Shadows<'v> {
     fn new(numbers: &ViewNumbers, tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
-        let travel = chart.axes[2].map(|component| -component);
         let (solids, caps) = tables.split_at(tables.len() - caps_length(numbers, tables.len()));
         (!solids.is_empty()).then(|| Self {
             solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
@@ -186,8 +207,13 @@ impl<'v> Shadows<'v> {
             tolerance: numbers.tolerance,
             caps: StartCaps::new(caps, numbers.cap_range),
             depth: numbers.depth,
-            eye: eye.of_shadows(travel, numbers.pixel, numbers.nearest),
-            axes_in_view: chart.axes.map(|axis| eye.in_view(axis)),
+            eye: eye.of_shadows(numbers.pixel, numbers.nearest),
+            view_axes: eye.axes(),
+            frame: ShadowFrame {
+                axes: chart.axes,
+                in_view: chart.axes.map(|axis| eye.in_view(axis)),
+                ..ShadowFrame::default()
+            },
         })
     }
 }
@@ -258,9 +284,15 @@ impl EyeAxes {
             across: line(0),
             up: line(1),
             w: linear(self.rows[3]),
-            axes: [self.sides[0], self.sides[1], self.forward.map(|c| -c)].map(|axis| axis.map(|c| c as f32)),
+            axes: self.axes(),
             limits: [-width, -height, width, height],
+            lamp: None,
         }
+    }
+
+    /// Unit vectors: right, up, towards the eye.
+    fn axes(&self) -> [[f32; 3]; 3] {
+        [self.sides[0], self.sides[1], self.forward.map(|c| -c)].map(|axis| axis.map(|c| c as f32))
     }
 
     /// Metres per unit of clip w squared of one step of a 24-bit depth buffer, with a margin.
@@ -273,7 +305,7 @@ impl EyeAxes {
     }
 
     /// The inputs of the shear. `near`: depth of the near plane along the view.
-    pub(crate) fn of_shadows(&self, travel: [f32; 3], pixel: f32, near: f32) -> ShadowEye {
+    pub(crate) fn of_shadows(&self, pixel: f32, near: f32) -> ShadowEye {
         let along = |row: &Row| dot([row[0], row[1], row[2]], self.forward);
         let beside = |axis: usize| {
             let w_share = if self.is_perspective() {
@@ -285,12 +317,8 @@ impl EyeAxes {
                 (self.rows[axis][i] - w_share * self.rows[3][i]) / self.scale[axis]
             }))
         };
-        let travel = travel.map(f64::from);
         ShadowEye {
-            right: beside(0),
-            up: beside(1),
-            w: linear(self.rows[3]),
-            travel: self.sides.map(|side| dot(side, travel) as f32),
+            lines: Linears::new([beside(0), beside(1), linear(self.rows[3]), Linear::default()]),
             near: (along(&self.rows[3]) * f64::from(near) + self.rows[3][3]) as f32,
             slopes: [0, 1]
                 .map(|axis: usize| [-1.0, 1.0].map(|end| ((end - along(&self.rows[axis])) / self.scale[axis]) as f32)),
@@ -300,8 +328,8 @@ impl EyeAxes {
     }
 }
 
-/// A chart across the light; `direction` is a unit vector.
-pub(crate) fn light_chart(direction: [f32; 3]) -> Chart {
+/// A chart across the light of a sun, or around the light of a lamp; `direction` is a unit vector.
+pub(crate) fn light_chart(direction: [f32; 3], lamp: Option<[f32; 3]>) -> Chart {
     let d = direction.map(f64::from);
     let least = (0..3).min_by(|a, b| d[*a].abs().total_cmp(&d[*b].abs())).unwrap_or(0);
     let mut side: [f64; 3] = std::array::from_fn(|i| if i == least { 1.0 } else { 0.0 });
@@ -309,13 +337,17 @@ pub(crate) fn light_chart(direction: [f32; 3]) -> Chart {
     side = std::array::from_fn(|i| side[i] - along * d[i]);
     let side = unit(side);
     let up = cross(d, side);
-    let line = |axis: [f64; 3]| linear([axis[0], axis[1], axis[2], 0.0]);
+    let line = |axis: [f64; 3]| {
+        let offset = lamp.map_or(0.0, |lamp| -dot(axis, lamp.map(f64::from)));
+        linear([axis[0], axis[1], axis[2], offset])
+    };
     Chart {
         across: line(side),
         up: line(up),
-        w: linear([0.0, 0.0, 0.0, 1.0]),
+        w: lamp.map_or(linear([0.0, 0.0, 0.0, 1.0]), |_| line(d)),
         axes: [side, up, d.map(|c| -c)].map(|axis| axis.map(|c| c as f32)),
         limits: [-1e9, -1e9, 1e9, 1e9],
+        lamp,
     }
 }
 

@@ -33,14 +33,11 @@ impl Polygon {
         }
     }
 
-    /// Extends the polygon around a disc; its centre is relative to (u, v).
+    /// Extends the polygon around what `reaches` holds.
     #[inline(always)]
-    pub(crate) fn hold(&mut self, x: f32, y: f32, radius: f32) {
-        let [first, rest @ ..] = &mut self.sides;
-        *first = first.fast_max(f32x4::new([x, y, -x, -y]) + f32x4::splat(radius));
-        let [across, along] = [f32x4::new([x, x, -x, -x]), f32x4::new([y, -y, y, -y])];
-        for (side, [tangent, secant]) in rest.iter_mut().zip(NORMALS) {
-            *side = side.fast_max(across + f32x4::splat(tangent) * along + f32x4::splat(secant * radius));
+    pub(crate) fn extend(&mut self, reaches: &Reaches) {
+        for (side, reaches) in self.sides.iter_mut().zip(reaches.0) {
+            *side = f32x4::transpose(reaches).into_iter().fold(*side, f32x4::fast_max);
         }
     }
 
@@ -66,6 +63,33 @@ impl Polygon {
     }
 }
 
+/// How far discs reach in the directions of all sides; each lane has its own discs.
+pub(crate) struct Reaches([[f32x4; 4]; GROUPS]);
+
+impl Reaches {
+    pub(crate) fn new() -> Self {
+        Self([[f32x4::ZERO; 4]; GROUPS])
+    }
+
+    /// Adds four discs; their centres are relative to (u, v). A radius of minus infinity marks a missing one.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, x: f32x4, y: f32x4, radius: f32x4) {
+        let [[right, up, left, down], rest @ ..] = &mut self.0;
+        *right = right.fast_max(x + radius);
+        *up = up.fast_max(y + radius);
+        *left = left.fast_max(radius - x);
+        *down = down.fast_max(radius - y);
+        for ([up, down, back_up, back_down], [tangent, secant]) in rest.iter_mut().zip(NORMALS) {
+            let (along, radius) = (f32x4::splat(tangent) * y, f32x4::splat(secant) * radius);
+            let (rising, falling) = (x + along, x - along);
+            *up = up.fast_max(rising + radius);
+            *down = down.fast_max(falling + radius);
+            *back_up = back_up.fast_max(radius - falling);
+            *back_down = back_down.fast_max(radius - rising);
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -79,7 +103,12 @@ mod tests {
                 .map(|_| [random.signed() * 4.0, random.signed() * 4.0, random.unit()])
                 .collect();
             let mut polygon = Polygon::at(10.0, 20.0, 0.0);
-            discs.iter().for_each(|[x, y, radius]| polygon.hold(*x, *y, *radius));
+            let mut reaches = Reaches::new();
+            for [x, y, radius] in &discs {
+                let only = |value| f32x4::new([f32::NEG_INFINITY, f32::NEG_INFINITY, value, f32::NEG_INFINITY]);
+                reaches.add(f32x4::splat(*x), f32x4::splat(*y), only(*radius));
+            }
+            polygon.extend(&reaches);
             let most = discs
                 .iter()
                 .map(|[x, y, radius]| x.hypot(*y) + radius)

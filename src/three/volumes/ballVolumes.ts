@@ -1,18 +1,18 @@
 import type { Object3D, WebGLRenderer } from 'three';
-import type { Device } from '../device/device.ts';
-import { ONE_QUAD } from '../device/drawnRows.ts';
-import type { FrameView } from '../device/frameView.ts';
-import { PuffTextures } from '../device/puffTextures.ts';
-import { PuffRows } from '../rows/puffRows.ts';
-import { CountedVolumesPass } from '../passes/countedVolumes.ts';
-import { ParameterError } from '../preset/errors.ts';
-import type { PuffShape } from '../puffs/shapes.ts';
-import { ATTRIBUTE_WORDS, NO_END } from '../sim/layout.ts';
-import type { Rows } from '../sim/rows.ts';
-import { bakedPuffs } from '../smoke/bakedPuffs.ts';
-import { toSmoke, type Placement } from './frame.ts';
-import type { BallAt } from './proxies.ts';
-import { newPose } from './shapes.ts';
+import type { Device } from '../../device/device.ts';
+import { ONE_QUAD } from '../../device/drawnRows.ts';
+import type { FrameView } from '../../device/frameView.ts';
+import { PuffTextures } from '../../device/puffTextures.ts';
+import { PuffRows } from '../../rows/puffRows.ts';
+import { CountedVolumesPass } from '../../passes/countedVolumes.ts';
+import { ParameterError } from '../../preset/errors.ts';
+import type { PuffShape } from '../../puffs/shapes.ts';
+import { ATTRIBUTE_WORDS, NO_END } from '../../sim/layout.ts';
+import type { Rows } from '../../sim/rows.ts';
+import { bakedPuffs } from '../../smoke/bakedPuffs.ts';
+import { toSmoke, type Placement } from '../frame.ts';
+import type { BallAt } from '../proxies.ts';
+import { newPose } from '../shapes.ts';
 
 /** Maximum number of proxy balls for deforming or open objects. */
 const MAX_BALLS = 512;
