@@ -41,7 +41,7 @@ const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
 const float CAP_SLACK = 0.02;
 // A lamp closer to the centre than this many bounding radii is treated as if it were at that distance.
-const float NEAREST = 1.2;
+const float NEAREST_LAMP = 1.2;
 
 // The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
 mat3 viewFromPuffOf(uvec4 attributes) {
@@ -200,7 +200,7 @@ bool writeVolume(out Ends ends) {
   widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
 #endif
 
-  float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
+  float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST_LAMP * reach);
   float growth = lightInWorld.w / distance;
   // One side along the picture, across the volume.
   vec3 across = cross(centre, axis);
