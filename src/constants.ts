@@ -9,6 +9,9 @@ export const TINTS = 3;
 /** Maximum number of covers that a view of the simulator can ask for. */
 export const COVERS_LIMIT = 16;
 
+/** A lamp counts as at least this many bounding radii of a puff away. */
+export const NEAREST_LAMP = 1.2;
+
 /** Maximum number of lobes of a puff. Twelve lobes and three other varyings reach the guaranteed minimum of WebGL 2. */
 export const MAX_LOBES = 12;
 /** Values of a particle's seed. Each stands for one axis about which a lobe puff rolls. */

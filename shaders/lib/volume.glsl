@@ -41,7 +41,7 @@ const float PI = 3.14159265359;
 // Distance between the farthest lit point and the start of the volume, in radii, against rounding of depth.
 const float CAP_SLACK = 0.02;
 // A lamp closer to the centre than this many bounding radii is treated as if it were at that distance.
-const float NEAREST = 1.2;
+const float NEAREST_LAMP = 1.2;
 
 // The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
 mat3 viewFromPuffOf(uvec4 attributes) {
@@ -144,9 +144,19 @@ void enclose(vec3 disc, mat2 sideAxes) {
   sides = vec4(min(sides.xy, at - reached), max(sides.zw, at + reached));
 }
 
-// Computes the discs and their sides. Returns the radius of the circle about the centre that contains the box.
+// Distance from the centre to the far side of a disc.
+float farSide(vec3 disc) {
+#ifdef DEFORMED
+  return length(vec2(disc.x, disc.y / widthTiltFactor.z)) + sqrt(disc.z) / widthTiltFactor.z;
+#else
+  return length(disc.xy) + sqrt(disc.z);
+#endif
+}
+
+// Computes the discs and their sides. Returns the radius of the circle about the centre that contains the discs.
 float spreadDiscs(mat3 frameFromPuff, float growth, mat2 sideAxes) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
+  float widest = 0.0;
   sides = vec4(vec2(1e9), vec2(-1e9));
 #ifdef DEFORMED
   farthest = 0.0;
@@ -154,10 +164,11 @@ float spreadDiscs(mat3 frameFromPuff, float growth, mat2 sideAxes) {
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
     discs[ i ] = discOf(lobeOf(UNROLLED_LOOP_INDEX, variation), frameFromPuff, growth);
+    widest = max(widest, farSide(discs[ i ]));
     enclose(discs[ i ], sideAxes);
   }
   #pragma unroll_loop_end
-  return length(max(-sides.xy, sides.zw));
+  return widest;
 }
 
 // The ends of a volume in view space: centres, two axes, and scales of `sides` along them; the z of the
@@ -196,7 +207,7 @@ bool writeVolume(out Ends ends) {
   widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
 #endif
 
-  float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST * reach);
+  float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST_LAMP * reach);
   float growth = lightInWorld.w / distance;
   // One side along the picture, across the volume.
   vec3 across = cross(centre, axis);
@@ -219,6 +230,7 @@ bool writeVolume(out Ends ends) {
   ends.scales = place.w * vec2(scale, scale + growth * extent);
   ends.start = start;
   ends.end = start + extent * place.w * axis;
-  ends.nearestZ = max(ends.start.z + widest * ends.scales.x, ends.end.z + widest * ends.scales.y);
+  float box = length(max(-sides.xy, sides.zw));
+  ends.nearestZ = max(ends.start.z + box * ends.scales.x, ends.end.z + box * ends.scales.y);
   return true;
 }

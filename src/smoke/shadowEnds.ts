@@ -4,12 +4,11 @@
  * lamp it is the stereographic projection of the directions, in which balls appear as circles.
  */
 import { Vector3, type Box3 } from 'three';
+import { NEAREST_LAMP } from '../constants.ts';
 import type { Rows } from '../sim/rows.ts';
 
 /** Cells along each side of the grid, chosen so that a cell is about as wide as a puff. */
 const CELLS = 40;
-/** As in shaders/lib/volume.glsl: a lamp counts as at least this many bounding radii away. */
-const NEAREST = 1.2;
 
 /** Everything that shadows can fall on. */
 export interface Receivers {
@@ -69,7 +68,7 @@ export function createShadowEnds(capacity: number): FindEnds {
       upwards *= scale;
       depth = distance;
       const beside = Math.hypot(across, upwards);
-      const half = sine * NEAREST < 1 ? sine / (1 + Math.sqrt(1 - sine * sine)) : Infinity;
+      const half = sine * NEAREST_LAMP < 1 ? sine / (1 + Math.sqrt(1 - sine * sine)) : Infinity;
       radius = half * beside < 1 ? (half * (1 + beside * beside)) / (1 - half * beside) : Infinity;
     }
 
@@ -108,7 +107,7 @@ export function createShadowEnds(capacity: number): FindEnds {
       forCells((cell) => (end = Math.max(end, farthest[cell])));
       end -= depth;
       const ray = lamp ? way.divideScalar(depth) : travel;
-      const growth = lamp ? 1 / Math.max(depth, NEAREST * ball) : 0;
+      const growth = lamp ? 1 / Math.max(depth, NEAREST_LAMP * ball) : 0;
       for (const box of boxes) end = Math.max(end, exitFrom(box, place, row, ball, ray, growth));
       ends[row] = end;
     }

@@ -250,13 +250,12 @@ export class Lab {
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.device.renderer.getContext();
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    return { width, height, pixels, counts: options.readCounts ? this.countsOf(input) : new Uint8Array(0) };
-  }
-
-  /** Number of shadow volumes that contain the place at each pixel; only this view counts all of them. */
-  private countsOf(input: FrameInput): Uint8Array {
-    drawFrame(this.smoke, { ...input, view: 'counts' });
-    return readStencil(this.device, this.smoke.passes.targets.renderTarget);
+    return {
+      width,
+      height,
+      pixels,
+      counts: options.readCounts ? countsOf(this.device, this.smoke, input) : new Uint8Array(0),
+    };
   }
 
   dispose(): void {
@@ -320,8 +319,14 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
   };
 }
 
+/** Number of shadow volumes that contain the place at each pixel; only this view counts all of them. */
+export function countsOf(device: Device, smoke: SmokeRenderer, input: FrameInput): Uint8Array {
+  drawFrame(smoke, { ...input, view: 'counts' });
+  return readStencil(device, smoke.passes.targets.renderTarget);
+}
+
 /** Reads the stencil, which WebGL cannot read directly: one draw call per bit writes it as a colour. */
-export function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
+function readStencil({ renderer }: Device, target: WebGLRenderTarget): Uint8Array {
   const value = { value: 0 };
   const triangle = new FullScreen(
     `precision highp float;

@@ -17,7 +17,7 @@ import type { SmokePasses } from '../../src/smoke/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/smoke/style.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
-import { readStencil, rowsOf, type LabPicture } from './lab.ts';
+import { countsOf, rowsOf, type LabPicture } from './lab.ts';
 import { PLAIN_LOOK } from '../support/plainLook.ts';
 
 /** Few enough particles for a software renderer, drawn plainly. */
@@ -40,7 +40,7 @@ export interface FrameOptions {
   camera?: Camera;
   /** Culls hidden particles. */
   cull?: boolean;
-  /** Also reads the stencil. */
+  /** Also counts the shadow volumes at each pixel. */
   readCounts?: boolean;
   /** Draws no smoke. */
   isBare?: boolean;
@@ -126,13 +126,13 @@ export class SceneLab {
   draw(options: FrameOptions = {}): LabPicture {
     const { width, height } = this;
     fitDevice(this.device, width, height);
-    this.report = drawFrame(this.smoke, this.frame(options));
+    const input = this.frame(options);
+    this.report = drawFrame(this.smoke, input);
     keepPrograms(this.device.renderer);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.context;
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    const { renderTarget } = this.smoke.passes.targets;
-    const counts = options.readCounts ? readStencil(this.device, renderTarget) : new Uint8Array(0);
+    const counts = options.readCounts ? countsOf(this.device, this.smoke, input) : new Uint8Array(0);
     return { width, height, pixels, counts };
   }
 

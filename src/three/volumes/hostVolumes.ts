@@ -3,13 +3,14 @@ import type { PuffExtents } from '../../device/formTextures.ts';
 import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../../device/drawnRows.ts';
 import type { FrameView } from '../../device/frameView.ts';
 import { PuffRows } from '../../rows/puffRows.ts';
+import { NO_END } from '../../sim/layout.ts';
 import type { Rows } from '../../sim/rows.ts';
 import type { SmokePasses } from '../../smoke/smokePasses.ts';
 
 /** Boxes that are tested one by one. One box contains all others. */
 const MAX_BOXES = 64;
 /** End of a shadow that leaves all receivers, in steps. */
-const NO_END = 0xffff;
+const ENDLESS = NO_END >>> 16;
 /** Slightly more than in shaders/lib/volume.glsl, radii. */
 const CAP_SLACK = 0.03;
 
@@ -60,7 +61,7 @@ export class HostVolumes {
         hasFullSize(eye, new Vector3().fromArray(casters.place, from).addScaledVector(travel, along), reached);
       const shift = wanted > 0 && isFull(0) && isFull(wanted) ? wanted : 0;
       const first = casters.attributes[word];
-      const covered = first >>> 16 === NO_END ? Infinity : (first >>> 16) / steps;
+      const covered = first >>> 16 === ENDLESS ? Infinity : (first >>> 16) / steps;
       const end = Math.min(spans.exit, covered) - shift;
       if (!(end > 0)) continue;
       const to = PLACE_FLOATS * count;
@@ -69,7 +70,7 @@ export class HostVolumes {
       place[to + 2] = casters.place[from + 2] + shift * travel.z;
       place[to + 3] = radius;
       const at = ATTRIBUTE_WORDS * count++;
-      attributes[at] = (Math.min(NO_END, Math.ceil(end * steps)) << 16) | (first & 0xffff);
+      attributes[at] = (Math.min(ENDLESS, Math.ceil(end * steps)) << 16) | (first & 0xffff);
       for (let next = 1; next < ATTRIBUTE_WORDS; next++) attributes[at + next] = casters.attributes[word + next];
     }
     return { count, place, attributes };

@@ -1,3 +1,4 @@
+import type { Values } from '../../../src/preset/parameter.ts';
 import { sceneEntries } from '../../../src/scenes/scenes.ts';
 import { expect, test } from '../../support/fixtures.ts';
 import type { Comparison } from './culling.cases.ts';
@@ -7,6 +8,10 @@ type Cases = typeof import('./culling.cases.ts');
 const CASES = '/tests/visual/smoke/culling.cases.ts';
 
 const PLACES = ['scene', 'above', 'inside', 'orthographic'] as const;
+/** Denser than the lamp preset, so that many particles are hidden and cast shadows. */
+const DENSE = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
+/** The preset of this scene has fewer particles than are searched for hidden ones. */
+const MORE: Readonly<Record<string, Values>> = { wisp: { 'emission.rate': 80 } };
 const STYLES = {
   plain: {},
   'deep shadow': { shadowSteps: 2, shadowDepth: 3 },
@@ -25,7 +30,7 @@ for (const form of ['lobes', 'billboards']) {
       load,
     }) => {
       const cases = await load<Cases>(CASES);
-      const [values, places] = [{ 'puff.form': form, 'light.kind': light }, PLACES];
+      const [values, places] = [{ ...DENSE, 'puff.form': form, 'light.kind': light }, PLACES];
       const comparisons = await cases.evaluate(
         (module, input) => module.compareScene(input.values, input.seconds, input.places),
         { values, seconds, places },
@@ -43,8 +48,8 @@ for (const scene of Object.keys(sceneEntries)) {
     for (const seconds of [2, 6]) {
       comparisons.push(
         ...(await cases.evaluate(
-          (module, input) => module.compareScene({ preset: input.scene }, input.seconds, ['scene', 'above', 'behind']),
-          { scene, seconds },
+          (module, input) => module.compareScene(input.values, input.seconds, ['scene', 'above', 'behind']),
+          { values: { preset: scene, ...MORE[scene] }, seconds },
         )),
       );
     }

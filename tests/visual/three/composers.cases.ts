@@ -1,5 +1,5 @@
 /** Post-processing besides the default passes: pmndrs/postprocessing, passes of ambient occlusion and focus, output buffers. */
-import { ACESFilmicToneMapping, HalfFloatType, WebGLRenderTarget } from 'three';
+import { ACESFilmicToneMapping, HalfFloatType, MathUtils, WebGLRenderTarget } from 'three';
 import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer.js';
 import { BokehPass } from 'three/examples/jsm/postprocessing/BokehPass.js';
 import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
@@ -77,7 +77,12 @@ export async function bySsao(): Promise<{ darkened: number; smoke: number }> {
   const { renderer, scene, camera } = host;
   const smoke = await smokeIn(host, { ...HANGING, 'style.shading': 0, 'style.outlines': 0, 'style.shadows': 0 });
   const isSmoke = smokePixels(host, smoke);
+  // The pass takes its samples from Math.random.
+  const { random } = Math;
+  Math.random = () => MathUtils.seededRandom();
+  MathUtils.seededRandom(1);
   const picture = composed(host, 0, new SSAOPass(scene, camera, WIDTH, HEIGHT));
+  Math.random = random;
   picture();
   await smoke.complete();
   const gaps = differences(draw(host), picture());
