@@ -534,9 +534,11 @@ proptest! {
         let (kept, left) = culled(&mut simulator, with_reach(shadow_view(&eye, light, covers, &solids), form));
         let caps = start_caps();
         let shadow = |row: &Row| Shadow::new(row, &eye, light, &caps, &solids, form);
-        let thrown: Vec<Shadow> = kept.iter().map(shadow).collect();
+        // Nothing is left of a puff around the eye.
+        let is_left = |shadow: &Shadow| !shadow.discs.is_empty();
+        let thrown: Vec<Shadow> = kept.iter().map(shadow).filter(is_left).collect();
         let mut random = Random::new(seed);
-        for hidden in left.iter().map(shadow) {
+        for hidden in left.iter().map(shadow).filter(is_left) {
             for at in (0..60).map(|_| hidden.sample(&mut random)) {
                 prop_assert!(darkens(&thrown, at, hidden.start(at), covers), "{:?} is lit at {at:?}", hidden.centre);
             }
