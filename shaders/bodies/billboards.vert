@@ -30,6 +30,7 @@ flat out float material;
 flat out vec3 towardsLight;
 
 #include ../lib/rows.glsl
+#include ../lib/clearance.glsl
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #include ../lib/ink.glsl
@@ -39,7 +40,7 @@ flat out vec3 towardsLight;
 void main() {
   readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  radius = place.w * clearance(centre, place.w, clipFromView, near);
+  radius = place.w * clearance(centre, 1.0);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   phase = boilPhase(seedOf(attributes), drawing);
   inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;

@@ -27,6 +27,7 @@ flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
 #include ../lib/rows.glsl
+#include ../lib/clearance.glsl
 #include ../lib/pixel.glsl
 #include ../lib/depth.glsl
 #include ../lib/ink.glsl
@@ -38,13 +39,12 @@ flat out vec4 lobes[LOBES];
 void main() {
   readRow();
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
+  float across = 1.0;
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);
-  float across = acrossOf(stretch.w);
-  float radius = place.w * across * clearance(centre, place.w / across, clipFromView, near);
-#else
-  float radius = place.w * clearance(centre, place.w, clipFromView, near);
+  across = acrossOf(stretch.w);
 #endif
+  float radius = place.w * across * clearance(centre, across);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
 

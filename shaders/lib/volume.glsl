@@ -32,6 +32,7 @@ flat out vec3 discs[LOBES];
 flat out float squeeze;
 #endif
 
+#include clearance.glsl
 #include attributes.glsl
 #include orientation.glsl
 #include box.glsl
@@ -53,12 +54,11 @@ mat3 viewFromPuffOf(uvec4 attributes) {
 // Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
 // sideways, which can move a visible lit point farther behind the centre.
 float shearOf(vec3 travel, vec3 centre) {
-  // None beside the camera: a puff that keeps 1.7 radii away leaves the picture before.
-  float share = smoothstep(0.0, 0.5 * place.w, -centre.z);
-  if (share <= 0.0) return 0.0;
+  // A puff keeps 1.7 radii away from the camera, so it leaves the picture before it is nearer than this.
+  float ahead = max(-centre.z, 0.5 * place.w);
   // The slopes of view rays, limited to the part of the puff that is inside the picture.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
-  vec2 ray = clamp(centre.xy / -centre.z, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
+  vec2 ray = clamp(centre.xy / ahead, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
   // The visible part of a puff is at most `depth` behind its centre plane. In the unit ball, height times distance from
   // the view axis is at most 1/2.
 #ifdef DEFORMED
@@ -67,10 +67,9 @@ float shearOf(vec3 travel, vec3 centre) {
   const float tallest = 1.0;
 #endif
   float slope = -dot(travel.xy, ray);
-  float straight = max(tallest * slope, -depth * slope);
-  if (facesEye) return share * straight;
-  float aside = 0.5 * tallest * tallest * length(travel.xy) * place.w / -centre.z;
-  return share * (straight + aside);
+  float shear = max(tallest * slope, -depth * slope);
+  if (!facesEye) shear += 0.5 * tallest * tallest * length(travel.xy) * place.w / ahead;
+  return shear;
 }
 
 #ifdef DEFORMED
@@ -184,13 +183,13 @@ struct Ends {
 // Computes the outputs. Returns false if the row has no volume.
 bool writeVolume(out Ends ends) {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
-  float fullRadius = place.w;
+  float end = place.w * endOf(attributes);
+  float width = 1.0;
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);
-  place.w *= clearance(centre, place.w / acrossOf(stretch.w), clipFromView, near);
-#else
-  place.w *= clearance(centre, place.w, clipFromView, near);
+  width = acrossOf(stretch.w);
 #endif
+  place.w *= clearance(centre, width);
   if (place.w <= 0.0) return false;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   mat3 viewFromPuff = viewFromPuffOf(attributes);
@@ -204,7 +203,7 @@ bool writeVolume(out Ends ends) {
   frameFromView = mat3(vec3(along.y, along.x, 0.0), vec3(-along.x, along.y, 0.0), vec3(0.0, 0.0, 1.0)) * frameFromView;
   float support = 1.0 + (stretch.w * stretch.w - 1.0) * stretch.z * stretch.z;
   float tilt = sqrt(max(0.0, support - 1.0 / (projection.depth * projection.depth)));
-  widthTiltFactor = vec3(acrossOf(stretch.w), tilt, projection.factor);
+  widthTiltFactor = vec3(width, tilt, projection.factor);
 #endif
 
   float distance = max(length(place.xyz - lightInWorld.xyz) / place.w, NEAREST_LAMP * reach);
@@ -217,7 +216,7 @@ bool writeVolume(out Ends ends) {
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth, sideAxes);
   float cap = startCap(axis, viewFromPuff, centre);
   #pragma insert_8
-  float extent = min(exitOf(place.w * widest, growth / place.w), fullRadius * endOf(attributes)) / place.w - cap;
+  float extent = min(exitOf(place.w * widest, growth / place.w), end) / place.w - cap;
   if (extent <= 0.0) return false;
 #ifdef DEFORMED
   squeeze = widthTiltFactor.z;

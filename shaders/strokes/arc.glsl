@@ -14,6 +14,7 @@ uniform sampler2D lobeTable;
 uniform highp usampler2D arcs;
 
 #include ../lib/fetchRow.glsl
+#include ../lib/clearance.glsl
 #include ../lib/pixel.glsl
 #include ../lib/light.glsl
 #include ../lib/attributes.glsl
@@ -127,15 +128,13 @@ void fetchArc(int arc) {
 float findArc() {
   centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
   if (centre.z >= -near) return 0.0;
-  radius = place.w;
+  float across = 1.0;
 #ifdef DEFORMED
   vec4 stretch = stretchOf(attributes.w);
-  float across = acrossOf(stretch.w);
-  radius *= across * clearance(centre, place.w / across, clipFromView, near);
+  across = acrossOf(stretch.w);
   projection = projectionOf(vec4(mat3(viewFromWorld) * stretch.xyz, stretch.w));
-#else
-  radius *= clearance(centre, place.w, clipFromView, near);
 #endif
+  radius = place.w * across * clearance(centre, across);
   if (radius <= 0.0) return 0.0;
   pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   int variation = variationOf(attributes) % textureSize(lobeTable, 0).y;

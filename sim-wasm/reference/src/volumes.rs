@@ -7,7 +7,6 @@ use glam::{DMat3, DVec3};
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
 use crate::bites::{self, FIRST_START};
 use crate::bodies::clearance;
-use crate::ink::smooth_step;
 use crate::light::Light;
 use crate::lobes::Lobe;
 use crate::ray::{Camera, Ray};
@@ -266,15 +265,12 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
         return 0.0;
     }
     let center = camera.view_from_world.transform_point3(DVec3::from(row.place));
-    // A puff keeps its distance from the eye and leaves the picture before it is beside the eye.
-    let share = smooth_step(0.0, 0.5 * row.radius, -center.z);
-    if share == 0.0 {
-        return 0.0;
-    }
+    // A puff keeps its distance from the eye and leaves the picture before it is nearer than this.
+    let ahead = (-center.z).max(0.5 * row.radius);
     let [least, greatest] = camera.slopes();
     let light = (DMat3::from_mat4(camera.view_from_world) * towards_light).truncate();
     // Per radius of height, at the board's visible point nearest to its centre; heights are -depth to 1.
-    let slope = light.dot((center.truncate() / -center.z).clamp(least, greatest));
+    let slope = light.dot((center.truncate() / ahead).clamp(least, greatest));
     // Farther out the slope differs by at most the offset over the depth, and height times offset is at most 1/2. A
     // billboard's relief is baked as shown.
     let tallest = scene.puffs.tallest;
@@ -283,8 +279,8 @@ fn shear(scene: &Scene, camera: &Camera, row: &Row, towards_light: DVec3) -> f64
     } else {
         0.5 * tallest * tallest
     };
-    let aside = product * light.length() * row.radius / -center.z;
-    share * ((tallest * slope).max(-scene.puffs.depth * slope) + aside)
+    let aside = product * light.length() * row.radius / ahead;
+    (tallest * slope).max(-scene.puffs.depth * slope) + aside
 }
 
 fn tabled(caps: &StartCaps, variation: usize, towards: DVec3) -> f64 {

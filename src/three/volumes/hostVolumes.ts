@@ -98,7 +98,7 @@ export class HostVolumes {
   }
 }
 
-/** Whether a puff has its full size: `clearance` in shaders/lib/fetchRow.glsl. */
+/** Whether a puff has its full size: `clearance` in shaders/lib/clearance.glsl. */
 function hasFullSize({ uniforms }: FrameView, place: Vector3, reached: number): boolean {
   const near = uniforms.near.value;
   place.applyMatrix4(uniforms.viewFromWorld.value);
@@ -108,12 +108,12 @@ function hasFullSize({ uniforms }: FrameView, place: Vector3, reached: number): 
 
 /**
  * Bound of the distance between a puff's centre and the start of its volume, in radii: `startCap` in shaders/lib/volume.glsl with
- * the steepest view ray, and with the largest product of `share` and the quotient there.
+ * the steepest view ray and its least depth.
  */
 function latestStart(eye: FrameView, travel: Vector3, { reach, depth, capRange }: PuffExtents, minCap: number): number {
   const { x, y } = travel.clone().transformDirection(eye.uniforms.viewFromWorld.value);
   const tallest = Math.max(1, reach);
-  const shear = Math.max(tallest, depth) * eye.steepestSlope + 1.13 * tallest * tallest;
+  const shear = Math.max(tallest, depth) * eye.steepestSlope + tallest * tallest;
   return Math.max(capRange[1], minCap) + CAP_SLACK + Math.hypot(x, y) * shear;
 }
 

@@ -594,13 +594,12 @@ impl Shadow {
         };
         let [x, y, depth] = seen;
         let aside = [dot(travel, eye.right), dot(travel, eye.up)];
-        let share = smooth(depth / (0.5 * radius));
-        let ray = [x / depth, y / depth];
+        let ahead = depth.max(0.5 * radius);
+        let ray = [x / ahead, y / ahead];
         let slope =
             -(aside[0] * ray[0].clamp(-1.1 * eye.half, 0.9 * eye.half) + aside[1] * ray[1].clamp(-eye.half, eye.half));
-        let sheared = share * (slope.max(-0.6 * slope) + 0.5 * aside[0].hypot(aside[1]) * radius / depth);
-        let shear = if eye.is_perspective && share > 0.0 {
-            sheared
+        let shear = if eye.is_perspective {
+            slope.max(-0.6 * slope) + 0.5 * aside[0].hypot(aside[1]) * radius / ahead
         } else {
             0.0
         };

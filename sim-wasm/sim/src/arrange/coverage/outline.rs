@@ -31,8 +31,8 @@ const MIN_COVERING_CLEARANCE: f32 = 0.05;
 const CLEARANCE_TOLERANCE: f32 = 0.002;
 /// Distance from the eye, in twice the greatest height of puffs, from which a stretched one certainly has its full size.
 const STRETCHED_FROM: f32 = 1.5;
-/// As in shaders/lib/volume.glsl: depth, in drawn radii, from which a puff may be in the picture.
-const SHEARED_FROM: f32 = 0.5;
+/// As in shaders/lib/volume.glsl: least depth of the shear, in drawn radii.
+const NEAREST_SHEARED: f32 = 0.5;
 /// As in shaders/volumes/volumes.vert.
 const CAP_SLACK: f32 = 0.02;
 /// Radii by which the chart of a lamp may move a point of a shadow that covers others.
@@ -374,7 +374,7 @@ impl<'a> Outliner<'a> {
     }
 }
 
-/// A puff as it is drawn and throws its shadow: smaller near the eye, see shaders/lib/fetchRow.glsl.
+/// A puff as it is drawn and throws its shadow: smaller near the eye, see shaders/lib/clearance.glsl.
 struct Drawn {
     /// With the drawn radius, or with a greater one unless that is certain.
     place: [f32; 4],
@@ -387,7 +387,8 @@ impl Drawn {
     fn of(place: [f32; 4], eye: &EyePoint, stretched: Option<f32>) -> Option<Self> {
         let [x, y, z, radius] = place;
         let share = eye.beyond_near(place) / (2.0 * radius);
-        let clearance = smooth(share);
+        let clamped = share.clamp(0.0, 1.0);
+        let clearance = clamped * clamped * (3.0 - 2.0 * clamped);
         let is_certain = match stretched {
             Some(reach) => share > STRETCHED_FROM * reach,
             None => clearance > MIN_COVERING_CLEARANCE,
@@ -399,13 +400,6 @@ impl Drawn {
             tolerance: if share < 1.0 { CLEARANCE_TOLERANCE } else { 0.0 },
         })
     }
-}
-
-/// The smoothstep from 0 to 1.
-#[inline(always)]
-fn smooth(share: f32) -> f32 {
-    let share = share.clamp(0.0, 1.0);
-    share * share * (3.0 - 2.0 * share)
 }
 
 /// A disc with a flat front; `radius` in metres.
@@ -479,20 +473,17 @@ impl Shadows<'_> {
         let eye = &self.eye;
         let lines = point.lines.at(place);
         let [_, _, w, _] = lines.to_array();
-        let share = smooth(w / (SHEARED_FROM * place[3]));
-        if share <= 0.0 {
-            return [w, 0.0];
-        }
-        let ray = (lines / f32x4::splat(w)).to_array();
+        let ahead = greater(w, NEAREST_SHEARED * place[3]);
+        let ray = (lines / f32x4::splat(ahead)).to_array();
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let travel = [-frame.in_view[2][0], -frame.in_view[2][1]];
         let slope = -(travel[0] * ray[0] + travel[1] * ray[1]);
         if self.solids.faces_eye {
-            return [w, share * greater(slope, 0.0)];
+            return [w, greater(slope, 0.0)];
         }
         let sideways = (travel[0] * travel[0] + travel[1] * travel[1]).sqrt();
-        let aside = 0.5 * tallest * tallest * sideways * place[3] / w;
-        [w, share * (greater(tallest * slope, -self.depth * slope) + aside)]
+        let aside = 0.5 * tallest * tallest * sideways * place[3] / ahead;
+        [w, greater(tallest * slope, -self.depth * slope) + aside]
     }
 
     /// Distance from the centre to the start (radii). Same as in the shader.
