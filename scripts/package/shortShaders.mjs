@@ -14,7 +14,7 @@ import { inRoot } from '../lib/paths.mjs';
 /** An identifier that is not a component or a part of a number. */
 const NAME = /(?<![\w.])[A-Za-z_]\w*/g;
 /** By their frequency in GLSL: frequent letters compress better. */
-const LETTERS = [...'etnriaoslcdupfmhgvybwxkjqzABCDEFGHIJKLMNOPQRSTUVWXYZ'];
+const LETTERS = [...'etaoirnslcdpumfhvgxywbkzqjATSCDEPMIRNLOFVBGUWHXKYQZJ'];
 
 /** The bundler plugin that loads the shaders. */
 export function shortShaders() {
@@ -136,6 +136,8 @@ function* found(shaders, pattern) {
  * @param {ReadonlyMap<string, number>} taken
  */
 function* freeNames(taken) {
+  const rank = (/** @type {string} */ pair) => LETTERS.indexOf(pair[0]) + LETTERS.indexOf(pair[1]);
   const pairs = LETTERS.flatMap((first) => LETTERS.map((second) => first + second));
+  pairs.sort((one, other) => rank(one) - rank(other));
   yield* [...LETTERS, ...pairs].filter((name) => !taken.has(name) && !['if', 'in', 'do'].includes(name));
 }
