@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
-import { withoutShaders } from './scripts/package/withoutShaders.mjs';
+import { withoutAnimation, withoutHeadsets, withoutJson, withoutShaders } from './scripts/package/smallThree.mjs';
 import { addresses, preloads, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
@@ -18,6 +18,8 @@ export default defineConfig({
   plugins: [
     glsl(),
     withoutShaders(),
+    withoutHeadsets(),
+    withoutJson(),
     addresses(process.env.CARTOON_SMOKE_BASE),
     preloads('/src/app/ahead.ts', '/src/app/main.ts'),
     themeFirst(),
@@ -43,7 +45,10 @@ export default defineConfig({
     ],
   },
   // The simulator's module imports its bindings dynamically, which the IIFE worker format does not support.
-  worker: { format: 'es', plugins: () => [glsl(), withoutShaders()] },
+  worker: {
+    format: 'es',
+    plugins: () => [glsl(), withoutShaders(), withoutHeadsets(), withoutAnimation(), withoutJson()],
+  },
   build: {
     target: 'es2023',
     sourcemap: true,

@@ -4,7 +4,7 @@ import site from '../vite.config.ts';
 
 const PAGES = ['three', 'react', 'game', 'lantern', 'vite', 'product', 'landing', 'article', 'flipbook'];
 /** Plugins for the demo page only; examples also draw with three.js materials. */
-const OF_THE_PAGE = ['service-worker', 'without-shaders'];
+const OF_THE_PAGE = ['service-worker', 'without-shaders', 'without-headsets', 'without-json'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 
 /**

@@ -6,8 +6,7 @@ import { rolldown } from 'rolldown';
 import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
-import { withoutFallbacks } from './withoutFallbacks.mjs';
-import { withoutShaders } from './withoutShaders.mjs';
+import { withoutAnimation, withoutHeadsets, withoutJson, withoutShaders } from './smallThree.mjs';
 import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
@@ -104,7 +103,7 @@ export async function bundleScript(name, folder, plugins = shortening()) {
  */
 export async function bundleFilmPage(folder) {
   // The table's texts are in its errors.
-  const plugins = [shortShaders(), shadersTogether(), shortMembers(), withoutShaders()];
+  const plugins = [shortShaders(), shadersTogether(), shortMembers(), ...smallThree()];
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
   const input = entries({ page: 'src/app/film/page.ts' });
@@ -125,7 +124,11 @@ export async function bundleCommand(folder) {
 
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
-  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), withoutShaders(), withoutFallbacks()];
+  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), ...smallThree()];
+}
+
+function smallThree() {
+  return [withoutShaders(), withoutHeadsets(), withoutAnimation(), withoutJson()];
 }
 
 /**

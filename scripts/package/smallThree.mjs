@@ -1,0 +1,97 @@
+/**
+ * Bundler plugins that remove code of three.js that no pass uses. The renderer has only its own raw shaders for smoke, surfaces
+ * and ink. Do not use them on pages that render anything else with the same three.js. All apply to builds only.
+ */
+
+/** @typedef {import('rolldown').Plugin & { apply: 'build' }} BuildPlugin */
+/**
+ * @typedef Removal
+ * @property {RegExp} pattern with the flag `g`
+ * @property {string} [replacement]
+ * @property {number} atLeast matches; fewer mean that the build of three.js has changed and that the pattern must be updated
+ */
+
+const RENDERER = /three\/build\/three\.module\.js$/;
+const CORE = /three\/build\/three\.core\.js$/;
+
+/**
+ * Shaders of the built-in materials: string literals with escaped line breaks, on one line. Shaders of environments and of
+ * headsets: template literals that begin with a line of GLSL.
+ * @type {Removal[]}
+ */
+const SHADERS = [
+  { pattern: /^((?:var|const) [\w$]+ = )"(?:[^"\\]|\\.)*\\n(?:[^"\\]|\\.)*";$/gm, replacement: '$1"";', atLeast: 100 },
+  { pattern: /`\s+(?:#define|precision|uniform|varying|void) [^`]*`/g, replacement: '""', atLeast: 10 },
+];
+
+/** What the renderer calls although no session ever starts. */
+const NO_HEADSET = `class WebXRManager extends EventDispatcher {
+  enabled = false;
+  isPresenting = false;
+  getEnvironmentBlendMode() {}
+  setAnimationLoop() {}
+  dispose() {}
+}
+`;
+
+/** @type {Removal[]} */
+const HEADSETS = [
+  { pattern: /^class WebXRManager extends EventDispatcher \{\n.*?\n\}\n/gms, replacement: NO_HEADSET, atLeast: 1 },
+];
+
+/**
+ * Assignments to classes of animation and of loaders, because of which a bundler keeps the classes.
+ * @type {Removal[]}
+ */
+const ANIMATION = [
+  { pattern: /^\w*KeyframeTrack\.prototype\.\w+ = .*;$/gm, atLeast: 15 },
+  { pattern: /^PropertyBinding\.(?:prototype\.)?\w+ = (?:\w+|\{.*?\n\}|\[.*?\n\]);$/gms, atLeast: 5 },
+  { pattern: /^Loader\.DEFAULT_MATERIAL_NAME = .*;$/gm, atLeast: 1 },
+];
+
+/** @type {Removal[]} */
+const JSON_METHODS = [{ pattern: /^\t(?:static )?(?:toJSON|fromJSON)\(.*?^\t\}$/gms, atLeast: 10 }];
+
+/** About 110 kB. @returns {BuildPlugin} */
+export function withoutShaders() {
+  return without('shaders', RENDERER, SHADERS);
+}
+
+/** @returns {BuildPlugin} */
+export function withoutHeadsets() {
+  return without('headsets', RENDERER, HEADSETS);
+}
+
+/** Loaders of models need animation. @returns {BuildPlugin} */
+export function withoutAnimation() {
+  return without('animation', CORE, ANIMATION);
+}
+
+/** @returns {BuildPlugin} */
+export function withoutJson() {
+  return without('json', CORE, JSON_METHODS);
+}
+
+/**
+ * @param {string} part
+ * @param {RegExp} id
+ * @param {Removal[]} removals
+ * @returns {BuildPlugin}
+ */
+function without(part, id, removals) {
+  return {
+    name: `without-${part}`,
+    apply: 'build',
+    transform: { filter: { id }, handler: (code) => ({ code: removals.reduce(removed(part), code), map: null }) },
+  };
+}
+
+/** @param {string} part */
+function removed(part) {
+  return (/** @type {string} */ code, /** @type {Removal} */ { pattern, replacement = '', atLeast }) => {
+    const count = code.match(pattern)?.length ?? 0;
+    if (count < atLeast)
+      throw new Error(`Only ${count} pieces of the ${part} of three.js were found to remove: ${pattern}`);
+    return code.replace(pattern, replacement);
+  };
+}
