@@ -6,11 +6,9 @@ flat out float middles[LOBES];
 #pragma section
   // 8: after the start. Bites open the puff to the light up to its end.
   mat3 discsFromPuff = frameFromView * viewFromPuff;
-  float width = 1.0;
   vec3 depthRow = vec3(0.0, 0.0, 1.0);
   float halfOfLobe = 1.0;
 #ifdef DEFORMED
-  width = widthTiltFactor.x;
   halfOfLobe = width * sqrt(support);
   // Where balls are balls along the light, too.
   depthRow = projection.depth * vec3(0.0, dot(projection.shear, along), 1.0);
