@@ -34,9 +34,13 @@ function everyMode(): Mode[] {
   return modes;
 }
 
-/** Simulated seconds after which a scene has enough smoke, but not mainly edges of small puffs, as the campfire has later. */
+/** Simulated seconds after which a scene has enough smoke. */
 const SECONDS = 4;
-const EARLIER: Readonly<Record<string, number>> = { campfire: 3 };
+/**
+ * Later, the campfire has mainly edges of small puffs. At 4 s the sun grazes the cab of this train (N . L = 0.004): the start of
+ * its shadow is within the rounding of depth behind its lit side, and the count there is undecided, but not the colour.
+ */
+const OTHER_SECONDS: Readonly<Record<string, number>> = { campfire: 3, 'train-rubber-hose': 5 };
 /** Smallest number of particles in a picture: train-rubber-hose has the fewest, 48 large puffs. */
 const FEWEST = 40;
 /**
@@ -71,7 +75,7 @@ for (const [form, names] of [
   for (const name of names) {
     test(`the preset ${name} of ${form} equals the reference`, async ({ load }, testInfo) => {
       const cases = await load<Cases>(CASES);
-      const input = [name, form, EARLIER[name] ?? SECONDS] as const;
+      const input = [name, form, OTHER_SECONDS[name] ?? SECONDS] as const;
       const picture = await cases.evaluate((module, given) => module.drawnPreset(...given), input);
       expect(picture.bodies).toBeGreaterThan(FEWEST);
       await expectReference(`${name} of ${form}`, picture, testInfo, { maxWithin: MAX_WITHIN[name] });
