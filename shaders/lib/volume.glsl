@@ -9,6 +9,8 @@ uniform vec3 receiversMax;
 uniform float minCap;
 uniform float depth;
 uniform bool facesEye;
+// For shadows of objects, which do not shrink near the camera as puffs do.
+uniform bool keepsSize;
 // Farthest distance from the centre, in radii, of a puff that is drawn as a flat disc; 0 if puffs have relief.
 uniform float discReach;
 uniform sampler2DArray startCaps;
@@ -189,7 +191,7 @@ bool writeVolume(out Ends ends) {
   vec4 stretch = stretchOf(attributes.w);
   width = acrossOf(stretch.w);
 #endif
-  place.w *= clearance(centre, width);
+  if (!keepsSize) place.w *= clearance(centre, width);
   if (place.w <= 0.0) return false;
   vec3 axis = -towardsLightFrom(viewFromWorld * lightInWorld, centre);
   mat3 viewFromPuff = viewFromPuffOf(attributes);

@@ -32,6 +32,7 @@ export abstract class ParticleVolumes {
   protected readonly form = {
     minCap: { value: 0 },
     facesEye: { value: false },
+    keepsSize: { value: false },
     startCaps: { value: null as Texture | null },
     casterTable: { value: null as Texture | null },
     reach: { value: 1 },
@@ -59,6 +60,11 @@ export abstract class ParticleVolumes {
     uniforms.depth.value = depth;
     this.quads.material = this.materialFor(form);
     this.quads.bites = this.puffs.bites;
+  }
+
+  /** For puffs that stand for objects: they keep their size near the camera. */
+  keepSize(): void {
+    this.form.keepsSize.value = true;
   }
 
   /** Least distance behind a puff's centre at which volumes start, in radii. */

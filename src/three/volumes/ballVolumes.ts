@@ -44,6 +44,7 @@ export class BallVolumes {
     this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
     this.volumes = new CountedVolumesPass(eye, this.puffs);
     this.volumes.follow('lobes', LIT_THRESHOLD);
+    this.volumes.keepSize();
   }
 
   get isEmpty(): boolean {

@@ -74,8 +74,16 @@ test('an invisible box shadows the objects behind it', async ({ load }) => {
 
 test('proxy balls and capsules cast the shadow that ray casting finds', async ({ load }) => {
   const cases = await load<Shadow>(SHADOW);
-  for (const kind of ['capsules', 'bones', 'instances'] as const) {
-    const { dark, lit, wrong } = await cases.evaluate((module, which) => module.ballShadow(which), kind);
+  for (const [kind, isNear] of [
+    ['capsules', false],
+    ['bones', false],
+    ['instances', false],
+    ['capsules', true],
+  ] as const) {
+    const { dark, lit, wrong } = await cases.evaluate((module, input) => module.ballShadow(...input), [
+      kind,
+      isNear,
+    ] as const);
     expect(wrong, kind).toBe(0);
     expect(dark, kind).toBeGreaterThan(60);
     expect(lit, kind).toBeGreaterThan(10_000);

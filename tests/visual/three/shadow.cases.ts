@@ -114,9 +114,13 @@ export interface Agreement {
   wrong: number;
 }
 
-/** The shadow on the floor of the balls that approximate a mesh. */
-export async function ballShadow(kind: 'capsules' | 'bones' | 'instances'): Promise<Agreement> {
+/** The shadow on the floor of the balls that approximate a mesh. @param isNear whether the camera is beside the balls */
+export async function ballShadow(kind: 'capsules' | 'bones' | 'instances', isNear: boolean): Promise<Agreement> {
   const host = floorOnly();
+  if (isNear) {
+    host.camera.position.set(-0.35, 0.9, 0.65);
+    host.camera.lookAt(-0.7, 0, 0.2);
+  }
   const { mesh: skinned, bones } = makeSkinned(UNSEEN);
   const thing = kind === 'instances' ? makeInstanced(UNSEEN) : skinned;
   thing.position.set(-0.4, 0.4, 0.5);
