@@ -6,7 +6,7 @@ uniform sampler2D lit;
 
 #include ../lib/depth.glsl
 #include ../lib/mask.glsl
-#include ../lib/smokeDepth.glsl
+#include smokeDepth.glsl
 
 // Depth between a lobe and what is behind it, in radii of the lobe, at which a stroke begins and is complete.
 const vec2 GAPS = vec2(0.0, 0.16);

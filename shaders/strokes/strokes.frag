@@ -17,7 +17,7 @@ flat in vec4 bulgeAndSqueeze;
 out vec4 coverage;
 
 #include ../lib/depth.glsl
-#include ../lib/smokeDepth.glsl
+#include smokeDepth.glsl
 #include ../lib/ink.glsl
 #ifdef DEFORMED
 #include ../lib/stretch.glsl
