@@ -49,7 +49,7 @@ it('ignores names of other objects, of another this, and of classes that could h
 it('shortens names declared in shaders, the most frequent first', () => {
   const text = 'float widthOf(float radius) { return 2.0 * radius; }\nvoid main() { pixel = widthOf(near); }';
   const names = shortNames([{ file: 'some.frag', text: `uniform float near;\nout vec4 pixel;\n${text}` }]);
-  expect(Object.fromEntries(names)).toEqual({ pixel: 'e', radius: 't', widthOf: 'n' });
+  expect(Object.fromEntries(names)).toEqual({ pixel: 'e', radius: 't', widthOf: 'a' });
 });
 
 it('keeps names used by TypeScript, GLSL, structs and macros, and avoids collisions', () => {
