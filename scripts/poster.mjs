@@ -6,7 +6,7 @@
 
 import { writeFileSync } from 'node:fs';
 import { evaluateInPage } from '../tests/bench/support/page.mjs';
-import { readScale } from './film/options.mjs';
+import { readLink, readScale } from './film/options.mjs';
 import { readArguments } from './lib/arguments.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { setUp, TESTS } from './setup/setup.mjs';
@@ -22,9 +22,10 @@ await conclude(async () => {
     },
     USAGE,
   );
-  const [link, file] = positionals;
+  const [address, file] = positionals;
   const size = /^(\d{1,4})x(\d{1,4})$/.exec(values.size);
   if (positionals.length !== 2 || !size) throw new UserError(`Name a link and a file. Usage: ${USAGE}`);
+  const link = readLink(address);
   const scale = readScale(values.scale, Number(size[2]));
   await setUp(TESTS);
   const [width, height] = [Number(size[1]) / scale, Number(size[2]) / scale];

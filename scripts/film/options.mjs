@@ -157,8 +157,8 @@ function onlyLink(/** @type {string[]} */ positionals) {
   return readLink(positionals[0]);
 }
 
-/** Query and hash of an address. */
-function readLink(/** @type {string} */ text) {
+/** Query and hash of an address. @throws {UserError} without a hash */
+export function readLink(/** @type {string} */ text) {
   const at = text.search(/[?#]/);
   if (at < 0 || !text.includes('#')) {
     throw new UserError(`${text} is not a link: give an address with a hash, or a hash such as '#v=3&preset=lamp'.`);
