@@ -37,9 +37,13 @@ export function createGpuTimer(device: Pick<Device, 'renderer' | 'onContext'>): 
   let extension: TimerExtension | null = null;
   let time: { readonly gpuMs: number } | undefined;
 
-  const drop = () => pending.splice(0).forEach(({ query }) => context.deleteQuery(query));
+  const drop = (isDropped: (each: Pending) => boolean) => {
+    for (const each of pending.filter(isDropped)) {
+      context.deleteQuery(each.query);
+      pending.splice(pending.indexOf(each), 1);
+    }
+  };
   const start = () => {
-    drop();
     extension = context.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
   };
   const timer: GpuTimer = {
@@ -47,7 +51,7 @@ export function createGpuTimer(device: Pick<Device, 'renderer' | 'onContext'>): 
       while (pending[0] && context.getQueryParameter(pending[0].query, context.QUERY_RESULT_AVAILABLE)) {
         // The GPU changed its clock or was interrupted, so none of the times is valid.
         if (context.getParameter(extension!.GPU_DISJOINT_EXT)) {
-          drop();
+          drop(() => true);
           break;
         }
         const { query, finish } = pending.shift()!;
@@ -67,11 +71,14 @@ export function createGpuTimer(device: Pick<Device, 'renderer' | 'onContext'>): 
     },
     dispose() {
       stopListening();
-      drop();
+      drop((each) => each.timer === timer);
     },
   };
   // A lost context loses its queries and its extensions.
-  const stopListening = device.onContext(start);
+  const stopListening = device.onContext(() => {
+    drop(() => true);
+    start();
+  });
   start();
   return timer;
 }

@@ -118,6 +118,17 @@ test('a disjoint GPU drops the frames of every stage of the context', () => {
   expect([timer.read(), other.read()]).toEqual([{ gpuMs: 4 }, { gpuMs: 5 }]);
 });
 
+test('creating and disposing of a timer leaves the frames of others', () => {
+  const browser = new Browser();
+  const timer = createGpuTimer(browser.device);
+  browser.draw(timer);
+  const other = createGpuTimer(browser.device);
+  browser.draw(other);
+  other.dispose();
+  browser.finish(7);
+  expect(timer.read()).toEqual({ gpuMs: 7 });
+});
+
 test('without the extension nothing is measured', () => {
   const browser = new Browser().without();
   const timer = createGpuTimer(browser.device);
