@@ -20,7 +20,7 @@ export { bakePuffs } from './puffs/billboards/layers.ts';
 export { isOfLook } from './puff/ofLook.ts';
 export { LOBE_SHAPES } from './puffs/lobeShapes.ts';
 export { billboardShapes } from './puffs/shapes.ts';
-export { inPieces, nextTask } from './puffs/work.ts';
+export { inPieces, nextTask } from './work.ts';
 export { STEP_SECONDS } from './sim/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS } from './sim/layout.ts';
 export { readBits, type Rows } from './sim/rows.ts';

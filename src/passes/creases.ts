@@ -15,7 +15,7 @@ import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { creaseEdges, type CreaseEdges } from './edges/creaseEdges.ts';
 import { inOne, type TriangleMesh } from './extrusion.ts';
-import { memoize } from './memoize.ts';
+import { memoize, memoizeWork } from './memoize.ts';
 import { seamEdges } from './edges/seamEdges.ts';
 import type { SurfaceDescription } from './surface.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
@@ -69,8 +69,10 @@ export class CreasesPass {
   }
 }
 
-export const memoizedCreases = memoize((mesh: TriangleMesh) => creaseEdges(mesh, SHARP_ANGLE));
-export const memoizedSeams = memoize((one: TriangleMesh) => memoize((other: TriangleMesh) => seamEdges(one, other)));
+export const memoizedCreases = memoizeWork((mesh: TriangleMesh) => creaseEdges(mesh, SHARP_ANGLE));
+export const memoizedSeams = memoize((one: TriangleMesh) =>
+  memoizeWork((other: TriangleMesh) => seamEdges(one, other)),
+);
 
 /** The edges that are drawn with each surface. */
 const edgesOf = memoize((surfaces: readonly SurfaceDescription[]) =>

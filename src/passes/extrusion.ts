@@ -1,3 +1,4 @@
+import type { Work } from '../work.ts';
 import { EdgeTable } from './edges/edgeTable.ts';
 import { memoize } from './memoize.ts';
 import { PLACES_PER_METRE } from '../constants.ts';
@@ -92,14 +93,16 @@ export function hullNormals(mesh: TriangleMesh): Float32Array {
  * Finds the faces and the edges of a closed mesh.
  * @throws RangeError if an edge does not join exactly two triangles: an open mesh encloses no volume
  */
-export function extrude(mesh: TriangleMesh): Extrusion {
+export function* extrude(mesh: TriangleMesh): Work<Extrusion> {
   const { positions, corners } = withoutDuplicates(mesh);
+  yield;
   const table = new EdgeTable(corners.length);
   for (let corner = 0; corner < corners.length; ++corner) {
     const [start, end] = [corners[corner], corners[nextCorner(corner)]];
     if (table.add(start, end) < corner)
       throw new RangeError(`The edge ${start}>${end} has two faces with the same winding.`);
   }
+  yield;
   const edges = new Uint32Array(2 * corners.length);
   let at = 0;
   for (let corner = 0; corner < corners.length; ++corner) {
@@ -112,6 +115,7 @@ export function extrude(mesh: TriangleMesh): Extrusion {
     edges[at++] = Math.floor(corner / 3);
     edges[at++] = Math.floor(opposite / 3);
   }
+  yield;
   const normals = Float32Array.from(faceNormals(positions, corners), (value) => (Number.isNaN(value) ? 0 : value));
   return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }

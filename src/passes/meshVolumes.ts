@@ -13,12 +13,12 @@ import { DrawnMesh } from '../device/drawnMesh.ts';
 import type { FrameView } from '../device/frameView.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
 import { extrude, inOne, writeVolume, type Extrusion } from './extrusion.ts';
-import { memoize } from './memoize.ts';
+import { memoizeWork } from './memoize.ts';
 import type { SurfaceDescription } from './surface.ts';
 import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { SHADOW_INSET } from '../constants.ts';
 
-export const memoizedExtrusion = memoize(extrude);
+export const memoizedExtrusion = memoizeWork(extrude);
 
 /** A mesh that casts shadow. */
 interface Caster {

@@ -4,7 +4,7 @@ import { bakingLobes } from '../puffs/bake/bakeLobes.ts';
 import { LruCache } from '../puffs/lru.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
-import { finished, type Work } from '../puffs/work.ts';
+import { finished, type Work } from '../work.ts';
 import { codeOf, here } from './extraPasses.ts';
 
 /** Baked puffs by shape. Smokes with the same object share their textures on a device. */

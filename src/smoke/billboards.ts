@@ -16,7 +16,7 @@ import { reachOf } from '../puffs/lobes.ts';
 import { billboardShapes, type PuffShape } from '../puffs/shapes.ts';
 import { solidsOf } from '../puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from '../puffs/bake/startCaps.ts';
-import type { Work } from '../puffs/work.ts';
+import type { Work } from '../work.ts';
 
 /** The shaders of billboard bodies. */
 export const billboardShaders: Shaders = { vertexShader, fragmentShader };

@@ -2,7 +2,7 @@ import type { BakedPuffs } from '../device/puffTextures.ts';
 import type { Values } from '../preset/parameter.ts';
 import { designedShapes, type PuffDesign } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
-import { finished, workedFor, type Work } from '../puffs/work.ts';
+import { finished, workedFor, type Work } from '../work.ts';
 import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
 import { deformationOf } from './style.ts';
 

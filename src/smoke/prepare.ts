@@ -5,7 +5,7 @@ import { memoizedExtrusion } from '../passes/meshVolumes.ts';
 import { RESOLVE_SHADERS } from '../passes/resolve.ts';
 import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
-import { inPieces, nextTask, PIECE_MS, type Work } from '../puffs/work.ts';
+import { inPieces, nextTask, PIECE_MS, type Work } from '../work.ts';
 import type { Device } from '../device/device.ts';
 import { FrameView } from '../device/frameView.ts';
 import { RampTexture } from '../device/ramps.ts';
@@ -18,20 +18,20 @@ import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
 /**
- * Computes everything that passes derive from surfaces, in steps of one mesh or one pair of meshes. Results are
+ * Computes everything that passes derive from surfaces. Results are
  * memoized for the passes that draw them later.
  */
 export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Work<void> {
   for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
     memoizedHullNormals(mesh);
     yield;
-    if (casts) memoizedExtrusion(mesh);
+    if (casts) yield* memoizedExtrusion.pieces(mesh);
     yield;
     if (!inked) continue;
-    memoizedCreases(mesh);
+    yield* memoizedCreases.pieces(mesh);
     yield;
     for (const other of meetingBehind(surfaces, index)) {
-      memoizedSeams(mesh)(other.mesh);
+      yield* memoizedSeams(mesh).pieces(other.mesh);
       yield;
     }
   }

@@ -1,4 +1,4 @@
-import { nextTask } from '../puffs/work.ts';
+import { nextTask } from '../work.ts';
 import type { SeekOptions } from './contract.ts';
 import type { Simulation } from './simulation.ts';
 

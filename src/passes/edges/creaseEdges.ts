@@ -1,5 +1,8 @@
 import { faceNormals, nextCorner, weld, type TriangleMesh } from '../extrusion.ts';
+import type { Work } from '../../work.ts';
 import { EdgeTable } from './edgeTable.ts';
+
+const CORNERS_PER_STEP = 3000;
 
 /** Edges that are drawn as lines, as flat arrays. */
 export interface CreaseEdges {
@@ -15,10 +18,11 @@ export interface CreaseEdges {
  * do, and border edges with one face.
  * @param angle least angle between the normals of the two faces, degrees
  */
-export function creaseEdges(mesh: TriangleMesh, angle: number): CreaseEdges {
+export function* creaseEdges(mesh: TriangleMesh, angle: number): Work<CreaseEdges> {
   const least = Math.cos((angle * Math.PI) / 180);
   const normals = faceNormals(mesh.positions, mesh.indices);
-  const edges = edgesOf(mesh, normals);
+  yield;
+  const edges = yield* edgesOf(mesh, normals);
   const creases: number[] = [];
   for (let edge = 0; edge < edges.count; edge++) {
     const [one, other] = [3 * edges.firstFaces[edge], 3 * edges.secondFaces[edge]];
@@ -50,7 +54,7 @@ interface Edges {
   isSplit: Uint8Array;
 }
 
-function edgesOf({ positions, indices }: TriangleMesh, normals: Float64Array): Edges {
+function* edgesOf({ positions, indices }: TriangleMesh, normals: Float64Array): Work<Edges> {
   const welded = weld(positions);
   const table = new EdgeTable(indices.length);
   const firstHalves = new Uint32Array(indices.length);
@@ -58,6 +62,7 @@ function edgesOf({ positions, indices }: TriangleMesh, normals: Float64Array): E
   const secondFaces = new Int32Array(indices.length).fill(-1);
   const isSplit = new Uint8Array(indices.length);
   for (let corner = 0; corner < indices.length; corner++) {
+    if (corner % CORNERS_PER_STEP === 0) yield;
     const face = Math.floor(corner / 3);
     if (Number.isNaN(normals[3 * face])) continue;
     const [start, end] = [indices[corner], indices[nextCorner(corner)]];

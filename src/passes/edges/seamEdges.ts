@@ -1,7 +1,12 @@
+import type { Work } from '../../work.ts';
 import type { CreaseEdges } from './creaseEdges.ts';
 import { inOne, type TriangleMesh } from '../extrusion.ts';
 import { memoize } from '../memoize.ts';
 import { TOUCHING } from '../../constants.ts';
+
+const NO_EDGES: CreaseEdges = { count: 0, ends: new Float32Array(), faceNormals: new Float32Array() };
+
+const FACES_PER_STEP = 64;
 
 type Vector = readonly [number, number, number];
 
@@ -26,13 +31,16 @@ interface Triangles {
  * on them. Coplanar faces have none. Face normals are zero: unlike a crease, a seam is drawn even where one of its
  * faces looks away, close to the silhouette that hides it.
  */
-export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
+export function* seamEdges(one: TriangleMesh, other: TriangleMesh): Work<CreaseEdges> {
+  if (!isNear(memoizedBox(one), 0, memoizedBox(other), 0)) return NO_EDGES;
   const near = trianglesNear(one, memoizedBox(other));
+  yield;
   const others = fromLowToHigh(trianglesNear(other, memoizedBox(one)));
   const widest = widestOf(others.boxes);
   const faces: (Face | undefined)[] = [];
   const ends: Vector[] = [];
-  near.firsts.forEach((first, index) => {
+  for (const [index, first] of near.firsts.entries()) {
+    if (index % FACES_PER_STEP === 0) yield;
     const [low, high] = [near.boxes[BOX_NUMBERS * index], near.boxes[BOX_NUMBERS * index + 3]];
     let face: Face | undefined;
     let beside = firstFrom(others.boxes, low - widest - 2 * TOUCHING);
@@ -40,28 +48,25 @@ export function seamEdges(one: TriangleMesh, other: TriangleMesh): CreaseEdges {
       if (!isNear(others.boxes, beside, near.boxes, index)) continue;
       face ??= faceOf(one, first);
       const besideFace = (faces[beside] ??= faceOf(other, others.firsts[beside]));
-      const seam = face && besideFace && meet(face, besideFace);
+      if (!face || !besideFace || isOneSided(face, besideFace) || isOneSided(besideFace, face)) continue;
+      const seam = meet(face, besideFace);
       if (seam) ends.push(...seam);
     }
-  });
+  }
   const flat = new Float32Array(ends.flat());
   return { count: ends.length / 2, ends: flat, faceNormals: new Float32Array(flat.length) };
 }
 
-const memoizedBox = memoize(({ positions, indices }: TriangleMesh) => boxAround(positions, indices));
-
-/** The smallest box around some vertices. @param box takes the result */
-function boxAround(positions: Float32Array, vertices: Uint32Array, box: Boxes = new Float32Array(BOX_NUMBERS)): Boxes {
-  box.fill(Infinity).fill(-Infinity, 3);
-  for (let index = 0; index < vertices.length; index++) {
-    for (let axis = 0; axis < 3; axis++) {
-      const value = positions[3 * vertices[index] + axis];
-      if (value < box[axis]) box[axis] = value;
-      if (value > box[3 + axis]) box[3 + axis] = value;
-    }
+/** The smallest box around the vertices of a mesh. */
+const memoizedBox = memoize(({ positions }: TriangleMesh): Boxes => {
+  const box = new Float32Array(BOX_NUMBERS).fill(Infinity).fill(-Infinity, 3);
+  for (let at = 0; at < positions.length; at++) {
+    const axis = at % 3;
+    if (positions[at] < box[axis]) box[axis] = positions[at];
+    if (positions[at] > box[3 + axis]) box[3 + axis] = positions[at];
   }
   return box;
-}
+});
 
 /** Whether two boxes touch or overlap. */
 function isNear(a: Boxes, i: number, b: Boxes, j: number): boolean {
@@ -78,10 +83,16 @@ function trianglesNear({ positions, indices }: TriangleMesh, box: Boxes): Triang
   const boxes: number[] = [];
   const own = new Float32Array(BOX_NUMBERS);
   for (let first = 0; first < indices.length; first += 3) {
-    boxAround(positions, indices.subarray(first, first + 3), own);
+    for (let axis = 0; axis < 3; axis++) {
+      const a = positions[3 * indices[first] + axis];
+      const b = positions[3 * indices[first + 1] + axis];
+      const c = positions[3 * indices[first + 2] + axis];
+      own[axis] = Math.min(a, b, c);
+      own[3 + axis] = Math.max(a, b, c);
+    }
     if (!isNear(own, 0, box, 0)) continue;
     firsts.push(first);
-    boxes.push(...own);
+    for (const side of own) boxes.push(side);
   }
   return { firsts, boxes: Float32Array.from(boxes) };
 }
@@ -122,6 +133,17 @@ function faceOf({ positions, indices }: TriangleMesh, first: number): Face | und
   const length = Math.hypot(x, y, z);
   if (length < 1e-12) return undefined;
   return { corners: [a, b, c], normal: [x / length, y / length, z / length] };
+}
+
+/** Whether a face is on one side of the plane of another, as most are: a shortcut of `meet`. */
+function isOneSided({ corners }: Face, { corners: [origin], normal }: Face): boolean {
+  let [below, above] = [0, 0];
+  for (const corner of corners) {
+    const height = dot(normal, between(origin, corner));
+    if (height > TOUCHING) above++;
+    if (height < -TOUCHING) below++;
+  }
+  return above === 3 || below === 3;
 }
 
 /** The segment that two faces share on the intersection line of their planes. */

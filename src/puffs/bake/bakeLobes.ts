@@ -3,7 +3,7 @@ import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
 import { solidsOf, type PuffSolids } from './solids.ts';
-import { finished, type Work } from '../work.ts';
+import { finished, type Work } from '../../work.ts';
 
 /** All lengths in particle radii. */
 export interface LobePuffs {

@@ -4,7 +4,7 @@
  */
 import { LruCache } from '../lru.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
-import type { Work } from '../work.ts';
+import type { Work } from '../../work.ts';
 import { surfaceOf } from './patches.ts';
 import { bakingTable, joined, latestCap, type StartCaps } from './startCaps.ts';
 

@@ -3,7 +3,7 @@ import { LruCache } from '../lru.ts';
 import { deepestSeen, reachOf } from '../lobes.ts';
 import { orientationOf, rotatedLobes } from '../orientation.ts';
 import type { Lobe } from '../shapes.ts';
-import type { Work } from '../work.ts';
+import type { Work } from '../../work.ts';
 
 /** All lengths in particle radii. */
 export interface LobeVariation {

@@ -9,7 +9,7 @@
 import { PatchBounds, type Cell } from './patchBounds.ts';
 import { POINT_STRIDE, type Patch } from './patches.ts';
 import type { Vector } from '../vector.ts';
-import { finished, type Work } from '../work.ts';
+import { finished, type Work } from '../../work.ts';
 import { CAP_COLUMNS, CAP_ROWS } from '../../constants.ts';
 
 /** Entries along each side of a block that shares one patch selection. Divides CAP_COLUMNS and CAP_ROWS. */

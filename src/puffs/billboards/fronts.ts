@@ -2,7 +2,7 @@
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
 import { bounded, type Patch } from '../bake/patches.ts';
 import { dot } from '../vector.ts';
-import { finished, type Work } from '../work.ts';
+import { finished, type Work } from '../../work.ts';
 
 /** Texels along each side of a patch. */
 const PATCH_TEXELS = 8;

@@ -17,7 +17,7 @@ import { nearestCells, signedDistance } from './distance.ts';
 import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterise, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import type { PuffShape } from '../shapes.ts';
-import { finished, type Work } from '../work.ts';
+import { finished, type Work } from '../../work.ts';
 
 /**
  * Range of the coverage channel in particle radii, half inside and half outside the silhouette. The outer half is the

@@ -8,7 +8,7 @@ import { ShapeError } from '../../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
 import type { Lobe } from '../shapes.ts';
 import { centreOf, depthsOf, type Voxels } from './voxels.ts';
-import type { Work } from '../work.ts';
+import type { Work } from '../../work.ts';
 
 /** Maximum number of candidate centres, and the candidate radii relative to the inscribed ball. */
 const MAX_PLACES = 800;

@@ -6,7 +6,7 @@ import { fittingBalls } from './fitBalls.ts';
 import { inUnitBall } from '../lobes.ts';
 import type { PuffShape } from '../shapes.ts';
 import { voxelsOf } from './voxels.ts';
-import { workedFor, type Work } from '../work.ts';
+import { workedFor, type Work } from '../../work.ts';
 import { MAX_LOBES } from '../../constants.ts';
 
 /** Voxels along each side of the grid for fitting, and of the finer grid that measures the result. */

@@ -3,6 +3,7 @@ import { extrude, hullNormals, weld, writeVolume, type TriangleMesh } from '../.
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
 import { box } from '../../visual/solids.ts';
+import { finished } from '../../../src/work.ts';
 
 type Triple = [number, number, number];
 
@@ -10,7 +11,7 @@ const CUBE = box([0, 0, 0], [1, 1, 1]);
 
 /** Volume enclosed by the shadow volume of a mesh whose far end is `extent` along the light. */
 function sweptVolume(mesh: TriangleMesh, travel: Triple, extent: number): number {
-  const extrusion = extrude(mesh);
+  const extrusion = finished(extrude(mesh));
   const { positions, normals, corners, edges } = extrusion;
   const vertices = positions.length / 3;
   const facesLight = Uint8Array.from({ length: corners.length / 3 }, (_, face) =>
@@ -52,13 +53,13 @@ describe('extrude', () => {
 
   it('rejects an open mesh', () => {
     const open = { ...CUBE, indices: CUBE.indices.slice(6) };
-    expect(() => extrude(open)).toThrow(/not closed/);
+    expect(() => finished(extrude(open))).toThrow(/not closed/);
   });
 
   it('rejects a mesh with an inverted face', () => {
     const flipped = { ...CUBE, indices: CUBE.indices.slice() };
     flipped.indices.set([flipped.indices[1], flipped.indices[0]], 0);
-    expect(() => extrude(flipped)).toThrow(RangeError);
+    expect(() => finished(extrude(flipped))).toThrow(RangeError);
   });
 });
 

@@ -3,7 +3,7 @@ import { bakePuffs, samplePuff } from '../../../src/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
 import { billboardShapes } from '../../../src/puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from '../../../src/puffs/bake/solids.ts';
-import { finished } from '../../../src/puffs/work.ts';
+import { finished } from '../../../src/work.ts';
 import { bakingBillboards } from '../../../src/smoke/billboards.ts';
 
 /** Height of a variation's balls, each enlarged by `growth`, at a position; -Infinity outside all balls. */

@@ -8,7 +8,7 @@ import { bakingPuffs } from '../../../src/smoke/bakedPuffs.ts';
 import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
 import { styleOf } from '../../../src/smoke/style.ts';
 import { defaults } from '../../../src/preset/values.ts';
-import { finished, inPieces, nextTask, workedFor, type Work } from '../../../src/puffs/work.ts';
+import { finished, inPieces, nextTask, workedFor, type Work } from '../../../src/work.ts';
 
 beforeAll(() => fetchExtras(styleOf(defaults())));
 

@@ -3,6 +3,7 @@ import { memoizedCreases, memoizedSeams } from '../../../src/passes/creases.ts';
 import { memoizedExtrusion } from '../../../src/passes/meshVolumes.ts';
 import type { SurfaceDescription } from '../../../src/passes/surface.ts';
 import { preparingSurfaces } from '../../../src/smoke/prepare.ts';
+import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { box, ground } from '../../visual/solids.ts';
 
 const [FLOOR, BOX, PLAIN] = [ground(0, 5).mesh, box([0, 0.5, 0], [0.5, 0.5, 0.5]), box([2, 2, 2], [1, 1, 1])];
@@ -13,14 +14,26 @@ const SURFACES: readonly SurfaceDescription[] = [
   { name: 'plain', mesh: PLAIN, color, casts: true, inked: false },
 ];
 
-test('each piece of work processes one mesh or one intersecting pair', () => {
-  const pieces = [...preparingSurfaces(SURFACES)];
-  const [hulls, volumes, creases, seams] = [3, 3, 2, 1];
-  expect(pieces).toHaveLength(hulls + volumes + creases + seams);
+/** Pieces that only look up what is known. */
+const [HULLS, VOLUMES, CREASES, SEAMS] = [3, 3, 2, 1];
+const LEAST = HULLS + VOLUMES + CREASES + SEAMS;
+
+test('large meshes are processed in more pieces than small ones', () => {
+  const piecesFor = (rings: number) => {
+    const [one, other] = [0, 1].map(() => ballMesh(1, rings));
+    const surfaces = SURFACES.map((surface, index) => ({ ...surface, mesh: [one, other, PLAIN][index] }));
+    return [...preparingSurfaces(surfaces)].length;
+  };
+  const small = piecesFor(6);
+  expect(small).toBeLessThan(3 * LEAST);
+  // 64 faces of the first ball are compared with the other at a time.
+  const faces = ballMesh(1, 60).indices.length / 3;
+  expect(piecesFor(60) - small).toBeGreaterThan((0.9 * faces) / 64);
 });
 
 test('prepared data is not computed again', () => {
-  expect([...preparingSurfaces(SURFACES)]).not.toHaveLength(0);
+  expect([...preparingSurfaces(SURFACES)].length).toBeGreaterThan(LEAST);
+  expect([...preparingSurfaces(SURFACES)]).toHaveLength(LEAST);
   const meshes = [BOX, FLOOR].map((mesh) => structuredClone(mesh.positions));
   // The cached surfaces are independent of later changes of the mesh.
   BOX.positions.fill(0);

@@ -3,12 +3,13 @@ import type { TriangleMesh } from '../../../../src/passes/extrusion.ts';
 import { seamEdges } from '../../../../src/passes/edges/seamEdges.ts';
 import { ballMesh } from '../../../../src/scenes/models/ball.ts';
 import { box, ground } from '../../../visual/solids.ts';
+import { finished } from '../../../../src/work.ts';
 
 const FLOOR = ground(0, 5).mesh;
 
 /** Lengths of the segments of a seam, metres, and the end points of each. */
 function seamOf(one: TriangleMesh, other: TriangleMesh): { length: number; places: number[][] } {
-  const { count, ends } = seamEdges(one, other);
+  const { count, ends } = finished(seamEdges(one, other));
   const places = Array.from({ length: 2 * count }, (_, place) => [...ends.subarray(3 * place, 3 * place + 3)]);
   const length = Array.from({ length: count }, (_, edge) => {
     const [from, to] = [places[2 * edge], places[2 * edge + 1]];
@@ -39,6 +40,6 @@ it('is a circle where a ball intersects a floor, in either order', () => {
 });
 
 it('is empty for surfaces that are apart or coplanar', () => {
-  expect(seamEdges(box([0, 0.51, 0], [0.5, 0.5, 0.5]), FLOOR).count).toBe(0);
-  expect(seamEdges(ground(0, 1).mesh, FLOOR).count).toBe(0);
+  expect(finished(seamEdges(box([0, 0.51, 0], [0.5, 0.5, 0.5]), FLOOR)).count).toBe(0);
+  expect(finished(seamEdges(ground(0, 1).mesh, FLOOR)).count).toBe(0);
 });
