@@ -1,4 +1,5 @@
 import { GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
+import { nextTask } from '../work.ts';
 import { DrawnMesh } from './drawnMesh.ts';
 import { hasPassed, placeFence } from './framesInFlight.ts';
 import { triangle } from './fullScreen.ts';
@@ -51,8 +52,7 @@ export class ProgramsAhead {
     const programs = renderer.info.programs as unknown as readonly Compiled[];
     const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
     while (!context.isContextLost() && performance.now() < until) {
-      // Reads their uniforms now: in the first frame this would wait for the draw calls before it.
-      if (isReady()) return programs.forEach((program) => program.getUniforms());
+      if (isReady()) return readUniforms([...programs]);
       await new Promise((resolve) => setTimeout(resolve, POLL_MS));
     }
   }
@@ -60,6 +60,17 @@ export class ProgramsAhead {
   dispose(): void {
     for (const material of this.programs.values()) material.dispose();
     this.programs.clear();
+  }
+}
+
+/**
+ * In the first frame this would wait for the draw calls before it. Each program waits for the GPU, so each has a task of
+ * its own.
+ */
+async function readUniforms(programs: readonly Compiled[]): Promise<void> {
+  for (const program of programs) {
+    program.getUniforms();
+    await nextTask();
   }
 }
 
