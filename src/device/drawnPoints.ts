@@ -32,6 +32,10 @@ export class DrawnPoints {
     this.scene.add(this.points);
   }
 
+  get material(): RawShaderMaterial {
+    return this.points.material;
+  }
+
   draw(renderer: WebGLRenderer, count: number): void {
     this.points.geometry.setDrawRange(0, count);
     renderer.render(this.scene, this.camera);

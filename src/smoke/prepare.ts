@@ -12,7 +12,7 @@ import { RampTexture } from '../device/ramps.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
-import { codeOf, fetchExtras, isSimplified } from './extraPasses.ts';
+import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
@@ -62,10 +62,13 @@ export async function compileAhead(
   const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
   for (const pass of passes) programs.compilePass(renderer, pass);
   for (const shaders of RESOLVE_SHADERS) programs.compile(renderer, shaders);
+  const areStroked = hasStrokes(style);
+  if (isShaded || areStroked) await fetchExtras(style);
   if (isShaded) {
-    await fetchExtras(style);
-    programs.compilePass(renderer, new (codeOf('simplify').SimplifyPass)(eye, ramps));
+    const { SimplifyPass } = codeOf('simplify');
+    programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
   }
+  if (areStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
   await programs.finished(renderer);
 }
 

@@ -115,6 +115,13 @@ export class SimplifyPass {
     });
   }
 
+  /** What it draws with. @param hasForm whether light follows the form of the smoke */
+  meshes(hasForm: boolean): readonly FullScreen[] {
+    if (!hasForm) return this.passes;
+    this.leaning ??= this.createLeaning();
+    return [...this.passes.slice(0, -1), this.leaning.tones];
+  }
+
   /** Releases the render targets until the next draw. */
   rest(): void {
     for (const target of [this.fields, this.tiles, this.flatTiles, this.across]) target.dispose();

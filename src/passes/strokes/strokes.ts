@@ -10,6 +10,7 @@ import {
   UnsignedShortType,
   Vector2,
   ZeroFactor,
+  type RawShaderMaterial,
   type Texture,
   type WebGLRenderer,
   type WebGLRenderTarget,
@@ -37,6 +38,21 @@ import { StrokeArcs } from './strokeArcs.ts';
 const TILE = 5;
 /** Tiles in a row: as many as the narrowest targets of WebGL 2 have room for. */
 const TILES_PER_LINE = 400;
+
+/** Blends ink over a premultiplied picture and keeps its alpha. */
+const OVER_PICTURE = {
+  blending: CustomBlending,
+  blendSrc: DstAlphaFactor,
+  blendDst: OneMinusSrcAlphaFactor,
+  blendSrcAlpha: ZeroFactor,
+  blendDstAlpha: OneFactor,
+} as const;
+
+/** The materials that strokes are drawn with, to compile them in advance. */
+export function strokeMaterials({ uniforms }: FrameView, isDeformed: boolean): readonly RawShaderMaterial[] {
+  const { candidates, ranges, strokes } = new StrokeShaders(uniforms, isDeformed ? DEFORMED : {});
+  return [candidates, ranges, strokes, new FullScreen(composeShader, uniforms)].map(({ material }) => material);
+}
 
 /**
  * Draws strokes of ink inside the silhouette: arcs of the outlines of lobes that stand before other smoke. Few arcs do. A
@@ -67,17 +83,7 @@ export class StrokesPass {
       plain: new StrokeShaders(this.uniforms, {}),
       deformed: new StrokeShaders(this.uniforms, DEFORMED),
     };
-    this.ink = new FullScreen(
-      composeShader,
-      { ...eye.uniforms, coverage: { value: coverage.texture } },
-      {
-        blending: CustomBlending,
-        blendSrc: DstAlphaFactor,
-        blendDst: OneMinusSrcAlphaFactor,
-        blendSrcAlpha: ZeroFactor,
-        blendDstAlpha: OneFactor,
-      },
-    );
+    this.ink = new FullScreen(composeShader, { ...eye.uniforms, coverage: { value: coverage.texture } }, OVER_PICTURE);
   }
 
   /**
@@ -153,7 +159,7 @@ function begin(renderer: WebGLRenderer, target: WebGLRenderTarget): void {
 class StrokeShaders {
   readonly candidates: DrawnPoints;
   readonly ranges: DrawnPoints;
-  private readonly strokes: DrawnMesh;
+  readonly strokes: DrawnMesh;
 
   constructor(uniforms: ViewUniforms, kind: Record<string, string>) {
     const defines = { TILE: String(TILE), ...kind };

@@ -1,4 +1,5 @@
 /** Which programs a stage compiles, and when. */
+import type { Values } from '../../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
@@ -11,20 +12,27 @@ export interface LinkedPrograms {
   readonly drawing: string[];
 }
 
-/** The programs of a wisp that is hidden until it is ready. */
-export async function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
+/** The programs of a plain wisp. */
+export function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
+  return programsOf({ ...presetValues(findPreset('wisp')!), ...PLAIN_LOOK, 'puff.lobes': lobes }, [64, 48]);
+}
+
+/** The programs of a preset, in a picture that is large enough for strokes. */
+export function programsOfPreset(name: string): Promise<LinkedPrograms> {
+  return programsOf(presetValues(findPreset(name)!), [480, 270]);
+}
+
+/** The programs of a picture that is hidden until it is ready. */
+async function programsOf(values: Values, [width, height]: readonly [number, number]): Promise<LinkedPrograms> {
   const linked: string[] = [];
   const stop = listenToLinks((shaders) => linked.push(shaders));
-  const values = {
-    ...presetValues(findPreset('wisp')!),
-    ...PLAIN_LOOK,
-    'simulation.maxParticles': 100,
-    'puff.lobes': lobes,
-  };
-  const stage = await createStage(new OffscreenCanvas(64, 48), { values, visible: false });
+  const stage = await createStage(new OffscreenCanvas(width, height), {
+    values: { ...values, 'simulation.maxParticles': 100 },
+    visible: false,
+  });
   const ahead = linked.splice(0);
   stage.visible = true;
-  stage.step(60);
+  stage.step(120);
   stage.dispose();
   stop();
   return { ahead, drawing: linked };

@@ -13,3 +13,17 @@ for (const lobes of [10, 6]) {
     expect(drawing).toEqual([]);
   });
 }
+
+for (const [preset, strokes] of [
+  ['wisp', 0],
+  ['cloudscape', 3],
+  ['train', 3],
+] as const) {
+  test(`light that follows the form, and strokes, are compiled in advance: ${preset}`, async ({ load }) => {
+    const cases = await load<Cases>('/tests/visual/stage/programs.cases.ts');
+    const { ahead, drawing } = await cases.evaluate((module, name) => module.programsOfPreset(name), preset);
+    expect(ahead.filter((shaders) => shaders.includes('#define FORM'))).toHaveLength(1);
+    expect(ahead.filter((shaders) => shaders.includes('#define TILE'))).toHaveLength(strokes);
+    expect(drawing).toEqual([]);
+  });
+}
