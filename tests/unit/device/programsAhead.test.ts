@@ -2,6 +2,7 @@
 import { RawShaderMaterial, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { ProgramsAhead } from '../../../src/device/programsAhead.ts';
+import { nextTask } from '../../../src/work.ts';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
@@ -41,6 +42,8 @@ class Browser {
 
 async function hasFinished(browser: Browser, milliseconds = 100): Promise<boolean> {
   await vi.advanceTimersByTimeAsync(milliseconds);
+  // The uniforms of each program are read in a task of its own.
+  for (let task = 0; task < 3; task++) await nextTask();
   return browser.hasFinished;
 }
 
