@@ -7,6 +7,7 @@ import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
 import { withoutAnimation, withoutHeadsets, withoutJson, withoutShaders } from './smallThree.mjs';
+import { withoutFallbacks } from './withoutFallbacks.mjs';
 import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
@@ -124,7 +125,7 @@ export async function bundleCommand(folder) {
 
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
-  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), ...smallThree()];
+  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), ...smallThree(), withoutFallbacks()];
 }
 
 function smallThree() {
