@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
-import { withoutAnimation, withoutHeadsets, withoutJson, withoutShaders } from './scripts/package/smallThree.mjs';
+import { smallThree } from './scripts/package/smallThree.mjs';
 import { addresses, preloads, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
@@ -17,9 +17,7 @@ export default defineConfig({
   base: './',
   plugins: [
     glsl(),
-    withoutShaders(),
-    withoutHeadsets(),
-    withoutJson(),
+    ...smallThree({ hasLoaders: true }),
     addresses(process.env.CARTOON_SMOKE_BASE),
     preloads('/src/app/ahead.ts', '/src/app/main.ts'),
     themeFirst(),
@@ -45,10 +43,7 @@ export default defineConfig({
     ],
   },
   // The simulator's module imports its bindings dynamically, which the IIFE worker format does not support.
-  worker: {
-    format: 'es',
-    plugins: () => [glsl(), withoutShaders(), withoutHeadsets(), withoutAnimation(), withoutJson()],
-  },
+  worker: { format: 'es', plugins: () => [glsl(), ...smallThree()] },
   build: {
     target: 'es2023',
     sourcemap: true,

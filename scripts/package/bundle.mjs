@@ -6,7 +6,7 @@ import { rolldown } from 'rolldown';
 import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
 import { shadersTogether, shortShaders } from './shortShaders.mjs';
-import { withoutAnimation, withoutHeadsets, withoutJson, withoutShaders } from './smallThree.mjs';
+import { smallThree } from './smallThree.mjs';
 import { withoutFallbacks } from './withoutFallbacks.mjs';
 import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 
@@ -126,10 +126,6 @@ export async function bundleCommand(folder) {
 /** Plugins that reduce the size further than a minifier can. */
 export function shortening() {
   return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), ...smallThree(), withoutFallbacks()];
-}
-
-function smallThree() {
-  return [withoutShaders(), withoutHeadsets(), withoutAnimation(), withoutJson()];
 }
 
 /**

@@ -52,24 +52,18 @@ const ANIMATION = [
 /** @type {Removal[]} */
 const JSON_METHODS = [{ pattern: /^\t(?:static )?(?:toJSON|fromJSON)\(.*?^\t\}$/gms, atLeast: 10 }];
 
-/** About 110 kB. @returns {BuildPlugin} */
-export function withoutShaders() {
-  return without('shaders', RENDERER, SHADERS);
-}
-
-/** @returns {BuildPlugin} */
-export function withoutHeadsets() {
-  return without('headsets', RENDERER, HEADSETS);
-}
-
-/** Loaders of models need animation. @returns {BuildPlugin} */
-export function withoutAnimation() {
-  return without('animation', CORE, ANIMATION);
-}
-
-/** @returns {BuildPlugin} */
-export function withoutJson() {
-  return without('json', CORE, JSON_METHODS);
+/**
+ * Shaders are about 110 kB.
+ * @param {{ hasLoaders?: boolean }} [options] whether the page loads models, which needs animation
+ * @returns {BuildPlugin[]}
+ */
+export function smallThree({ hasLoaders = false } = {}) {
+  return [
+    without('shaders', RENDERER, SHADERS),
+    without('headsets', RENDERER, HEADSETS),
+    ...(hasLoaders ? [] : [without('animation', CORE, ANIMATION)]),
+    without('json', CORE, JSON_METHODS),
+  ];
 }
 
 /**

@@ -18,8 +18,7 @@ import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
 /**
- * Computes everything that passes derive from surfaces. Results are
- * memoized for the passes that draw them later.
+ * Computes everything that passes derive from surfaces. Results are memoized for the passes that draw them later.
  */
 export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Work<void> {
   for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
@@ -62,13 +61,13 @@ export async function compileAhead(
   const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
   for (const pass of passes) programs.compilePass(renderer, pass);
   for (const shaders of RESOLVE_SHADERS) programs.compile(renderer, shaders);
-  const areStroked = hasStrokes(style);
-  if (isShaded || areStroked) await fetchExtras(style);
+  const isStroked = hasStrokes(style);
+  if (isShaded || isStroked) await fetchExtras(style);
   if (isShaded) {
     const { SimplifyPass } = codeOf('simplify');
     programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
   }
-  if (areStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
+  if (isStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
   await programs.finished(renderer);
 }
 

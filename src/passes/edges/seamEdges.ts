@@ -6,6 +6,7 @@ import { TOUCHING } from '../../constants.ts';
 
 const NO_EDGES: CreaseEdges = { count: 0, ends: new Float32Array(), faceNormals: new Float32Array() };
 
+/** Faces between two yields: about a millisecond. */
 const FACES_PER_STEP = 64;
 
 type Vector = readonly [number, number, number];

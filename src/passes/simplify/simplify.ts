@@ -95,10 +95,10 @@ export class SimplifyPass {
     output: WebGLRenderTarget,
     particles?: Particles,
   ): void {
-    const { uniforms, fields, tiles, flatTiles, across, passes, eye } = this;
-    const leaning = particles && (this.leaning ??= this.createLeaning());
-    if (leaning) {
-      const { form } = leaning;
+    const { uniforms, fields, tiles, flatTiles, across, eye } = this;
+    const meshes = this.meshes(particles !== undefined);
+    if (particles) {
+      const { form } = this.leaning!;
       form.follow(particles);
       uniforms.formFromView.value.copy(eye.uniforms.viewFromWorld.value).invert().premultiply(form.fromWorld);
     }
@@ -111,7 +111,7 @@ export class SimplifyPass {
       target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
     [fields, tiles, flatTiles, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
-      (leaning && target === output ? leaning.tones : passes[index]).draw(renderer);
+      meshes[index].draw(renderer);
     });
   }
 
