@@ -9,8 +9,3 @@ mat4 worldFromModel(int surface) {
     texelFetch(transforms, ivec2(3, surface), 0)
   );
 }
-
-// Whether a surface is drawn. The transform of an invisible one is zero.
-bool isVisible(mat4 transform) {
-  return transform[3][3] != 0.0;
-}

@@ -35,10 +35,6 @@ float raisedClipZ(float viewZ, float clipW, float nearer) {
 void main() {
   mat4 transform = worldFromModel(int(surfaceAndGroup.x));
   group = surfaceAndGroup.y;
-  if (!isVisible(transform)) {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
-    return;
-  }
   mat4 viewFromModel = viewFromWorld * transform;
   vec4 inView = viewFromModel * vec4(position, 1.0);
   vec4 clip = clipFromView * inView;

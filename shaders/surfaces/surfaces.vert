@@ -26,6 +26,5 @@ void main() {
   worldNormal = mat3(transform) * normal;
   worldPlace = (transform * vec4(position, 1.0)).xyz;
   material = firstMaterial + surface;
-  vec4 clip = clipFromView * viewFromWorld * transform * vec4(position, 1.0);
-  gl_Position = isVisible(transform) ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_Position = clipFromView * viewFromWorld * transform * vec4(position, 1.0);
 }

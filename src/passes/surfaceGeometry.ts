@@ -1,6 +1,7 @@
-import { BufferAttribute, BufferGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage } from 'three';
 import { hullNormals, inOne } from './extrusion.ts';
 import { memoize } from './memoize.ts';
+import type { SurfaceTransforms } from './surfaceTransforms.ts';
 import { groupOf, isMoving, type SurfaceDescription } from './surface.ts';
 
 export const memoizedHullNormals = memoize(hullNormals);
@@ -9,25 +10,52 @@ export const memoizedHullNormals = memoize(hullNormals);
 const GROUPS = 255;
 
 /**
- * Vertices and triangles of all surfaces of a scene. The inked static ones are followed by the inked moving ones, so that
- * each set that a draw call needs is one range. Of two surfaces at the same depth, the later one is visible: inked ones
- * cover static ones without outlines, and moving ones without outlines cover both.
+ * Vertices of all surfaces of a scene, and the triangles of the visible ones. The inked static ones are followed by the
+ * inked moving ones, so that each set that a draw call needs is one range. Of two surfaces at the same depth, the later
+ * one is visible: inked ones cover static ones without outlines, and moving ones without outlines cover both.
  */
 export class SurfaceGeometry extends BufferGeometry {
-  /** First corner of inked surfaces, first corner of those that move, and the corner after the last one. */
-  readonly firstInked: number;
-  readonly firstMoving: number;
-  readonly endInked: number;
+  /** First corner of inked surfaces, first corner of those that move, the corner after them, and that after the last. */
+  firstInked = 0;
+  firstMoving = 0;
+  endInked = 0;
+  end = 0;
+  private readonly surfaces: readonly SurfaceDescription[];
+  private readonly firstVertices: readonly number[];
+  private readonly indices: BufferAttribute;
+  /** Of the transforms, when the triangles were written. */
+  private changes = -1;
 
   constructor(surfaces: readonly SurfaceDescription[]) {
     super();
-    const { positions, normals, outward, numbers, indices, ends } = arraysOf(surfaces);
+    const { positions, normals, outward, numbers, firstVertices, corners } = arraysOf(surfaces);
+    this.surfaces = surfaces;
+    this.firstVertices = firstVertices;
     this.setAttribute('position', new BufferAttribute(positions, 3));
     this.setAttribute('normal', new BufferAttribute(normals, 3));
     this.setAttribute('hullNormal', new BufferAttribute(outward, 3));
     this.setAttribute('surfaceAndGroup', new BufferAttribute(numbers, 2));
-    this.setIndex(new BufferAttribute(indices, 1));
-    [this.firstInked, this.firstMoving, this.endInked] = ends;
+    this.indices = new BufferAttribute(new Uint32Array(corners), 1).setUsage(DynamicDrawUsage);
+    this.setIndex(this.indices);
+  }
+
+  /** Writes the triangles again if a surface has appeared or disappeared. */
+  follow(transforms: SurfaceTransforms): void {
+    if (this.changes === transforms.changes) return;
+    this.changes = transforms.changes;
+    const { surfaces, firstVertices, indices } = this;
+    let end = 0;
+    const ends = [0, 1, 2, 3].map((set) => {
+      surfaces.forEach((surface, index) => {
+        if (!transforms.isVisible(index) || setOf(surface) !== set) return;
+        for (const vertex of surface.mesh.indices) indices.array[end++] = firstVertices[index] + vertex;
+      });
+      return end;
+    });
+    [this.firstInked, this.firstMoving, this.endInked, this.end] = ends;
+    indices.clearUpdateRanges();
+    indices.addUpdateRange(0, end);
+    indices.needsUpdate = true;
   }
 }
 
@@ -37,7 +65,6 @@ function setOf(surface: SurfaceDescription): number {
   return isMoving(surface) ? 3 : 0;
 }
 
-/** Vertices in the order of the surfaces, triangles in drawing order. */
 const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
   const meshes = surfaces.map(({ mesh }) => mesh);
   const firstVertices = [0];
@@ -51,22 +78,12 @@ const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
       numbers.set([surface, group], 2 * vertex);
     }
   });
-  const indices = new Uint32Array(meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0));
-  const ends: number[] = [];
-  let end = 0;
-  for (const set of [0, 1, 2, 3]) {
-    meshes.forEach((mesh, surface) => {
-      if (setOf(surfaces[surface]) !== set) return;
-      for (const vertex of mesh.indices) indices[end++] = firstVertices[surface] + vertex;
-    });
-    ends.push(end);
-  }
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),
     normals: inOne(meshes.map(({ normals }) => normals)),
     outward: inOne(meshes.map(memoizedHullNormals)),
     numbers,
-    indices,
-    ends,
+    firstVertices,
+    corners: meshes.reduce((sum, mesh) => sum + mesh.indices.length, 0),
   };
 });

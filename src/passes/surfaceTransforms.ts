@@ -4,6 +4,8 @@ import { DataTexture, FloatType, Matrix4, RGBAFormat } from 'three';
 export class SurfaceTransforms {
   /** World transforms, one row of four texels for each surface; all zeros for an invisible one. */
   readonly texture: DataTexture;
+  /** Counts the surfaces that appeared or disappeared. */
+  changes = 0;
   private readonly elements: Float32Array;
   private readonly matrices: readonly Matrix4[];
   private readonly visible: boolean[];
@@ -21,6 +23,7 @@ export class SurfaceTransforms {
   place(surface: number, worldFromModel: Matrix4, isVisible = true): void {
     if (this.visible[surface] === isVisible && this.matrices[surface].equals(worldFromModel)) return;
     this.matrices[surface].copy(worldFromModel);
+    if (this.visible[surface] !== isVisible) this.changes++;
     this.visible[surface] = isVisible;
     this.write(surface);
   }

@@ -52,7 +52,7 @@ export class SurfacesPass {
 
   /** Whether this frame has raised hulls, which read the numbers of the groups. */
   get isNumbered(): boolean {
-    const { geometry } = this.surfaces.mesh;
+    const { geometry } = this;
     return this.eye.uniforms.inkPixels.value > 0 && this.firstRaised < geometry.endInked;
   }
 
@@ -65,9 +65,8 @@ export class SurfacesPass {
 
   /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */
   draw(renderer: WebGLRenderer, targets: Targets): void {
-    const { surfaces, hull, raisedHull, isNumbered } = this;
-    const { geometry } = surfaces.mesh;
-    this.drawRange(0, geometry.index!.count, renderer, surfaces.material);
+    const { surfaces, geometry, hull, raisedHull, isNumbered } = this;
+    this.drawRange(0, geometry.end, renderer, surfaces.material);
     if (isNumbered) this.groups.value = targets.endNumbers(renderer);
     const { firstInked, endInked } = geometry;
     if (this.eye.uniforms.inkPixels.value > 0) this.drawRange(firstInked, endInked, renderer, hull);
@@ -79,9 +78,15 @@ export class SurfacesPass {
     for (const part of [surfaces.mesh.geometry, surfaces.material, hull, raisedHull]) part.dispose();
   }
 
+  private get geometry(): SurfaceGeometry {
+    const { geometry } = this.surfaces.mesh;
+    geometry.follow(this.transforms);
+    return geometry;
+  }
+
   /** The creases pass draws the seams of static surfaces, which then need no raised hull. */
   private get firstRaised(): number {
-    const { firstInked, firstMoving } = this.surfaces.mesh.geometry;
+    const { firstInked, firstMoving } = this.geometry;
     return this.eye.uniforms.creases.value ? firstMoving : firstInked;
   }
 

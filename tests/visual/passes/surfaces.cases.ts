@@ -2,6 +2,8 @@
 import { Matrix4, PerspectiveCamera } from 'three';
 import { weld } from '../../../src/passes/extrusion.ts';
 import { Lab, PLAIN_STYLE, takePicture } from '../lab.ts';
+import { OUT_OF_SIGHT } from '../../../src/smoke/sceneSurfaces.ts';
+import { pageDevice } from '../pageDevice.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { box } from '../solids.ts';
 
@@ -44,6 +46,32 @@ export function outlineOnSlab(creases: boolean): { outline: number; open: number
     }
   }
   return report;
+}
+
+/**
+ * The triangles and pixels of a frame with a moving box that is shown, out of sight, and shown again, and of a frame
+ * without that box.
+ */
+export function comesAndGoes(): { triangles: number[]; isSame: boolean[] } {
+  const plain = { color: [200, 120, 60], casts: true, inked: true } as const;
+  const floor = { ...plain, name: 'floor', mesh: box([0, -0.5, 0], [1, 0.1, 1]) };
+  const moving = { ...plain, name: 'box', mesh: box([0, 0, 0], [0.2, 0.2, 0.2]), rigid: 0 };
+  const size = { width: SIZE, height: SIZE, puffs: [] };
+  const [both, bare] = [
+    { ...size, surfaces: [floor, moving] },
+    { ...size, surfaces: [floor] },
+  ];
+  const [lab, without] = [new Lab(both), new Lab(bare)];
+  const { render } = pageDevice().renderer.info;
+  const frames = [0, 2 * OUT_OF_SIGHT, 0].map((height) => {
+    const { pixels } = lab.draw({ ...both, rigids: [new Matrix4().makeTranslation(0, height, 0)] });
+    return { pixels, triangles: render.triangles };
+  });
+  const { pixels } = without.draw(bare);
+  frames.push({ pixels, triangles: render.triangles });
+  for (const drawn of [lab, without]) drawn.dispose();
+  const isSame = frames.map((frame) => frame.pixels.every((value, at) => value === pixels[at]));
+  return { triangles: frames.map(({ triangles }) => triangles), isSame };
 }
 
 /** Draw calls of a whole frame of the train. */

@@ -21,6 +21,17 @@ test('a scene of many moving meshes takes few draw calls', async ({ load }) => {
   expect(await cases.evaluate((module) => module.callsOfTrain())).toBeLessThanOrEqual(13);
 });
 
+test('a surface that is out of sight draws no triangles', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { triangles, isSame } = await cases.evaluate((module) => module.comesAndGoes());
+  const [shown, hidden, again, without] = triangles;
+  // Twelve triangles of the box, twice for its hulls, and more for its volume.
+  expect(shown).toBeGreaterThan(hidden + 40);
+  expect(again).toBe(shown);
+  expect(hidden).toBe(without);
+  expect(isSame).toEqual([false, true, false, true]);
+});
+
 for (const hasRaisedHulls of [true, false]) {
   test(`a smoke draws at other sizes: ${hasRaisedHulls ? 'with' : 'without'} raised hulls`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
