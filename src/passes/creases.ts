@@ -7,6 +7,7 @@ import {
   GLSL3,
   RawShaderMaterial,
   RGBAFormat,
+  type IUniform,
   type WebGLRenderer,
 } from 'three';
 import creasesVertexShader from '../../shaders/surfaces/creases.vert';
@@ -30,30 +31,31 @@ const EDGES_PER_ROW = 256;
  */
 export class CreasesPass {
   private readonly eye: FrameView;
-  private readonly count: number;
-  private readonly edges: DataTexture;
+  private count = 0;
+  private readonly edges: IUniform<DataTexture | null> = { value: null };
   private readonly ribbons: DrawnMesh;
 
-  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
+  constructor(eye: FrameView, transforms: SurfaceTransforms) {
     this.eye = eye;
-    const { count, texels, indices } = ribbonsOf(surfaces);
-    this.count = count;
-    this.edges = new DataTexture(
-      texels,
-      4 * EDGES_PER_ROW,
-      texels.length / (16 * EDGES_PER_ROW),
-      RGBAFormat,
-      FloatType,
-    );
-    this.edges.needsUpdate = true;
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader: creasesVertexShader,
       fragmentShader,
-      uniforms: { ...eye.uniforms, edges: { value: this.edges }, transforms: { value: transforms.texture } },
+      uniforms: { ...eye.uniforms, edges: this.edges, transforms: { value: transforms.texture } },
       side: DoubleSide,
     });
-    this.ribbons = new DrawnMesh(material, new BufferGeometry().setIndex(new BufferAttribute(indices, 1)));
+    this.ribbons = new DrawnMesh(material, new BufferGeometry());
+  }
+
+  /** Replaces the surfaces; there are none at first. */
+  show(surfaces: readonly SurfaceDescription[]): void {
+    const { count, texels, indices } = ribbonsOf(surfaces);
+    const rows = texels.length / (16 * EDGES_PER_ROW);
+    this.free();
+    this.count = count;
+    this.edges.value = new DataTexture(texels, 4 * EDGES_PER_ROW, rows, RGBAFormat, FloatType);
+    this.edges.value.needsUpdate = true;
+    this.ribbons.mesh.geometry = new BufferGeometry().setIndex(new BufferAttribute(indices, 1));
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -63,8 +65,12 @@ export class CreasesPass {
   }
 
   dispose(): void {
-    this.edges.dispose();
+    this.free();
     this.ribbons.material.dispose();
+  }
+
+  private free(): void {
+    this.edges.value?.dispose();
     this.ribbons.mesh.geometry.dispose();
   }
 }

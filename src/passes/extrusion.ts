@@ -10,6 +10,11 @@ export interface TriangleMesh {
   positions: Float32Array;
   normals: Float32Array;
   indices: Uint32Array;
+  /**
+   * Fewer triangles on the same vertices, which deviate from the mesh by about this many metres. They are closed if
+   * the mesh is.
+   */
+  coarser?: (deviation: number) => Uint32Array;
 }
 
 /** Twice the area of a triangle, in square metres, below which it has no normal. */

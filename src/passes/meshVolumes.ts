@@ -5,6 +5,7 @@ import {
   Matrix4,
   Vector3,
   Vector4,
+  type IUniform,
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../shaders/meshVolumes/meshVolumes.frag';
@@ -43,36 +44,46 @@ export class MeshVolumesPass {
   private readonly casters = new Map<number, Caster>();
   private readonly transforms: SurfaceTransforms;
   private readonly volumes: DrawnMesh;
-  private readonly indices: Uint32Array;
+  private indices = new Uint32Array();
+  private readonly firstFar: IUniform<number> = { value: 0 };
 
-  constructor(eye: FrameView, surfaces: readonly SurfaceDescription[], transforms: SurfaceTransforms) {
+  constructor(eye: FrameView, transforms: SurfaceTransforms) {
     this.eye = eye;
     this.transforms = transforms;
-    let [vertices, capacity] = [0, 0];
-    surfaces.forEach((surface, index) => {
-      if (!surface.casts) return;
-      const mesh = memoizedExtrusion(surface.mesh);
-      this.casters.set(index, casterOf(mesh, vertices));
-      vertices += mesh.positions.length / 3;
-      capacity += mesh.corners.length + 1.5 * mesh.edges.length;
-    });
-    this.indices = new Uint32Array(capacity);
     const material = countingMaterial({
       vertexShader,
       fragmentShader,
       uniforms: {
         ...eye.uniforms,
         transforms: { value: transforms.texture },
-        firstFar: { value: vertices },
+        firstFar: this.firstFar,
         inset: { value: SHADOW_INSET },
       },
     });
-    this.volumes = new DrawnMesh(material, geometryOf(this.casters, this.indices));
+    this.volumes = new DrawnMesh(material, new BufferGeometry());
     countFaces(
       this.volumes.mesh,
       { depthFail: WebGL2RenderingContext.DECR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
       { depthFail: WebGL2RenderingContext.INCR_WRAP, depthPass: WebGL2RenderingContext.KEEP },
     );
+  }
+
+  /** Replaces the surfaces; there are none at first. */
+  show(surfaces: readonly SurfaceDescription[]): void {
+    const { casters, firstFar } = this;
+    let capacity = 0;
+    casters.clear();
+    firstFar.value = 0;
+    surfaces.forEach((surface, index) => {
+      if (!surface.casts) return;
+      const mesh = memoizedExtrusion(surface.mesh);
+      casters.set(index, casterOf(mesh, firstFar.value));
+      firstFar.value += mesh.positions.length / 3;
+      capacity += mesh.corners.length + 1.5 * mesh.edges.length;
+    });
+    this.indices = new Uint32Array(capacity);
+    this.volumes.mesh.geometry.dispose();
+    this.volumes.mesh.geometry = geometryOf(casters, this.indices);
   }
 
   draw(renderer: WebGLRenderer): void {
@@ -97,10 +108,9 @@ export class MeshVolumesPass {
     }
     if (!isStale) return;
     const { geometry } = this.volumes.mesh;
-    const vertices = geometry.getAttribute('position').count / 2;
     let end = 0;
     for (const { mesh, first, facesLight, isVisible } of this.casters.values()) {
-      if (isVisible) end = writeVolume(mesh, facesLight, first, vertices + first, this.indices, end);
+      if (isVisible) end = writeVolume(mesh, facesLight, first, this.firstFar.value + first, this.indices, end);
     }
     const index = geometry.index!;
     geometry.setDrawRange(0, end);

@@ -20,7 +20,7 @@ export class SurfaceGeometry extends BufferGeometry {
   firstMoving = 0;
   endInked = 0;
   end = 0;
-  private readonly surfaces: readonly SurfaceDescription[];
+  private surfaces: readonly SurfaceDescription[];
   private readonly firstVertices: readonly number[];
   private readonly indices: BufferAttribute;
   /** Of the transforms, when the triangles were written. */
@@ -39,7 +39,13 @@ export class SurfaceGeometry extends BufferGeometry {
     this.setIndex(this.indices);
   }
 
-  /** Writes the triangles again if a surface has appeared or disappeared. */
+  /** Replaces the surfaces by others with the same vertices. */
+  show(surfaces: readonly SurfaceDescription[]): void {
+    this.surfaces = surfaces;
+    this.changes = -1;
+  }
+
+  /** Writes the triangles again if they were replaced, or if a surface has appeared or disappeared. */
   follow(transforms: SurfaceTransforms): void {
     if (this.changes === transforms.changes) return;
     this.changes = transforms.changes;

@@ -63,6 +63,11 @@ export class SurfacesPass {
     );
   }
 
+  /** Replaces the surfaces by others with the same vertices. */
+  show(surfaces: readonly SurfaceDescription[]): void {
+    this.surfaces.mesh.geometry.show(surfaces);
+  }
+
   /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */
   draw(renderer: WebGLRenderer, targets: Targets): void {
     const { surfaces, geometry, hull, raisedHull, isNumbered } = this;

@@ -124,8 +124,8 @@ const HEAPS = [
 const FLATNESS = 0.22;
 
 /** Surfaces that emit the clouds: rounded above, flat below. Every second cloud is mirrored. */
-function cumuli(all: readonly Cumulus[]): TriangleMesh {
-  return merged(
+function cumuli(all: readonly Cumulus[]): Pick<TriangleMesh, 'positions' | 'indices'> {
+  const { positions, indices } = merged(
     ...all.flatMap(([x, y, z, half], index) =>
       HEAPS.map(([aside, up, ahead, radius]) => {
         const mirrored = index % 2 === 0 ? aside : -aside;
@@ -133,9 +133,10 @@ function cumuli(all: readonly Cumulus[]): TriangleMesh {
       }),
     ),
   );
+  return { positions, indices };
 }
 
 function flattened(radius: number): TriangleMesh {
-  const { positions, normals, indices } = ballMesh(radius, 8);
-  return { positions: positions.map((at, i) => (i % 3 === 1 && at < 0 ? FLATNESS * at : at)), normals, indices };
+  const ball = ballMesh(radius, 8);
+  return { ...ball, positions: ball.positions.map((at, i) => (i % 3 === 1 && at < 0 ? FLATNESS * at : at)) };
 }

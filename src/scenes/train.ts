@@ -1,4 +1,5 @@
 import { cos, sin } from '../sim/exact/sine.ts';
+import { every, strideWithin } from './models/coarser.ts';
 import { island, trees } from './models/island.ts';
 import { AXLES, CHIMNEY, CRANK, CYLINDER, locomotive, locomotiveHull, WHEEL_RADIUS } from './models/locomotive.ts';
 import { merged, placed, placement } from './models/place.ts';
@@ -171,25 +172,34 @@ const RIG: Readonly<Record<string, number>> = {
 function ringMesh(inner: number, outer: number, bottom: number, top: number, segments = 96): TriangleMesh {
   const positions: number[] = [];
   const normals: number[] = [];
-  const indices: number[] = [];
+  const firsts: number[] = [];
   const band = (from: readonly [number, number], to: readonly [number, number], out: number, up: number) => {
-    const first = positions.length / 3;
+    firsts.push(positions.length / 3);
     for (let segment = 0; segment < segments; segment++) {
       const angle = (2 * Math.PI * segment) / segments;
       const [x, z] = [cos(angle), sin(angle)];
       for (const [radius, height] of [from, to]) positions.push(radius * x, height, radius * z);
       for (let end = 0; end < 2; end++) normals.push(out * x, up, out * z);
-      const [here, next] = [first + 2 * segment, first + 2 * ((segment + 1) % segments)];
-      indices.push(here, here + 1, next + 1, here, next + 1, next);
     }
   };
   band([outer, bottom], [outer, top], 1, 0);
   band([outer, top], [inner, top], 0, 1);
   band([inner, top], [inner, bottom], -1, 0);
   band([inner, bottom], [outer, bottom], 0, -1);
+  const triangles = (stride: number): Uint32Array => {
+    const columns = every(stride, segments);
+    const indices = firsts.flatMap((first) =>
+      columns.slice(1).flatMap((end, index) => {
+        const [here, next] = [first + 2 * columns[index], first + 2 * (end % segments)];
+        return [here, here + 1, next + 1, here, next + 1, next];
+      }),
+    );
+    return Uint32Array.from(indices);
+  };
   return {
     positions: Float32Array.from(positions),
     normals: Float32Array.from(normals),
-    indices: Uint32Array.from(indices),
+    indices: triangles(1),
+    coarser: (deviation) => triangles(strideWithin(deviation, outer, segments)),
   };
 }

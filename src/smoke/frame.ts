@@ -137,10 +137,11 @@ export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameRe
 }
 
 /** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
-function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time }: FrameInput) {
+function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time, deviation }: FrameInput) {
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   passes.scene?.place(rigids, parts ?? []);
+  passes.scene?.refine(deviation ?? 0);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
 }

@@ -31,6 +31,8 @@ export interface FrameInput {
   rigids: readonly Matrix4[];
   /** World transforms of the scene parts, attached to a rigid or not, by their index. */
   parts?: readonly Matrix4[];
+  /** How far the triangles of models may deviate from the finest ones, metres; see `deviationFor`. Default: 0. */
+  deviation?: number;
   /** What else receives shadow, which is drawn after the frame. */
   others?: OtherReceivers;
   /** Whether to cull puffs and casters that cannot be visible. The picture is the same with and without. */

@@ -12,6 +12,7 @@ import { RampTexture } from '../device/ramps.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
+import { coarserSurfaces } from './detail.ts';
 import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { SceneSurfaces } from './sceneSurfaces.ts';
@@ -19,10 +20,12 @@ import { styleOf, styleUniforms } from './style.ts';
 
 /**
  * Computes everything that passes derive from surfaces. Results are memoized for the passes that draw them later.
+ * @param deviation of the triangles from the finest ones, metres
  */
-export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Work<void> {
+export function* preparingSurfaces(finest: readonly SurfaceDescription[], deviation = 0): Work<void> {
+  const surfaces = coarserSurfaces(finest, deviation);
   for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
-    memoizedHullNormals(mesh);
+    memoizedHullNormals(finest[index].mesh);
     yield;
     if (casts) yield* memoizedExtrusion.pieces(mesh);
     yield;
@@ -37,8 +40,8 @@ export function* preparingSurfaces(surfaces: readonly SurfaceDescription[]): Wor
 }
 
 /** Like {@link preparingSurfaces}, but keeps the page responsive. */
-export function prepareSurfaces(surfaces: readonly SurfaceDescription[]): Promise<void> {
-  return inPieces(preparingSurfaces(surfaces));
+export function prepareSurfaces(surfaces: readonly SurfaceDescription[], deviation: number): Promise<void> {
+  return inPieces(preparingSurfaces(surfaces, deviation));
 }
 
 /**

@@ -5,6 +5,7 @@ import { CreasesPass } from '../passes/creases.ts';
 import { MeshVolumesPass } from '../passes/meshVolumes.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import { SurfacesPass } from '../passes/surfaces.ts';
+import { coarserSurfaces } from './detail.ts';
 import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 
 /** World height below which surfaces are hidden, metres. */
@@ -30,13 +31,14 @@ export class SceneSurfaces {
   readonly creases: CreasesPass;
   readonly volumes: MeshVolumesPass;
   private readonly descriptions: readonly SurfaceDescription[];
+  private deviation: number | undefined;
 
   constructor(eye: FrameView, ramps: RampTexture, firstRamp: number, descriptions: readonly SurfaceDescription[]) {
     const transforms = new SurfaceTransforms(descriptions.length);
     this.transforms = transforms;
     this.surfaces = new SurfacesPass(eye, ramps, firstRamp, descriptions, transforms);
-    this.creases = new CreasesPass(eye, descriptions, transforms);
-    this.volumes = new MeshVolumesPass(eye, descriptions, transforms);
+    this.creases = new CreasesPass(eye, transforms);
+    this.volumes = new MeshVolumesPass(eye, transforms);
     this.descriptions = descriptions;
   }
 
@@ -51,6 +53,17 @@ export class SceneSurfaces {
       const transform = part === undefined ? rigids[rigid!] : parts[part];
       placed.place(surface, transform, transform.elements[13] > OUT_OF_SIGHT);
     });
+  }
+
+  /**
+   * Chooses the triangles of the models.
+   * @param deviation from the finest ones, metres; see `deviationFor`
+   */
+  refine(deviation: number): void {
+    if (deviation === this.deviation) return;
+    this.deviation = deviation;
+    const surfaces = coarserSurfaces(this.descriptions, deviation);
+    for (const pass of [this.surfaces, this.creases, this.volumes]) pass.show(surfaces);
   }
 
   /** Frees the GPU resources. The next draw recreates them. */

@@ -15,18 +15,32 @@ export interface OpenedScene {
   readonly factory: SimulatorFactory;
 }
 
+interface OpenOptions extends Pick<LoadOptions, 'onProgress'> {
+  /** How far the triangles of models will deviate from the finest ones, metres; see `deviationFor`. Default: 0. */
+  deviationIn?: (scene: Scene) => number;
+}
+
 /**
  * Fetches the scene and the simulator in parallel.
  * @throws ParameterError when the scene does not exist, LoadError when something cannot be fetched
  */
-export async function openScene(name: string, onProgress?: LoadOptions['onProgress']): Promise<OpenedScene> {
+export async function openScene(
+  name: string,
+  { onProgress, deviationIn = () => 0 }: OpenOptions = {},
+): Promise<OpenedScene> {
   const { hasRigids, load } = sceneNamed(name);
   const whole = hasRigids ? () => withThings(load) : load;
   const [scene, factory] = await Promise.all([
-    fetched(name, whole),
+    prepared(fetched(name, whole), deviationIn),
     loadSimulators({ physics: hasRigids, onProgress }),
   ]);
   return { scene, factory };
+}
+
+async function prepared(fetching: Promise<Scene>, deviationIn: (scene: Scene) => number): Promise<Scene> {
+  const scene = await fetching;
+  await prepareSurfaces(scene.surfaces, deviationIn(scene));
+  return scene;
 }
 
 /** Adds droppable objects to scenes with physics. */
@@ -46,7 +60,6 @@ function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
 async function fetchNew(name: string, load: () => Promise<Scene>): Promise<Scene> {
   try {
     const scene = await inTime(load());
-    await prepareSurfaces(scene.surfaces);
     shown.set(name, new WeakRef(scene));
     return scene;
   } catch (error) {

@@ -86,11 +86,15 @@ export class OrbitCamera {
 
   /** Moves the target parallel to the picture, in pixels; the height of the view in pixels sets the scale. */
   pan(x: number, y: number, heightInPixels: number): void {
-    const metres =
-      (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
+    const metres = this.metresPerPixel(heightInPixels);
     const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
     this.take(targetValues(this.centre.addScaledVector(right, -x * metres).addScaledVector(up, y * metres)));
+  }
+
+  /** Metres that a pixel spans at the target, in a picture of this height. */
+  metresPerPixel(heightInPixels: number): number {
+    return (2 * this.place.radius * Math.tan(MathUtils.degToRad(this.camera.fov) / 2)) / Math.max(heightInPixels, 1);
   }
 
   /** Follows the scene's camera movement to a simulated time, except for overridden parameters. */

@@ -7,6 +7,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { PictureKind } from '../smoke/extraPasses.ts';
+import { deviationFor } from '../smoke/detail.ts';
 import { drawFrame } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
 import { OrbitCamera } from './orbit.ts';
@@ -148,6 +149,11 @@ export class Picture {
     return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
   }
 
+  /** See `firstDeviation`. */
+  deviationIn(scene: Scene, values: Values): number {
+    return firstDeviation(scene, values, ...this.size, this.pixelRatio);
+  }
+
   /** Applies new values. */
   follow(values: Values): void {
     this.shown.follow(values);
@@ -238,12 +244,30 @@ export class Picture {
       pixelRatio: this.pixelRatio * scale,
       rigids,
       parts,
+      deviation: deviationOf(this.eye, this.height),
       cull: true,
       view: this.view,
       isTransparent: !this.hasBackground,
       output,
     });
   }
+}
+
+/**
+ * How far models deviate from their finest triangles in the first picture of a scene, metres.
+ * @param values whose `camera.*` entries override the scene's camera
+ * @param width, height in CSS pixels
+ */
+export function firstDeviation(scene: Scene, values: Values, width: number, height: number, pixelRatio = 1): number {
+  if (!(width > 0 && height > 0)) return 0;
+  const eye = new OrbitCamera(scene, values);
+  eye.setSize(width, height);
+  return deviationOf(eye, pixelsOf(width, height, pixelRatio)[1]);
+}
+
+/** @param height in pixels */
+function deviationOf(eye: OrbitCamera, height: number): number {
+  return deviationFor(eye.metresPerPixel(height));
 }
 
 /**

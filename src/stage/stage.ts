@@ -15,7 +15,7 @@ import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
-import { pixelsOf, type DrawnDepth, type Picture } from './picture.ts';
+import { firstDeviation, pixelsOf, type DrawnDepth, type Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
 import { RunningScene } from './runningScene.ts';
 import type { Retouch } from './shownSmoke.ts';
@@ -220,7 +220,10 @@ export class Stage {
     const after = withDefaults(values);
     const entry = (this.#entering = {});
     const [opened] = await Promise.all([
-      openScene(after.scene as string, onProgress),
+      openScene(after.scene as string, {
+        onProgress,
+        deviationIn: (scene) => this.#picture.deviationIn(scene, after),
+      }),
       bakeAhead(after),
       fetchExtras(kindOf(after, this.view)).then(() => bakeAhead(after)),
     ]);
@@ -518,10 +521,14 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   // Before the programs compile: a resize of the drawing buffer waits for the GPU.
   const { width, height, pixelRatio } = options;
   if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
+  const size = [width ?? canvas.width, height ?? canvas.height] as const;
   const presenter = createPresenter(canvas, options.device, options);
   try {
     const [opened] = await Promise.all([
-      openScene(values.scene as string, options.onProgress),
+      openScene(values.scene as string, {
+        onProgress: options.onProgress,
+        deviationIn: (scene) => firstDeviation(scene, values, ...size, pixelRatio),
+      }),
       compileAhead(presenter.device, values),
       bakeAhead(values),
       // What the loaded code bakes.

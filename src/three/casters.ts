@@ -117,7 +117,8 @@ export class HostCasters {
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
       const transforms = new SurfaceTransforms(1);
-      const caster = { mesh, transforms, volume: new MeshVolumesPass(this.eye, [surface], transforms), scale };
+      const caster = { mesh, transforms, volume: new MeshVolumesPass(this.eye, transforms), scale };
+      caster.volume.show([surface]);
       this.meshes.add(caster);
       return caster;
     } catch (error) {

@@ -28,6 +28,8 @@ export interface SceneChoice {
   height: number;
   /** Override the scene's values. */
   values?: Values;
+  /** Replaces the surfaces of the scene. */
+  surfaces?: (own: Scene['surfaces']) => Scene['surfaces'];
   /** Stops self-rotating parts at their initial angle. */
   holdsRotations?: boolean;
   /** Whether the preset draws as on the page. The default is a plain drawing with few particles. */
@@ -46,6 +48,8 @@ export interface FrameOptions {
   isBare?: boolean;
   /** Between the previous step (0) and the current one (1). */
   blend?: number;
+  /** How far models may deviate from their finest triangles, metres. */
+  deviation?: number;
   /** Debug view to draw instead of the picture. */
   view?: DebugView;
 }
@@ -87,7 +91,8 @@ export class SceneLab {
     const values = { ...presetValues(findPreset(preset)!), ...(choice.ownLook ? {} : SMALL), ...choice.values };
     const { load, hasRigids } = sceneNamed(values.scene as string);
     const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
-    const scene = choice.holdsRotations ? withHeldRotations(loaded) : loaded;
+    const held = choice.holdsRotations ? withHeldRotations(loaded) : loaded;
+    const scene = choice.surfaces ? { ...held, surfaces: choice.surfaces(held.surfaces) } : held;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);
   }
 
@@ -147,7 +152,14 @@ export class SceneLab {
   }
 
   /** What a picture is drawn from. */
-  frame({ camera = this.camera(), cull = true, isBare = false, blend = 1, view }: FrameOptions = {}): FrameInput {
+  frame({
+    camera = this.camera(),
+    cull = true,
+    isBare = false,
+    blend = 1,
+    view,
+    deviation = 0,
+  }: FrameOptions = {}): FrameInput {
     const { width, height, values, style, scene } = this;
     const rigids = this.simulation.rigids(blend);
     return {
@@ -163,6 +175,7 @@ export class SceneLab {
       parts: this.simulation.parts(blend, rigids),
       cull,
       view,
+      deviation,
       output: null,
     };
   }

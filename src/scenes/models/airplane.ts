@@ -170,9 +170,8 @@ function knot(): TriangleMesh {
 
 /** A wavy strip that trails from the knot. */
 function scarf(): TriangleMesh {
-  const { positions, normals, indices } = placed(roundedBox([0.36, 0.035, 0.085], [0.1, 0.03, 0.05]), {
-    at: [-0.34, 0, 0],
-  });
+  const flat = placed(roundedBox([0.36, 0.035, 0.085], [0.1, 0.03, 0.05]), { at: [-0.34, 0, 0] });
+  const { positions } = flat;
   const waved = positions.map((value, i) => (i % 3 === 1 ? value + 0.05 * sin(9 * positions[i - 1]) : value));
-  return { positions: waved, normals, indices };
+  return { ...flat, positions: waved };
 }

@@ -1,5 +1,6 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
+import { every, strideWithin } from './coarser.ts';
 
 /** A closed sphere about the origin: `rings` bands from pole to pole, and twice as many segments around. */
 export function ballMesh(radius: number, rings = 20): TriangleMesh {
@@ -17,20 +18,27 @@ export function ballMesh(radius: number, rings = 20): TriangleMesh {
   return {
     positions: new Float32Array(positions),
     normals: new Float32Array(positions.map((coordinate) => coordinate / radius)),
-    indices: new Uint32Array(ballIndices(rings, segments)),
+    indices: ballIndices(rings, 1),
+    coarser: (deviation) => ballIndices(rings, strideWithin(deviation, radius, segments)),
   };
 }
 
-function ballIndices(rings: number, segments: number): number[] {
+/** The triangles between every n-th ring and segment. */
+function ballIndices(rings: number, stride: number): Uint32Array {
+  const segments = 2 * rings;
   const south = 1 + (rings - 1) * segments;
   const at = (ring: number, segment: number) => 1 + (ring - 1) * segments + (segment % segments);
   const indices: number[] = [];
-  for (let segment = 0; segment < segments; ++segment) {
-    indices.push(0, at(1, segment), at(1, segment + 1), south, at(rings - 1, segment + 1), at(rings - 1, segment));
-    for (let ring = 1; ring < rings - 1; ++ring) {
-      const [a, b, c, d] = [at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1), at(ring, segment + 1)];
+  const kept = every(stride, rings).slice(1, -1);
+  const [first, last] = [kept[0], kept.at(-1)!];
+  const columns = every(stride, segments);
+  columns.slice(1).forEach((next, index) => {
+    const segment = columns[index];
+    indices.push(0, at(first, segment), at(first, next), south, at(last, next), at(last, segment));
+    kept.slice(1).forEach((below, band) => {
+      const [a, b, c, d] = [at(kept[band], segment), at(below, segment), at(below, next), at(kept[band], next)];
       indices.push(a, b, c, a, c, d);
-    }
-  }
-  return indices;
+    });
+  });
+  return Uint32Array.from(indices);
 }

@@ -118,10 +118,7 @@ function tent(out: number, size: number): TriangleMesh {
     normals[from + 1] = (y + Math.abs(x) * 1.1) / length;
     normals[from + 2] /= length;
   }
-  return placed(
-    { positions, normals, indices: box.indices },
-    { at: [-1.3, 0, -0.95], angles: [0, 0.42, 0], scale: 1.25 },
-  );
+  return placed({ ...box, positions, normals }, { at: [-1.3, 0, -0.95], angles: [0, 0.42, 0], scale: 1.25 });
 }
 
 function stick(): TriangleMesh {

@@ -151,7 +151,7 @@ function ray(index: number): TriangleMesh {
 }
 
 /** A light source has no dark side: a cover mesh whose normals all point towards the light. */
-function shining({ positions, indices }: TriangleMesh): TriangleMesh {
-  const raised = positions.map((at, i) => (i % 3 === 2 ? at + 0.015 : at));
-  return { positions: raised, indices, normals: positions.map((_, i) => SHINING[i % 3]) };
+function shining(mesh: TriangleMesh): TriangleMesh {
+  const raised = mesh.positions.map((at, i) => (i % 3 === 2 ? at + 0.015 : at));
+  return { ...mesh, positions: raised, normals: raised.map((_, i) => SHINING[i % 3]) };
 }

@@ -14,7 +14,7 @@ export interface Stand {
 
 /** The transformed mesh, with unit normals. */
 export function placed(
-  { positions, normals, indices }: TriangleMesh,
+  { positions, normals, indices, coarser }: TriangleMesh,
   { at = [0, 0, 0], angles = [0, 0, 0], scale = 1 }: Stand,
 ): TriangleMesh {
   const [a, b, c] = typeof scale === 'number' ? [scale, scale, scale] : scale;
@@ -25,21 +25,26 @@ export function placed(
     ),
     normals: mapped(normals, (x, y, z) => normalized(rotate(rotation, [x / a, y / b, z / c]))),
     indices,
+    coarser: coarser && ((deviation) => coarser(deviation / Math.max(a, b, c))),
   };
 }
 
 /** Merges several meshes into one. */
 export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
-  let next = 0;
-  const indices = meshes.flatMap((mesh) => {
-    const first = next;
-    next += mesh.positions.length / 3;
-    return Array.from(mesh.indices, (index) => index + first);
-  });
+  const together = (indicesOf: (mesh: TriangleMesh) => Uint32Array): Uint32Array => {
+    let next = 0;
+    const all = meshes.flatMap((mesh) => {
+      const first = next;
+      next += mesh.positions.length / 3;
+      return Array.from(indicesOf(mesh), (index) => index + first);
+    });
+    return Uint32Array.from(all);
+  };
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),
     normals: inOne(meshes.map(({ normals }) => normals)),
-    indices: Uint32Array.from(indices),
+    indices: together(({ indices }) => indices),
+    coarser: (deviation) => together((mesh) => mesh.coarser?.(deviation) ?? mesh.indices),
   };
 }
 

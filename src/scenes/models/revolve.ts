@@ -10,6 +10,7 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, hypot, sin } from '../../sim/exact/sine.ts';
 import { cross } from '../../sim/exact/rotation.ts';
+import { every, largest, strideWithin } from './coarser.ts';
 import type { Curve } from './spline.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
@@ -55,14 +56,22 @@ export function planarAxis(path: Curve): Axis {
 /** Step for finite differences, as a fraction of a curve. */
 const STEP = 1e-4;
 
+/** The vertices around an axis at one position of a profile, or the single vertex on the axis. */
+interface Ring {
+  /** Largest distance from the axis. */
+  readonly radius: number;
+  /** Two points on opposite sides. */
+  readonly sides: readonly number[];
+  /** Index of the vertex at a segment. */
+  readonly vertexAt: (segment: number) => number;
+}
+
 /** The closed mesh of a surface of revolution. */
 export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
-  const { profile, segments } = surface;
+  const { profile, segments, swell = () => 1 } = surface;
   const positions: number[] = [];
   const normals: number[] = [];
-  const indices: number[] = [];
-  /** Adds the vertices around the axis, or the single vertex on it. */
-  const ring = (curve: Curve, parameter: number, isPole: boolean): ((segment: number) => number) => {
+  const ring = (curve: Curve, parameter: number, isPole: boolean): Ring => {
     const first = positions.length / 3;
     const pointAt = circle(surface, curve, parameter);
     const normalAt = isPole ? () => poleNormal(surface, curve, parameter) : normalsOn(surface, curve, parameter);
@@ -72,25 +81,74 @@ export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
       positions.push(...pointAt(angle));
       normals.push(...normalAt(angle));
     }
-    return (segment) => first + (segment % count);
+    return {
+      radius: curve(parameter)[0] * swell(0),
+      sides: [...pointAt(0), ...pointAt(Math.PI)],
+      vertexAt: (segment) => first + (segment % count),
+    };
   };
-  profile.forEach(({ curve, bands }, i) => {
-    let from = ring(curve, 0, i === 0);
-    for (let band = 1; band <= bands; band++) {
-      const to = ring(curve, band / bands, i === profile.length - 1 && band === bands);
-      for (let segment = 0; segment < segments; segment++) {
-        const [a, b, c, d] = [from(segment), to(segment), to(segment + 1), from(segment + 1)];
-        if (b !== c) indices.push(a, b, c);
-        if (a !== d) indices.push(a, c, d);
-      }
-      from = to;
-    }
-  });
+  const stretches = profile.map(({ curve, bands }, i) =>
+    Array.from({ length: bands + 1 }, (_, band) =>
+      ring(curve, band / bands, band === 0 ? i === 0 : i === profile.length - 1 && band === bands),
+    ),
+  );
   return {
     positions: Float32Array.from(positions),
     normals: Float32Array.from(normals),
-    indices: Uint32Array.from(indices),
+    indices: trianglesBetween(stretches, every(1, segments)),
+    coarser: (deviation) =>
+      trianglesBetween(
+        stretches.map((rings) => {
+          const kept = keptPoints(deviation, rings.map(({ sides }) => sides)); // prettier-ignore
+          return kept.map((index) => rings[index]);
+        }),
+        every(strideWithin(deviation, largestRadius(stretches.flat()), segments), segments),
+      ),
   };
+}
+
+/**
+ * Leaves out points of a curve that are at most this far from the straight line between their neighbours. At least one
+ * stays between the ends, because a curve from pole to pole needs it.
+ * @param points of any dimension
+ * @returns the indices of the points that stay
+ */
+function keptPoints(deviation: number, points: readonly (readonly number[])[]): number[] {
+  const last = points.length - 1;
+  const kept = [0];
+  for (let from = 0; from < last; kept.push(from)) {
+    const length = largest(from > 0 ? last - from : last - 1, (bands) => {
+      const way = minus(points[from + bands], points[from]);
+      return points.slice(from + 1, from + bands).every((point) => {
+        const offset = minus(point, points[from]);
+        const share = dot(offset, way) / dot(way, way);
+        return hypot(...offset.map((along, axis) => along - share * way[axis])) <= deviation;
+      });
+    });
+    from += length;
+  }
+  return kept;
+}
+
+/** The triangles between neighbouring rings of each stretch, at these segments. */
+function trianglesBetween(stretches: readonly (readonly Ring[])[], segments: readonly number[]): Uint32Array {
+  const indices: number[] = [];
+  for (const rings of stretches) {
+    rings.slice(1).forEach(({ vertexAt: to }, band) => {
+      const { vertexAt: from } = rings[band];
+      segments.slice(1).forEach((next, column) => {
+        const segment = segments[column];
+        const [a, b, c, d] = [from(segment), to(segment), to(next), from(next)];
+        if (b !== c) indices.push(a, b, c);
+        if (a !== d) indices.push(a, c, d);
+      });
+    });
+  }
+  return Uint32Array.from(indices);
+}
+
+function largestRadius(rings: readonly Ring[]): number {
+  return Math.max(...rings.map(({ radius }) => radius));
 }
 
 /** A function of the angle (radians) from `across` towards `side`. */
@@ -138,4 +196,8 @@ function minus(a: readonly number[], b: readonly number[]): number[] {
 export function normalized(vector: readonly number[]): number[] {
   const length = hypot(...vector);
   return vector.map((part) => part / length);
+}
+
+function dot(a: readonly number[], b: readonly number[]): number {
+  return a.reduce((sum, along, axis) => sum + along * b[axis], 0);
 }

@@ -1,7 +1,11 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { tan } from '../../sim/exact/arc.ts';
 import type { Vector } from '../scene.ts';
+import { every, strideWithin } from './coarser.ts';
 import { normalized } from './revolve.ts';
+
+/** Distance of a chamfered corner from a round one, in radii. */
+const CHAMFER = 0.4;
 
 /** The tangent axes u and v of each cube face, with u x v along the face normal. */
 const FACES: readonly (readonly [axis: number, sign: 1 | -1, u: number, v: number])[] = [
@@ -23,7 +27,6 @@ export function roundedBox(halfExtents: Vector, radius: number | Vector, cells =
   const numbers = new Map<string, number>();
   const positions: number[] = [];
   const normals: number[] = [];
-  const indices: number[] = [];
   const vertex = (cell: readonly number[]): number => {
     const key = cell.join();
     if (!numbers.has(key)) {
@@ -35,21 +38,42 @@ export function roundedBox(halfExtents: Vector, radius: number | Vector, cells =
     }
     return numbers.get(key)!;
   };
-  for (const [axis, sign, u, v] of FACES) {
-    for (let i = 0; i < cells; i++) {
-      for (let j = 0; j < cells; j++) {
-        const corner = (right: number, up: number): number => {
-          const cell = [0, 0, 0];
-          [cell[axis], cell[u], cell[v]] = [sign > 0 ? cells : 0, i + right, j + up];
-          return vertex(cell);
-        };
-        indices.push(corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 0), corner(1, 1), corner(0, 1));
+  const triangles = (lines: readonly number[], isChamfered: boolean): Uint32Array => {
+    const indices: number[] = [];
+    for (const [axis, sign, u, v] of FACES) {
+      for (let i = 0; i + 1 < lines.length; i++) {
+        for (let j = 0; j + 1 < lines.length; j++) {
+          const corner = (right: number, up: number): number => {
+            const cell = [0, 0, 0];
+            [cell[axis], cell[u], cell[v]] = [sign > 0 ? cells : 0, lines[i + right], lines[j + up]];
+            return vertex(isChamfered ? onOneFace(cell, cells) : cell);
+          };
+          const [a, b, c, d] = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+          if (a !== b && b !== c && c !== a) indices.push(a, b, c);
+          if (a !== c && c !== d && d !== a) indices.push(a, c, d);
+        }
       }
     }
-  }
+    return Uint32Array.from(indices);
+  };
+  const largest = Math.max(...radii);
+  const half = (cells - 1) / 2;
+  const indices = triangles(every(1, cells), false);
   return {
     positions: Float32Array.from(positions),
     normals: Float32Array.from(normals),
-    indices: Uint32Array.from(indices),
+    indices,
+    coarser: (deviation) => {
+      const before = every(Math.min(half, strideWithin(deviation, largest, 4 * cells)), half);
+      const lines = [...before, ...before.map((line) => cells - line).toReversed()];
+      return triangles(lines, deviation > CHAMFER * largest);
+    },
   };
+}
+
+/** Moves a vertex of an edge or a corner to the flat part of one face that it belongs to. */
+function onOneFace(cell: readonly number[], cells: number): number[] {
+  const face = cell.findIndex((at) => at === 0 || at === cells);
+  const flat = (cells - 1) / 2;
+  return cell.map((at, axis) => (axis === face ? at : Math.min(flat + 1, Math.max(flat, at))));
 }

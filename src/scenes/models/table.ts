@@ -1,5 +1,6 @@
 import type { TriangleMesh } from '../../passes/extrusion.ts';
 import { cos, sin } from '../../sim/exact/sine.ts';
+import { every, strideWithin } from './coarser.ts';
 
 const SEGMENTS = 96;
 
@@ -7,7 +8,6 @@ const SEGMENTS = 96;
 export function tableMesh(radius: number, thickness: number): TriangleMesh {
   const positions: number[] = [];
   const normals: number[] = [];
-  const indices: number[] = [];
   const ring = (y: number, normal: (x: number, z: number) => number[]) => {
     const first = positions.length / 3;
     for (let segment = 0; segment < SEGMENTS; ++segment) {
@@ -22,16 +22,21 @@ export function tableMesh(radius: number, thickness: number): TriangleMesh {
   const upper = ring(0, (x, z) => [x, 0, z]);
   const lower = ring(-thickness, (x, z) => [x, 0, z]);
   const bottom = ring(-thickness, () => [0, -1, 0]);
-  for (let segment = 0; segment < SEGMENTS; ++segment) {
-    const next = (segment + 1) % SEGMENTS;
-    indices.push(upper + segment, lower + segment, lower + next, upper + segment, lower + next, upper + next);
-  }
-  for (let segment = 1; segment < SEGMENTS - 1; ++segment) {
-    indices.push(top, top + segment, top + segment + 1, bottom, bottom + segment + 1, bottom + segment);
-  }
+  const triangles = (stride: number): Uint32Array => {
+    const indices: number[] = [];
+    const columns = every(stride, SEGMENTS);
+    columns.slice(1).forEach((end, index) => {
+      const [segment, next] = [columns[index], end % SEGMENTS];
+      indices.push(upper + segment, lower + segment, lower + next, upper + segment, lower + next, upper + next);
+      if (segment > 0 && next > 0)
+        indices.push(top, top + segment, top + next, bottom, bottom + next, bottom + segment);
+    });
+    return new Uint32Array(indices);
+  };
   return {
     positions: new Float32Array(positions),
     normals: new Float32Array(normals),
-    indices: new Uint32Array(indices),
+    indices: triangles(1),
+    coarser: (deviation) => triangles(strideWithin(deviation, radius, SEGMENTS)),
   };
 }

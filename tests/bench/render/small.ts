@@ -3,6 +3,7 @@
  * the scene with the most models.
  */
 import { SceneLab } from '../../visual/sceneLab.ts';
+import { deviationFor } from '../../../src/smoke/detail.ts';
 import { demand, figure, say, time, type Figure } from '../support/figures.ts';
 
 const STEPS = 240;
@@ -13,7 +14,7 @@ export async function measureSmall(quick: boolean): Promise<Figure[]> {
   const { calls } = wisp.drawn();
   const times: number[] = [];
   const frames = quick ? 20 : 60;
-  for (let frame = 0; frame < frames; frame++) times.push(time(() => wisp.draw()));
+  for (let frame = 0; frame < frames; frame++) times.push(time(() => wisp.draw({ deviation: deviationIn(wisp) })));
   demand((wisp.report?.bodiesDrawn ?? 0) > 20, 'the wisp has no smoke');
   wisp.dispose();
   await say('render.triangles');
@@ -33,6 +34,11 @@ export async function measureSmall(quick: boolean): Promise<Figure[]> {
 async function labOf(preset: string, width: number, height: number): Promise<SceneLab> {
   const lab = await SceneLab.create(preset, { width, height, smoothEdges: true });
   lab.step(STEPS);
-  lab.draw();
+  lab.draw({ deviation: deviationIn(lab) });
   return lab;
+}
+
+/** As a stage of this size has it. */
+function deviationIn(lab: SceneLab): number {
+  return deviationFor(1 / lab.pixelsPerMetre(lab.scene.camera.distance));
 }

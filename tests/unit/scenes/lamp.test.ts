@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { extrude, type TriangleMesh } from '../../../src/passes/extrusion.ts';
 import { lampModel } from '../../../src/scenes/models/lamp.ts';
 import { spline } from '../../../src/scenes/models/spline.ts';
+import { finished } from '../../../src/work.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 
@@ -45,7 +46,7 @@ describe.each(parts)('the $name', ({ mesh }) => {
     const passed = new Set(edges);
     expect(passed.size).toBe(edges.length);
     expect(edges.filter((edge) => !passed.has(edge.split('>').toReversed().join('>')))).toEqual([]);
-    expect(() => extrude(mesh)).not.toThrow();
+    expect(() => finished(extrude(mesh))).not.toThrow();
   });
 
   test('is wound outwards and encloses a volume; no triangle is degenerate', () => {
@@ -190,7 +191,9 @@ describe('the collision pieces', () => {
       if (shape.type !== 'trimesh') continue;
       const [positions, indices] = [Float32Array.from(shape.vertices), Uint32Array.from(shape.indices)];
       expect(indices.length / 3).toBeLessThanOrEqual(200);
-      expect(() => extrude({ positions, normals: new Float32Array(positions.length), indices })).not.toThrow();
+      expect(() =>
+        finished(extrude({ positions, normals: new Float32Array(positions.length), indices })),
+      ).not.toThrow();
     }
   });
 

@@ -1,4 +1,5 @@
 /** Every scene fits the list of scenes, can be built, and is deterministic. */
+import { Triangle, Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { strings } from '../../../src/app/strings.ts';
 import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
@@ -7,7 +8,9 @@ import { extrude, type TriangleMesh } from '../../../src/passes/extrusion.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries, sceneNamed } from '../../../src/scenes/scenes.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { coarserSurfaces } from '../../../src/smoke/detail.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
+import { finished } from '../../../src/work.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 const NAMES = Object.keys(sceneEntries);
@@ -47,9 +50,23 @@ describe.each(NAMES)('%s', (name) => {
     expect(strings.scenes[name].hand !== undefined, 'the page says what to drag').toBe(scene.handle !== undefined);
   });
 
+  test.each([0.004, 0.02, 0.1])('has closed surfaces with fewer triangles, at most about %f m away', (deviation) => {
+    const coarser = coarserSurfaces(scene.surfaces, deviation);
+    const triangles = (surfaces: typeof coarser) => surfaces.reduce((sum, { mesh }) => sum + mesh.indices.length, 0);
+    if (scene.surfaces.length > 0) expect(triangles(coarser)).toBeLessThan(triangles(scene.surfaces));
+    coarser.forEach(({ name: surface, mesh, casts }, index) => {
+      const finest = scene.surfaces[index].mesh;
+      if (casts) expect(() => finished(extrude(mesh)), surface).not.toThrow();
+      expect(mesh.positions).toBe(finest.positions);
+      expect(volume(mesh), surface).toBeGreaterThan(0);
+      // A vertex is off by the chords around a mesh, and by those along it.
+      expect(farthestVertex(finest, mesh), surface).toBeLessThan(2 * deviation);
+    });
+  });
+
   test('has closed surfaces, wound outwards, on existing rigids and parts', () => {
     for (const { name: surface, mesh, rigid, part, casts } of scene.surfaces) {
-      if (casts) expect(() => extrude(mesh), surface).not.toThrow();
+      if (casts) expect(() => finished(extrude(mesh)), surface).not.toThrow();
       expect(volume(mesh), surface).toBeGreaterThan(1e-6);
       expect(mesh.indices.length % 3, surface).toBe(0);
       if (rigid !== undefined) expect(scene.rigids[rigid], surface).toBeDefined();
@@ -111,6 +128,27 @@ describe.each(NAMES)('%s', (name) => {
     }
   });
 });
+
+/** The largest distance of some vertices of a mesh from the triangles of another, metres. */
+function farthestVertex({ positions }: TriangleMesh, { indices }: TriangleMesh): number {
+  const at = (vertex: number) => new Vector3().fromArray(positions, 3 * vertex);
+  const triangles = Array.from({ length: indices.length / 3 }, (_, face) => {
+    const [a, b, c] = [0, 1, 2].map((corner) => at(indices[3 * face + corner]));
+    return new Triangle(a, b, c);
+  });
+  const vertices = positions.length / 3;
+  const closest = new Vector3();
+  let farthest = 0;
+  for (let vertex = 0; vertex < vertices; vertex += Math.ceil(vertices / 40)) {
+    const point = at(vertex);
+    const distances = triangles.map((triangle) => triangle.closestPointToPoint(point, closest).distanceTo(point));
+    farthest = Math.max(
+      farthest,
+      distances.reduce((least, distance) => Math.min(least, distance)),
+    );
+  }
+  return farthest;
+}
 
 /** Six times the signed volume of tetrahedra from the origin: positive where faces point outwards. */
 function volume({ positions, indices }: TriangleMesh): number {
