@@ -6,7 +6,7 @@ import type { TriangleMesh } from '../passes/extrusion.ts';
 /** Pixels by which triangles may deviate from the finest ones, at the distance of the camera's target. */
 const PIXELS = 0.25;
 /** Metres. Models are drawn with their finest triangles if only a smaller deviation is allowed. */
-const FINEST = 2 ** -8;
+const FINEST = 0.005;
 
 /**
  * How far triangles may deviate from the finest ones, in metres, in steps of a factor of sqrt(2); 0 for the finest.

@@ -244,7 +244,7 @@ export class Picture {
       pixelRatio: this.pixelRatio * scale,
       rigids,
       parts,
-      deviation: deviationOf(this.eye, this.height),
+      deviation: deviationOf(this.eye, drawn.height),
       cull: true,
       view: this.view,
       isTransparent: !this.hasBackground,

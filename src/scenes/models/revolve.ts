@@ -99,7 +99,7 @@ export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
     coarser: (deviation) =>
       trianglesBetween(
         stretches.map((rings) => {
-          const kept = keptPoints(deviation, rings.map(({ sides }) => sides)); // prettier-ignore
+          const kept = simplifyPolyline(deviation, rings.map(({ sides }) => sides)); // prettier-ignore
           return kept.map((index) => rings[index]);
         }),
         every(strideWithin(deviation, largestRadius(stretches.flat()), segments), segments),
@@ -113,7 +113,7 @@ export function revolve(surface: SurfaceOfRevolution): TriangleMesh {
  * @param points of any dimension
  * @returns the indices of the points that stay
  */
-function keptPoints(deviation: number, points: readonly (readonly number[])[]): number[] {
+function simplifyPolyline(deviation: number, points: readonly (readonly number[])[]): number[] {
   const last = points.length - 1;
   const kept = [0];
   for (let from = 0; from < last; kept.push(from)) {
