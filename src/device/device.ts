@@ -30,11 +30,10 @@ export class Device {
   readonly puffs: PuffLibrary;
   /** @internal */
   readonly programs = new ProgramsAhead();
-  /** Whether the GPU keeps the depth that fragments write, found by a self test at creation. If not, puffs are flat. */
-  readonly writesDepth: boolean;
   private readonly ownsRenderer: boolean;
   private readonly listeners = new Set<(event: ContextEvent) => void>();
   private waiting: ReturnType<typeof setTimeout> | undefined;
+  private hasPassed: boolean | undefined;
   private isDisposed = false;
   private isLost = false;
   private isMissing = false;
@@ -47,7 +46,7 @@ export class Device {
   constructor(renderer: WebGLRenderer, ownsRenderer: boolean, { failsSelfTest = false }: DeviceOptions = {}) {
     this.renderer = renderer;
     this.ownsRenderer = ownsRenderer;
-    this.writesDepth = !failsSelfTest && keepsWrittenDepth(renderer);
+    if (failsSelfTest) this.hasPassed = false;
     this.puffs = new PuffLibrary(renderer.getContext() as WebGL2RenderingContext);
     this.canvas.addEventListener('webglcontextlost', this.handleLoss);
     this.canvas.addEventListener('webglcontextrestored', this.handleRestoration);
@@ -55,6 +54,16 @@ export class Device {
 
   get canvas(): DeviceCanvas {
     return this.renderer.domElement;
+  }
+
+  /**
+   * Whether the GPU keeps the depth that fragments write. If not, puffs are flat. The first access runs a self test,
+   * which waits for the GPU.
+   */
+  get writesDepth(): boolean {
+    // Nothing can be read from a lost context.
+    if (!this.isUsable) return this.hasPassed ?? true;
+    return (this.hasPassed ??= keepsWrittenDepth(this.renderer));
   }
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
@@ -95,9 +104,9 @@ export class Device {
     this.programs.dispose();
     if (!this.ownsRenderer) return;
     this.renderer.dispose();
-    if (!this.isLost) return this.renderer.forceContextLoss();
-    // A lost context cannot be released until the browser restores it.
     const context = this.renderer.getContext();
+    if (!context.isContextLost()) return this.renderer.forceContextLoss();
+    // A lost context cannot be released until the browser restores it.
     const giveBack = () => context.getExtension('WEBGL_lose_context')?.loseContext();
     this.canvas.addEventListener('webglcontextrestored', giveBack, { once: true });
   }

@@ -15,6 +15,9 @@ import { PassCamera } from './passCamera.ts';
 import fragmentShader from '../../shaders/selfTest/selfTest.frag';
 import vertexShader from '../../shaders/selfTest/selfTest.vert';
 
+/** The program of the test, which takes longer to compile than to draw. */
+export const SELF_TEST_SHADERS = { vertexShader, fragmentShader };
+
 const [WIDTH, HEIGHT] = [16, 8];
 
 /**
@@ -89,8 +92,7 @@ function rectangles(isReversed: boolean): BufferGeometry {
 function testMaterial(): RawShaderMaterial {
   return new RawShaderMaterial({
     glslVersion: GLSL3,
-    vertexShader,
-    fragmentShader,
+    ...SELF_TEST_SHADERS,
     uniforms: { minTone: { value: 0.25 } },
     depthFunc: LessEqualDepth,
     blending: NoBlending,

@@ -49,7 +49,7 @@ export class CreasesPass {
 
   /** Replaces the surfaces; there are none at first. */
   show(surfaces: readonly SurfaceDescription[]): void {
-    const { count, texels, indices } = ribbonsOf(surfaces);
+    const { count, texels, indices } = memoizedRibbons(surfaces);
     const rows = texels.length / (16 * EDGES_PER_ROW);
     this.free();
     this.count = count;
@@ -113,7 +113,7 @@ function joined(edges: readonly CreaseEdges[]): CreaseEdges {
 }
 
 /** The edges of all surfaces as texels, and two triangles for each; the texture has at least one row. */
-const ribbonsOf = memoize((surfaces: readonly SurfaceDescription[]) => {
+export const memoizedRibbons = memoize((surfaces: readonly SurfaceDescription[]) => {
   const all = edgesOf(surfaces);
   const count = all.reduce((sum, edges) => sum + edges.count, 0);
   const texels = new Float32Array(16 * EDGES_PER_ROW * Math.max(1, Math.ceil(count / EDGES_PER_ROW)));

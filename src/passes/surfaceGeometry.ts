@@ -28,7 +28,7 @@ export class SurfaceGeometry extends BufferGeometry {
 
   constructor(surfaces: readonly SurfaceDescription[]) {
     super();
-    const { positions, normals, outward, numbers, firstVertices, corners } = arraysOf(surfaces);
+    const { positions, normals, outward, numbers, firstVertices, corners } = memoizedVertices(surfaces);
     this.surfaces = surfaces;
     this.firstVertices = firstVertices;
     this.setAttribute('position', new BufferAttribute(positions, 3));
@@ -71,7 +71,8 @@ function setOf(surface: SurfaceDescription): number {
   return isMoving(surface) ? 3 : 0;
 }
 
-const arraysOf = memoize((surfaces: readonly SurfaceDescription[]) => {
+/** The vertices of surfaces. */
+export const memoizedVertices = memoize((surfaces: readonly SurfaceDescription[]) => {
   const meshes = surfaces.map(({ mesh }) => mesh);
   const firstVertices = [0];
   for (const { positions } of meshes) firstVertices.push(firstVertices.at(-1)! + positions.length / 3);

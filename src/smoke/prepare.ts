@@ -1,12 +1,13 @@
 import { BackdropPass } from '../passes/backdrop.ts';
-import { memoizedCreases, memoizedSeams, meetingBehind } from '../passes/creases.ts';
+import { memoizedCreases, memoizedRibbons, memoizedSeams, meetingBehind } from '../passes/creases.ts';
 import { MaskPass } from '../passes/mask.ts';
 import { memoizedExtrusion } from '../passes/meshVolumes.ts';
 import { RESOLVE_SHADERS } from '../passes/resolve.ts';
-import { memoizedHullNormals } from '../passes/surfaceGeometry.ts';
+import { memoizedHullNormals, memoizedVertices } from '../passes/surfaceGeometry.ts';
 import type { SurfaceDescription } from '../passes/surface.ts';
 import { inPieces, nextTask, PIECE_MS, type Work } from '../work.ts';
 import type { Device } from '../device/device.ts';
+import { SELF_TEST_SHADERS } from '../device/selfTest.ts';
 import { FrameView } from '../device/frameView.ts';
 import { RampTexture } from '../device/ramps.ts';
 import { lobeBodyShaders } from '../passes/bodies.ts';
@@ -37,6 +38,9 @@ export function* preparingSurfaces(finest: readonly SurfaceDescription[], deviat
       yield;
     }
   }
+  memoizedVertices(finest);
+  yield;
+  memoizedRibbons(surfaces);
 }
 
 /** Like {@link preparingSurfaces}, but keeps the page responsive. */
@@ -48,16 +52,17 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[], deviati
  * Compiles the programs of a picture while other resources load, and resolves when they are ready. Those of rarely used
  * passes are compiled when they first draw.
  */
-export async function compileAhead(
-  { isUsable, programs, renderer, writesDepth }: Device,
-  values: Values,
-): Promise<void> {
-  if (!isUsable || values['puff.form'] !== 'lobes') return;
+export async function compileAhead(device: Device, values: Values): Promise<void> {
+  const { programs, renderer } = device;
+  if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
   const { isDeformed } = style;
   const isShaded = isSimplified(style);
-  programs.compile(renderer, lobeBodyShaders(lobes, { isFlat: !writesDepth, isShaded, isDeformed }));
+  const compileBodies = (isFlat: boolean) =>
+    programs.compile(renderer, lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed }));
+  compileBodies(false);
+  programs.compile(renderer, SELF_TEST_SHADERS);
   programs.compile(renderer, volumeShaders(lobes, isDeformed));
   const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
   const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
@@ -71,6 +76,9 @@ export async function compileAhead(
     programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
   }
   if (isStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
+  await programs.finished(renderer);
+  if (device.writesDepth) return;
+  compileBodies(true);
   await programs.finished(renderer);
 }
 

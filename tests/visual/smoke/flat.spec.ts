@@ -9,6 +9,11 @@ test('the self-test detects whether written depth is used, and can be made to fa
   expect(await cases.evaluate((module) => module.selfTestWithoutWriting())).toBe(false);
 });
 
+test('a context that is lost before the self-test does not make puffs flat', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.selfTestWithoutContext())).toBe(true);
+});
+
 for (const view of ['ordinary', 'lamp', 'orthographic']) {
   test(`flat smoke, ink and shadow nearly match those with written depth: ${view}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);

@@ -13,8 +13,9 @@ export interface LinkedPrograms {
 }
 
 /** The programs of a plain wisp. */
-export function programsOfWisp(lobes: number): Promise<LinkedPrograms> {
-  return programsOf({ ...presetValues(findPreset('wisp')!), ...PLAIN_LOOK, 'puff.lobes': lobes }, [64, 48]);
+export function programsOfWisp(lobes: number, failsSelfTest: boolean): Promise<LinkedPrograms> {
+  const values = { ...presetValues(findPreset('wisp')!), ...PLAIN_LOOK, 'puff.lobes': lobes };
+  return programsOf(values, [64, 48], failsSelfTest);
 }
 
 /** The programs of a preset, in a picture that is large enough for strokes. */
@@ -23,12 +24,17 @@ export function programsOfPreset(name: string): Promise<LinkedPrograms> {
 }
 
 /** The programs of a picture that is hidden until it is ready. */
-async function programsOf(values: Values, [width, height]: readonly [number, number]): Promise<LinkedPrograms> {
+async function programsOf(
+  values: Values,
+  [width, height]: readonly [number, number],
+  failsSelfTest = false,
+): Promise<LinkedPrograms> {
   const linked: string[] = [];
   const stop = listenToLinks((shaders) => linked.push(shaders));
   const stage = await createStage(new OffscreenCanvas(width, height), {
     values: { ...values, 'simulation.maxParticles': 100 },
     visible: false,
+    failsSelfTest,
   });
   const ahead = linked.splice(0);
   stage.visible = true;
