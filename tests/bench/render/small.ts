@@ -10,17 +10,15 @@ const STEPS = 240;
 
 export async function measureSmall(quick: boolean): Promise<Figure[]> {
   await say('render.small');
-  const wisp = await labOf('wisp', 64, 48);
-  const { calls } = wisp.drawn();
+  const { lab: wisp, calls } = await drawn('wisp', 64, 48);
   const times: number[] = [];
   const frames = quick ? 20 : 60;
   for (let frame = 0; frame < frames; frame++) times.push(time(() => wisp.draw({ deviation: deviationIn(wisp) })));
   demand((wisp.report?.bodiesDrawn ?? 0) > 20, 'the wisp has no smoke');
   wisp.dispose();
   await say('render.triangles');
-  const train = await Promise.all([labOf('train', 1280, 720), labOf('train', 160, 96)]);
-  const [large, little] = train.map((lab) => lab.drawn());
-  for (const lab of train) lab.dispose();
+  const [large, little] = [await drawn('train', 1280, 720), await drawn('train', 160, 96)];
+  for (const { lab } of [large, little]) lab.dispose();
   return [
     figure('render.small', 'ms', times, 'the wisp at 64 x 48, a frame; goal <= 6'),
     figure('render.small.calls', '', [calls], 'draw calls of that frame; goal <= 12'),
@@ -30,12 +28,12 @@ export async function measureSmall(quick: boolean): Promise<Figure[]> {
   ];
 }
 
-/** A scene with smoke, drawn once, which compiles the programs. */
-async function labOf(preset: string, width: number, height: number): Promise<SceneLab> {
+/** A scene with smoke, drawn once, which compiles the programs; and its draw calls and triangles. */
+async function drawn(preset: string, width: number, height: number) {
   const lab = await SceneLab.create(preset, { width, height, smoothEdges: true });
   lab.step(STEPS);
   lab.draw({ deviation: deviationIn(lab) });
-  return lab;
+  return { lab, ...lab.drawn() };
 }
 
 /** As a stage of this size has it. */
