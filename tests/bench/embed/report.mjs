@@ -32,6 +32,7 @@ export function report(all) {
     ...widgets.flatMap(memory),
     ...versus(all, 'tsParticles', 'embed.vsTsParticles', UNEQUAL.tsParticles),
     ...versus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
+    ...framesVersus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
   ];
 }
 
@@ -70,11 +71,19 @@ function total({ files }) {
 
 /** @param {Measured} measured @returns {Figure[]} */
 function mainThread(measured) {
-  const frames = spread(measured.seen.map((window) => window.frames / window.seconds)).value;
+  const frames = spread(framesASecond(measured)).value;
   const budget = measured.name === OURS && measured.count === 1 ? `; budget ${BUDGET_MS}` : '';
   const whose = measured.count === 1 ? '' : ` for all ${measured.count}`;
   const note = `a frame drawn${whose}, of all that the page does; ${frames.toFixed(1)} frames a second${budget}`;
   return [{ name: nameOf('mainThreadMs', measured), unit: 'ms', ...spread(perFrame(measured)), note }];
+}
+
+/**
+ * By round.
+ * @param {Measured} measured
+ */
+function framesASecond({ seen }) {
+  return seen.map(({ frames, seconds }) => frames / seconds);
 }
 
 /**
@@ -118,6 +127,34 @@ function memory(measured) {
   if (measured.megabytes === undefined) return [];
   const value = measured.megabytes / measured.count;
   return [{ name: nameOf('memory', measured), value, unit: 'MB', note: 'a widget, page and drawing process' }];
+}
+
+/**
+ * Our frames a second divided by those of the other, for each number of widgets above one, by round.
+ *
+ * @param {Measured[]} all
+ * @param {string} other
+ * @param {string} name
+ * @param {string} unequal
+ * @returns {Figure[]}
+ */
+function framesVersus(all, other, name, unequal) {
+  const several = all.filter((each) => each.name === OURS && each.count > 1);
+  return several.flatMap((ours) => {
+    const theirs = all.find((each) => each.name === other && each.count === ours.count);
+    if (!theirs) return [];
+    const peer = framesASecond(theirs);
+    const ratios = framesASecond(ours).map((frames, round) => frames / peer[round]);
+    const goal = ours.count === 40 ? '; goal >= 1' : '';
+    return [
+      {
+        name: `${name}.frames.${ours.count}`,
+        unit: 'x',
+        ...spread(ratios),
+        note: `frames a second${goal}; theirs: ${unequal}`,
+      },
+    ];
+  });
 }
 
 /**
