@@ -6,10 +6,12 @@ const BUDGET_MS = 22;
 /** Slack for a limited frame rate. */
 const SLACK = 1.3;
 // The first frames compile shader programs and create buffers.
-const WARM_UP_FRAMES = 12;
-// A window has a minimum duration, and enough frames for its median to ignore one or two pauses.
+const WARM_UP_MS = 200;
+const WARM_UP_FRAMES = 3;
+// A window has a minimum duration, and enough frames for its median to ignore a pause. More frames would take long to
+// arrive on a machine that draws two a second.
 const WINDOW_MS = 500;
-const WINDOW_FRAMES = 8;
+const WINDOW_FRAMES = 3;
 /** Consecutive slow windows before the scale drops, so that a short load spike has no effect. */
 const SLOW_WINDOWS = 2;
 /** Milliseconds without a slow window before the scale is raised. Each failed attempt doubles the delay. */
@@ -29,7 +31,8 @@ export class Governor {
   private readonly budgetMs: number;
   private level = 0;
   private last: number | undefined;
-  private framesToIgnore = WARM_UP_FRAMES;
+  private warmUpMs = 0;
+  private warmUpFrames = 0;
   private times: number[] = [];
   private windowMs = 0;
   private slowWindows = 0;
@@ -57,8 +60,9 @@ export class Governor {
   tick(now: number): void {
     const elapsed = this.last === undefined ? 0 : now - this.last;
     this.last = now;
-    if (this.framesToIgnore > 0) {
-      this.framesToIgnore -= 1;
+    if (this.isCold) {
+      this.warmUpMs += elapsed;
+      this.warmUpFrames += 1;
       return;
     }
     this.times.push(elapsed);
@@ -70,10 +74,15 @@ export class Governor {
   /** Discards the measurement when frames pause or change size. The scale is kept. */
   rest(): void {
     this.last = undefined;
-    this.framesToIgnore = WARM_UP_FRAMES;
+    this.warmUpMs = 0;
+    this.warmUpFrames = 0;
     this.slowWindows = 0;
     this.calmMs = 0;
     this.clearWindow();
+  }
+
+  private get isCold(): boolean {
+    return this.warmUpMs < WARM_UP_MS || this.warmUpFrames < WARM_UP_FRAMES;
   }
 
   private judge(): void {

@@ -55,6 +55,10 @@ describe('Governor', () => {
     expect(scale).toBeGreaterThan(LOWEST);
   });
 
+  it('lowers the scale within five seconds at two frames a second', () => {
+    expect(new Machine(pixels(500)).run(5).governor.scale).toBe(LOWEST);
+  });
+
   it('stops at the lowest scale', () => {
     const machine = new Machine(pixels(400)).run(60);
     expect(machine.governor.scale).toBe(LOWEST);
