@@ -20,6 +20,8 @@ export interface Particles {
 
 const [ROW, LAYER] = [FORM_CELLS, FORM_CELLS * FORM_CELLS];
 const STRIDES = [1, ROW, LAYER];
+/** Cells along each axis that a particle reaches: one by its spline, one in each round of smoothing, one by gradients. */
+const REACH = 2 + FORM_ROUNDS;
 
 /**
  * Which way the outside of the whole smoke faces at each place: the direction in which the density of particles falls, as a
@@ -35,9 +37,11 @@ export class PlumeForm {
   private cell = 1;
   private density = new Float32Array(FORM_CELLS ** 3);
   private smoothed = new Float32Array(FORM_CELLS ** 3);
+  /** First and last column, row and layer that particles reach. Most of the grid around a tall plume is empty. */
+  private readonly first = [0, 0, 0];
+  private readonly last = [0, 0, 0];
 
   constructor() {
-    (this.texture.image.data as Uint8Array).fill(FORM_STEPS + 1);
     this.texture.colorSpace = NoColorSpace;
     this.texture.minFilter = this.texture.magFilter = LinearFilter;
     this.texture.wrapR = this.texture.wrapS = this.texture.wrapT = ClampToEdgeWrapping;
@@ -47,6 +51,9 @@ export class PlumeForm {
   follow(particles: Particles): void {
     const radius = this.place(particles);
     this.density.fill(0);
+    this.smoothed.fill(0);
+    this.first.fill(FORM_CELLS);
+    this.last.fill(-1);
     for (let particle = 0; particle < particles.count; particle++) this.add(particles.place, 4 * particle);
     for (let round = 0; round < FORM_ROUNDS; round++) for (const stride of STRIDES) this.smooth(stride);
     this.write(FORM_FAINT * radius ** 3);
@@ -95,6 +102,7 @@ export class PlumeForm {
     if (fade <= 0) return;
     const volume = Math.min(1, fade) * place[at + 3] ** 3;
     const [column, row, layer] = [Math.floor(x), Math.floor(y), Math.floor(z)];
+    this.reach([column, row, layer]);
     const [across, up, through] = [splines(x - column), splines(y - row), splines(z - layer)];
     for (let k = 0; k < 3; k++) {
       for (let j = 0; j < 3; j++) {
@@ -105,11 +113,33 @@ export class PlumeForm {
     }
   }
 
-  /** Averages neighbours along an axis, 1 : 2 : 1. The outermost cells stay empty. */
+  /** The outermost cells, which have no neighbours, stay empty. */
+  private reach(cell: readonly number[]): void {
+    const { first, last } = this;
+    for (let axis = 0; axis < 3; axis++) {
+      first[axis] = Math.min(first[axis], Math.max(1, cell[axis] - REACH));
+      last[axis] = Math.max(last[axis], Math.min(FORM_CELLS - 2, cell[axis] + REACH));
+    }
+  }
+
+  /** Calls a function with the first and the last cell of each row that particles reach. */
+  private forEachRow(take: (from: number, to: number) => void): void {
+    const { first, last } = this;
+    for (let layer = first[2]; layer <= last[2]; layer++) {
+      for (let row = first[1]; row <= last[1]; row++) {
+        const start = layer * LAYER + row * ROW;
+        take(start + first[0], start + last[0]);
+      }
+    }
+  }
+
+  /** Averages neighbours along an axis, 1 : 2 : 1. */
   private smooth(stride: number): void {
     const { density, smoothed } = this;
-    for (let at = LAYER; at < density.length - LAYER; at++)
-      smoothed[at] = 0.25 * (density[at - stride] + density[at + stride]) + 0.5 * density[at];
+    this.forEachRow((from, to) => {
+      for (let at = from; at <= to; at++)
+        smoothed[at] = 0.25 * (density[at - stride] + density[at + stride]) + 0.5 * density[at];
+    });
     this.density = smoothed;
     this.smoothed = density;
   }
@@ -117,16 +147,22 @@ export class PlumeForm {
   private write(faint: number): void {
     const { density } = this;
     const data = this.texture.image.data as Uint8Array;
-    for (let at = LAYER; at < density.length - LAYER; at++) {
-      const x = density[at - 1] - density[at + 1];
-      const y = density[at - ROW] - density[at + ROW];
-      const z = density[at - LAYER] - density[at + LAYER];
-      const length = (0.5 * FORM_SLOPE * Math.sqrt(x * x + y * y + z * z)) / (density[at] + faint);
-      const factor = (FORM_STEPS * 0.5 * FORM_SLOPE) / ((density[at] + faint) * Math.max(1, length));
-      data[4 * at] = FORM_STEPS + 1.5 + factor * x;
-      data[4 * at + 1] = FORM_STEPS + 1.5 + factor * y;
-      data[4 * at + 2] = FORM_STEPS + 1.5 + factor * z;
-    }
+    data.fill(FORM_STEPS + 1);
+    const slope = 0.5 * FORM_SLOPE;
+    const [steps, middle] = [FORM_STEPS * slope, FORM_STEPS + 1.5];
+    this.forEachRow((from, to) => {
+      for (let at = from; at <= to; at++) {
+        const x = density[at - 1] - density[at + 1];
+        const y = density[at - ROW] - density[at + ROW];
+        const z = density[at - LAYER] - density[at + LAYER];
+        const all = density[at] + faint;
+        // Vectors are at most of length 1.
+        const factor = steps / Math.max(all, slope * Math.sqrt(x * x + y * y + z * z));
+        data[4 * at] = middle + factor * x;
+        data[4 * at + 1] = middle + factor * y;
+        data[4 * at + 2] = middle + factor * z;
+      }
+    });
   }
 }
 

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import { expect, it } from 'vitest';
-import { FORM_CELLS, FORM_STEPS } from '../../../../src/constants.ts';
+import { FORM_CELL, FORM_CELLS, FORM_STEPS } from '../../../../src/constants.ts';
 import { PlumeForm, type Particles } from '../../../../src/passes/simplify/plumeForm.ts';
 import { random } from '../../../visual/random.ts';
 
@@ -55,6 +55,14 @@ it('faces away from the middle of a ball on all sides, and nowhere in the middle
   }
   expect(vectorAt(form, CENTRE).length()).toBeLessThan(0.15);
   expect(vectorAt(form, CENTRE.clone().addScalar(1.2)).length()).toBeLessThan(0.05);
+});
+
+it('reaches four cells around a single particle, and no farther', () => {
+  const radius = 0.1;
+  const form = formOf([[...CENTRE.toArray(), radius]]);
+  const cells = (x: number) => vectorAt(form, new Vector3(FORM_CELL * radius * x, 0, 0).add(CENTRE)).x;
+  expect([-4, 4].map((side) => Math.sign(cells(side)))).toEqual([-1, 1]);
+  expect([-5, 5].map(cells)).toEqual([0, 0]);
 });
 
 it('depends on the particles alone, not on those before', () => {
