@@ -292,14 +292,21 @@ export function corner(): number {
 }
 
 /**
- * Pixels that differ between the resolve pass and the edge filter over the whole picture, and pixels that the filter
- * changes, for a picture of slanted bands.
+ * Pixels that differ between the resolve pass and the edge filter over the whole picture, pixels that the filter changes,
+ * and tiles that are filtered, for a picture of slanted bands.
  * @param width, height pixels
+ * @param slope difference of neighbouring pixels in a band, 0 to 255
+ * @param hasBands whether neighbouring bands differ
  */
-export function tiled(width: number, height: number): { different: number; filtered: number } {
+export function tiled(
+  width: number,
+  height: number,
+  slope: number,
+  hasBands: boolean,
+): { different: number; filtered: number; marked: number } {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const pass = new ResolvePass(new FrameView(styleUniforms()));
-  const [unlit, lit] = [bands(width, height, 255), bands(width, height, 0)];
+  const [unlit, lit] = [255, 0].map((alpha) => bands(width, height, alpha, slope, hasBands ? 1 : 0));
   const draw = (drawInto: (target: WebGLRenderTarget) => void) => {
     const target = new WebGLRenderTarget(width, height, { depthBuffer: false, magFilter: NearestFilter });
     drawInto(target);
@@ -320,18 +327,26 @@ export function tiled(width: number, height: number): { different: number; filte
   });
   const actual = resolved(true);
   const differences = (other: Uint32Array) => expected.pixels.filter((pixel, at) => pixel !== other[at]).length;
-  const report = { different: differences(actual.pixels), filtered: differences(tones.pixels) };
+  const tiles = pass['marks'];
+  const marked = new Uint8Array(4 * tiles.width * tiles.height);
+  device.renderer.readRenderTargetPixels(tiles, 0, 0, tiles.width, tiles.height, marked);
+  const report = {
+    different: differences(actual.pixels),
+    filtered: differences(tones.pixels),
+    marked: marked.filter((value, at) => at % 4 === 0 && value > 0).length,
+  };
   for (const part of [unlit, lit, tones.target, expected.target, actual.target, filter, pass, device]) part.dispose();
   return report;
 }
 
 /** Slanted bands, whose edges follow the borders of tiles and bend there. */
-function bands(width: number, height: number, alpha: number): Texture {
+function bands(width: number, height: number, alpha: number, slope: number, contrast: number): Texture {
   const data = new Uint8Array(4 * width * height);
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {
       const band = Math.floor((y + Math.floor(x / 8)) / 8);
-      data.set([60 * (band % 4), 120 * (band % 2), 90, alpha], 4 * (y * width + x));
+      const blue = Math.abs(((slope * (x + y)) % 400) - 200);
+      data.set([60 * contrast * (band % 4), 120 * contrast * (band % 2), blue, alpha], 4 * (y * width + x));
     }
   }
   const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);

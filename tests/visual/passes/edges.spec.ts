@@ -52,16 +52,26 @@ for (const [width, height] of [
   [9, 8],
   [5, 3],
 ] as const) {
-  test(`the filter skips tiles without an edge and no others, ${width} x ${height}`, async ({ load }) => {
-    const cases = await load<Cases>(CASES);
-    const { different, filtered } = await cases.evaluate((module, size) => module.tiled(...size), [
-      width,
-      height,
-    ] as const);
-    expect(different).toBe(0);
-    if (width > 9) expect(filtered).toBeGreaterThan(0);
-  });
+  // Slopes below the least edge, below it only along rows and columns, and above it.
+  for (const slope of [0, 3, 7, 12]) {
+    test(`the filter skips tiles without an edge and no others, ${width} x ${height}, slope ${slope}`, async ({
+      load,
+    }) => {
+      const cases = await load<Cases>(CASES);
+      const size = [width, height, slope] as const;
+      const { different, filtered } = await cases.evaluate((module, picture) => module.tiled(...picture, true), size);
+      expect(different).toBe(0);
+      if (width > 9) expect(filtered).toBeGreaterThan(0);
+    });
+  }
 }
+
+test('the filter skips gradients', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const marked = (slope: number) => cases.evaluate((module, steep) => module.tiled(64, 64, steep, false).marked, slope);
+  expect(await marked(4)).toBe(0);
+  expect(await marked(12)).toBeGreaterThan(0);
+});
 
 for (const grey of [0, 128, 255]) {
   test(`an outline has the same coverage on a transparent page as on an opaque one: ${grey}`, async ({ load }) => {
