@@ -42,109 +42,132 @@ export type FindEnds = (
  */
 export function createShadowEnds(capacity: number): FindEnds {
   const ends = new Float32Array(capacity);
-  const farthest = new Float32Array(CELLS * CELLS);
+  const grid = new Grid();
 
   return ({ count, place }, widest, { bodies, reach, boxes }, travel, lamp) => {
-    const side = Math.abs(travel.x) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
-    const right = side.cross(travel).normalize();
-    const up = right.clone().cross(travel);
-    const [way, origin] = [new Vector3(), lamp ?? new Vector3()];
-    // The ball that was projected last: its centre and radius on the grid, and its depth along the light.
-    let [across, upwards, radius, depth] = [0, 0, 0, 0];
-    let [left, low, perUnit] = [Infinity, Infinity, 0];
-
-    function project(places: Float32Array, row: number, ball: number): void {
-      way.fromArray(places, 4 * row).sub(origin);
-      across = way.dot(right);
-      upwards = way.dot(up);
-      depth = way.dot(travel);
-      radius = ball;
-      if (!lamp) return;
-      const distance = way.length();
-      const sine = ball / distance;
-      // Tangents of half the angles from the middle of the grid and across the ball.
-      const scale = 1 / (distance + depth);
-      across *= scale;
-      upwards *= scale;
-      depth = distance;
-      const beside = Math.hypot(across, upwards);
-      const half = sine * NEAREST_LAMP < 1 ? sine / (1 + Math.sqrt(1 - sine * sine)) : Infinity;
-      radius = half * beside < 1 ? (half * (1 + beside * beside)) / (1 - half * beside) : Infinity;
-    }
-
-    /** Calls back for the cells around the projected ball. */
-    function forCells(visit: (cell: number) => void): void {
-      const [firstColumn, lastColumn] = cellsAround(across - left, radius, perUnit);
-      const [firstRow, lastRow] = cellsAround(upwards - low, radius, perUnit);
-      for (let j = firstRow; j <= lastRow; j++) {
-        for (let cell = j * CELLS + firstColumn; cell <= j * CELLS + lastColumn; cell++) visit(cell);
-      }
-    }
-
-    // Fits the grid to the bounds of all puffs.
-    let [rightmost, high] = [-Infinity, -Infinity];
-    for (let row = 0; 4 * row < bodies.length; row++) {
-      project(bodies, row, reach * bodies[4 * row + 3]);
-      left = Math.min(left, across - radius);
-      low = Math.min(low, upwards - radius);
-      rightmost = Math.max(rightmost, across + radius);
-      high = Math.max(high, upwards + radius);
-    }
-    perUnit = CELLS / Math.max(rightmost - left, high - low);
     // Puffs around the lamp do not fit on a grid.
-    if (!(perUnit > 0) && bodies.length > 0) return ends.fill(Infinity);
-
-    farthest.fill(-Infinity);
+    if (!grid.fit(bodies, reach, travel, lamp) && bodies.length > 0) return ends.fill(Infinity);
     for (let row = 0; 4 * row < bodies.length; row++) {
       const ball = reach * bodies[4 * row + 3];
-      project(bodies, row, ball);
-      forCells((cell) => (farthest[cell] = Math.max(farthest[cell], depth + ball)));
+      grid.project(bodies, row, ball);
+      grid.raise(grid.depth + ball);
     }
+    const limits = boxes.map(({ min, max }) => [...min, ...max]);
+    const ray = [...travel];
     for (let row = 0; row < count; row++) {
-      let end = -Infinity;
       const ball = widest * place[4 * row + 3];
-      project(place, row, ball);
-      forCells((cell) => (end = Math.max(end, farthest[cell])));
-      end -= depth;
-      const ray = lamp ? way.divideScalar(depth) : travel;
+      grid.project(place, row, ball);
+      const { depth } = grid;
+      let end = grid.raise(-Infinity) - depth;
+      if (lamp) grid.way.divideScalar(depth).toArray(ray);
       const growth = lamp ? 1 / Math.max(depth, NEAREST_LAMP * ball) : 0;
-      for (const box of boxes) end = Math.max(end, exitFrom(box, place, row, ball, ray, growth));
+      for (const box of limits) end = Math.max(end, exitFrom(box, place, row, ball, ray, growth));
       ends[row] = end;
     }
     return ends;
   };
 }
 
-/** First and last cell along an axis; the range is empty if the first is after the last. */
-function cellsAround(middle: number, radius: number, perUnit: number): [number, number] {
-  const at = (position: number) => Math.floor(position * perUnit);
-  return [Math.max(0, at(middle - radius)), Math.min(CELLS - 1, at(middle + radius))];
+/** The grid, and the ball that was projected to it last. */
+class Grid {
+  /** From the origin of the light to the ball, and the distance along the light. */
+  readonly way = new Vector3();
+  depth = 0;
+  private across = 0;
+  private upwards = 0;
+  private radius = 0;
+  private readonly right = new Vector3();
+  private readonly up = new Vector3();
+  private readonly travel = new Vector3();
+  private lamp: Vector3 | undefined;
+  private left = 0;
+  private low = 0;
+  private perUnit = 0;
+  private readonly farthest = new Float32Array(CELLS * CELLS);
+
+  /** Fits it to the bounds of all puffs, and returns whether that is possible. All cells are at -Infinity then. */
+  fit(bodies: Float32Array, reach: number, travel: Vector3, lamp: Vector3 | undefined): boolean {
+    const { right, up } = this;
+    right.set(Number(Math.abs(travel.x) < 0.7), Number(Math.abs(travel.x) >= 0.7), 0);
+    up.copy(right.cross(travel).normalize()).cross(this.travel.copy(travel));
+    this.lamp = lamp;
+    this.farthest.fill(-Infinity);
+    this.left = this.low = Infinity;
+    let [rightmost, high] = [-Infinity, -Infinity];
+    for (let row = 0; 4 * row < bodies.length; row++) {
+      this.project(bodies, row, reach * bodies[4 * row + 3]);
+      this.left = Math.min(this.left, this.across - this.radius);
+      this.low = Math.min(this.low, this.upwards - this.radius);
+      rightmost = Math.max(rightmost, this.across + this.radius);
+      high = Math.max(high, this.upwards + this.radius);
+    }
+    this.perUnit = CELLS / Math.max(rightmost - this.left, high - this.low);
+    return this.perUnit > 0;
+  }
+
+  project(places: Float32Array, row: number, ball: number): void {
+    const { way, lamp } = this;
+    way.fromArray(places, 4 * row);
+    if (lamp) way.sub(lamp);
+    this.across = way.dot(this.right);
+    this.upwards = way.dot(this.up);
+    this.depth = way.dot(this.travel);
+    this.radius = ball;
+    if (!lamp) return;
+    const distance = way.length();
+    const sine = ball / distance;
+    // Tangents of half the angles from the middle of the grid and across the ball.
+    const scale = 1 / (distance + this.depth);
+    this.across *= scale;
+    this.upwards *= scale;
+    this.depth = distance;
+    const beside = Math.hypot(this.across, this.upwards);
+    const half = sine * NEAREST_LAMP < 1 ? sine / (1 + Math.sqrt(1 - sine * sine)) : Infinity;
+    this.radius = half * beside < 1 ? (half * (1 + beside * beside)) / (1 - half * beside) : Infinity;
+  }
+
+  /** Raises the cells around the ball to at least a depth, and returns the greatest of their depths. */
+  raise(least: number): number {
+    const { farthest, radius, perUnit } = this;
+    const [x, y] = [this.across - this.left, this.upwards - this.low];
+    const first = Math.max(0, Math.floor((x - radius) * perUnit));
+    const last = Math.min(CELLS - 1, Math.floor((x + radius) * perUnit));
+    const lastRow = Math.min(CELLS - 1, Math.floor((y + radius) * perUnit));
+    let greatest = -Infinity;
+    for (let row = Math.max(0, Math.floor((y - radius) * perUnit)); row <= lastRow; row++) {
+      for (let cell = row * CELLS + first; cell <= row * CELLS + last; cell++) {
+        if (farthest[cell] < least) farthest[cell] = least;
+        if (farthest[cell] > greatest) greatest = farthest[cell];
+      }
+    }
+    return greatest;
+  }
 }
 
 /**
  * Distance along the light at which the shadow of a ball leaves a box; -Infinity if it misses the box.
+ * @param box least x, y and z, and greatest
  * @param growth ratio of the growth of the radius to the radius, for each metre
  */
 function exitFrom(
-  { min, max }: Box3,
+  box: readonly number[],
   places: Float32Array,
   row: number,
   ball: number,
-  travel: Vector3,
+  travel: readonly number[],
   growth: number,
 ): number {
   let [enter, exit] = [-Infinity, Infinity];
   const radius = ball / Math.sqrt(1 - (ball * growth) ** 2);
-  const cut = (way: number, speed: number) => {
-    // Not divided by -0.
-    const at = way / (speed + 0);
-    if (speed < 0) enter = Math.max(enter, at);
-    else exit = Math.min(exit, at);
-  };
-  for (const [index, axis] of (['x', 'y', 'z'] as const).entries()) {
-    const place = places[4 * row + index];
-    cut(max[axis] + radius - place, travel[axis] - radius * growth);
-    cut(place - min[axis] + radius, -travel[axis] - radius * growth);
+  for (let axis = 0; axis < 3; axis++) {
+    const place = places[4 * row + axis];
+    for (let side = 1; side >= -1; side -= 2) {
+      const way = side * ((side > 0 ? box[axis + 3] : box[axis]) - place) + radius;
+      // Not divided by -0.
+      const speed = side * travel[axis] - radius * growth + 0;
+      if (speed < 0) enter = Math.max(enter, way / speed);
+      else exit = Math.min(exit, way / speed);
+    }
   }
   return enter <= exit ? exit : -Infinity;
 }
