@@ -71,7 +71,7 @@ export class SceneLab {
   private readonly simulation: Simulation;
   private readonly device = pageDevice();
   private readonly smoke: SmokeRenderer;
-  private readonly style: Style;
+  readonly style: Style;
 
   private constructor(scene: Scene, simulation: Simulation, values: Values, choice: SceneChoice) {
     const { width, height, smoothEdges = false } = choice;
