@@ -75,10 +75,9 @@ export class Targets {
     if (isNumbered && isShaded) renderer.initRenderTarget(this.numbered);
     renderer.setClearColor(0x000000, 0);
     if (isShaded) this.clear(renderer, this.shaded);
-    if (isNumbered) this.clear(renderer, this.numbered);
-    else if (!isShaded) this.clear(renderer, this.target);
-    // Its buffers are also those of the shaded target.
-    else renderer.setRenderTarget(this.target);
+    // The shaded target has all buffers of the other two but the numbers.
+    if (isShaded && !isNumbered) renderer.setRenderTarget(this.target);
+    else this.clear(renderer, isNumbered ? this.numbered : this.target);
   }
 
   /** Binds the target without the numbers of groups, and returns them: number / 255, 0 without a surface. */

@@ -87,9 +87,10 @@ class Grid {
 
   /** Fits it to the bounds of all puffs, and returns whether that is possible. All cells are at -Infinity then. */
   fit(bodies: Float32Array, reach: number, travel: Vector3, lamp: Vector3 | undefined): boolean {
-    const { right, up } = this;
-    right.set(Number(Math.abs(travel.x) < 0.7), Number(Math.abs(travel.x) >= 0.7), 0);
-    up.copy(right.cross(travel).normalize()).cross(this.travel.copy(travel));
+    const side = Math.abs(travel.x) < 0.7 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
+    this.travel.copy(travel);
+    this.right.crossVectors(side, travel).normalize();
+    this.up.crossVectors(this.right, travel);
     this.lamp = lamp;
     this.farthest.fill(-Infinity);
     this.left = this.low = Infinity;

@@ -102,7 +102,7 @@ export class PlumeForm {
     if (fade <= 0) return;
     const volume = Math.min(1, fade) * place[at + 3] ** 3;
     const [column, row, layer] = [Math.floor(x), Math.floor(y), Math.floor(z)];
-    this.reach([column, row, layer]);
+    this.extendRange([column, row, layer]);
     const [across, up, through] = [splines(x - column), splines(y - row), splines(z - layer)];
     for (let k = 0; k < 3; k++) {
       for (let j = 0; j < 3; j++) {
@@ -113,8 +113,8 @@ export class PlumeForm {
     }
   }
 
-  /** The outermost cells, which have no neighbours, stay empty. */
-  private reach(cell: readonly number[]): void {
+  /** Extends the range to the cells around a particle. The outermost cells of the grid lack a neighbour and stay empty. */
+  private extendRange(cell: readonly number[]): void {
     const { first, last } = this;
     for (let axis = 0; axis < 3; axis++) {
       first[axis] = Math.min(first[axis], Math.max(1, cell[axis] - REACH));

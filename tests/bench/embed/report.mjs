@@ -129,6 +129,13 @@ function memory(measured) {
   return [{ name: nameOf('memory', measured), value, unit: 'MB', note: 'a widget, page and drawing process' }];
 }
 
+/** @param {Measured[]} all @param {string} name @param {number} count of widgets */
+function find(all, name, count) {
+  const found = all.find((each) => each.name === name && each.count === count);
+  if (!found) throw new Error(`${name} was not measured.`);
+  return found;
+}
+
 /**
  * Our frames a second divided by those of the other, for each number of widgets above one, by round.
  *
@@ -140,20 +147,12 @@ function memory(measured) {
  */
 function framesVersus(all, other, name, unequal) {
   const several = all.filter((each) => each.name === OURS && each.count > 1);
-  return several.flatMap((ours) => {
-    const theirs = all.find((each) => each.name === other && each.count === ours.count);
-    if (!theirs) return [];
-    const peer = framesASecond(theirs);
-    const ratios = framesASecond(ours).map((frames, round) => frames / peer[round]);
+  return several.map((ours) => {
+    const theirs = framesASecond(find(all, other, ours.count));
+    const ratios = framesASecond(ours).map((frames, round) => frames / theirs[round]);
     const goal = ours.count === 40 ? '; goal >= 1' : '';
-    return [
-      {
-        name: `${name}.frames.${ours.count}`,
-        unit: 'x',
-        ...spread(ratios),
-        note: `frames a second${goal}; theirs: ${unequal}`,
-      },
-    ];
+    const note = `frames a second${goal}; theirs: ${unequal}`;
+    return { name: `${name}.frames.${ours.count}`, unit: 'x', ...spread(ratios), note };
   });
 }
 
@@ -167,9 +166,7 @@ function framesVersus(all, other, name, unequal) {
  * @returns {Figure[]}
  */
 function versus(all, other, name, unequal) {
-  const single = (/** @type {string} */ wanted) => all.find((each) => each.name === wanted && each.count === 1);
-  const [ours, theirs] = [single(OURS), single(other)];
-  if (!ours || !theirs) throw new Error(`${other} was not measured.`);
+  const [ours, theirs] = [find(all, OURS, 1), find(all, other, 1)];
   const [ofOurs, ofTheirs] = [perFrame(ours), perFrame(theirs)];
   const times = ofOurs.map((ms, round) => ms / ofTheirs[round]);
   const idle = ours.unseen.map((window, round) => shareOf(window) - shareOf(theirs.unseen[round]));

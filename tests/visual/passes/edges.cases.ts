@@ -306,7 +306,7 @@ export function tiled(
 ): { different: number; filtered: number; marked: number } {
   const device = createDevice(new OffscreenCanvas(1, 1));
   const pass = new ResolvePass(new FrameView(styleUniforms()));
-  const [unlit, lit] = [255, 0].map((alpha) => bands(width, height, alpha, slope, hasBands ? 1 : 0));
+  const [unlit, lit] = [255, 0].map((alpha) => bands(width, height, alpha, slope, hasBands));
   const draw = (drawInto: (target: WebGLRenderTarget) => void) => {
     const target = new WebGLRenderTarget(width, height, { depthBuffer: false, magFilter: NearestFilter });
     drawInto(target);
@@ -340,13 +340,13 @@ export function tiled(
 }
 
 /** Slanted bands, whose edges follow the borders of tiles and bend there. */
-function bands(width: number, height: number, alpha: number, slope: number, contrast: number): Texture {
+function bands(width: number, height: number, alpha: number, slope: number, hasBands: boolean): Texture {
   const data = new Uint8Array(4 * width * height);
   for (let y = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x) {
-      const band = Math.floor((y + Math.floor(x / 8)) / 8);
+      const band = hasBands ? Math.floor((y + Math.floor(x / 8)) / 8) : 0;
       const blue = Math.abs(((slope * (x + y)) % 400) - 200);
-      data.set([60 * contrast * (band % 4), 120 * contrast * (band % 2), blue, alpha], 4 * (y * width + x));
+      data.set([60 * (band % 4), 120 * (band % 2), blue, alpha], 4 * (y * width + x));
     }
   }
   const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
