@@ -1,3 +1,3 @@
 /** The bindings of the variant with physics, and the packing of its rigids. */
 export { initSync, lastFault, provokeFault, readTake, Simulator } from './wasm/physics/bindings.js';
-export * as rigidNumbers from './rigidNumbers.ts';
+export { rigidArguments } from './rigid.ts';

@@ -2,7 +2,6 @@
 import { ParameterError } from '../preset/errors.ts';
 import { requireIndices } from './indices.ts';
 import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
-import { pathNumbers, spinNumbers, type RigidPath, type RigidSpin } from './rigidPath.ts';
 
 /** A single shape, centred at its local origin. Capsules and cylinders extend along y. Lengths are in metres. */
 export type SingleShape =
@@ -57,14 +56,10 @@ export interface RigidDescription extends RigidSurface {
   density?: number;
   /** How strongly smoke pushes a dynamic rigid: 0 (default) is off, 1 is as strong as air, at most 10. */
   feelsSmoke?: number;
-  /** Spin of a kinematic rigid, added to its other motion. */
-  spin?: RigidSpin;
-  /** Path of a kinematic rigid. The rigid still starts at `position`. */
-  path?: RigidPath;
 }
 
 /** Arguments of the WASM function `addRigid`; `sim-wasm/sim/src/rigids/numbers.rs` documents them. */
-export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array, path: Float32Array];
+export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array];
 
 const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
 const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];
@@ -84,7 +79,6 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     description.tint ?? 1,
     description.boundaryLayer ?? 0,
     description.feelsSmoke ?? 0,
-    ...spinNumbers(description.spin),
   ];
   const flat: Flat = { numbers, vertices: [], indices: [] };
   if (shape.type === 'compound') {
@@ -95,12 +89,7 @@ export function rigidArguments(description: RigidDescription): RigidArguments {
     numbers.push(0);
     pushPart(flat, { shape, position: ORIGIN }, 'rigid');
   }
-  return [
-    Float32Array.from(numbers),
-    Float32Array.from(flat.vertices),
-    Uint32Array.from(flat.indices),
-    pathNumbers(description.path),
-  ];
+  return [Float32Array.from(numbers), Float32Array.from(flat.vertices), Uint32Array.from(flat.indices)];
 }
 
 interface Flat {

@@ -5,11 +5,9 @@ import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
 import { requireIndices } from './indices.ts';
-import type { JointDescription } from './joint.ts';
 import { blendPose, poseNumbers } from './pose.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
-import type { RigidDescription } from './rigid.ts';
-import type * as RigidNumbers from './rigidNumbers.ts';
+import type { rigidArguments, RigidDescription } from './rigid.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
 import { viewLength, writeView, type View } from './view.ts';
 
@@ -19,8 +17,8 @@ export interface SimulatorModule {
   readonly memory: WebAssembly.Memory;
 }
 
-/** Bindings of either WASM variant. `rigidNumbers` exists only in the variant with physics. */
-export type SimulatorBindings = typeof Core & { readonly rigidNumbers?: typeof RigidNumbers };
+/** Bindings of either WASM variant. `rigidArguments` exists only in the variant with physics. */
+export type SimulatorBindings = typeof Core & { readonly rigidArguments?: typeof rigidArguments };
 
 /** Options of a new simulator. */
 export interface SimulatorOptions {
@@ -97,24 +95,22 @@ export class Simulator {
 
   /** Adds a rigid body and returns its index. Requires the variant with physics. */
   addRigid(description: RigidDescription): number {
-    const rigid = this.#rigids.rigidArguments(description);
+    const { rigidArguments } = this.#module.bindings;
+    if (!rigidArguments) {
+      throw new SimulatorError('This simulator has no rigids: use loadSimulators({ physics: true }).');
+    }
+    const rigid = rigidArguments(description);
     return this.#attempt(() => this.#handle.addRigid(...rigid));
   }
 
-  /** Removes a rigid that no joint holds. The next rigid that is added takes the lowest free index. */
+  /** Removes a rigid. The next rigid that is added takes the lowest free index. */
   removeRigid(index: number): void {
     this.#attempt(() => this.#handle.removeRigid(index));
   }
 
-  /** Adds a joint between two rigids and returns its index. */
-  addJoint(description: JointDescription): number {
-    const numbers = this.#rigids.jointNumbers(description);
-    return this.#attempt(() => this.#handle.addJoint(numbers));
-  }
-
   /**
-   * Moves a kinematic rigid to a pose. It arrives in the next step, or later if that would need more than 120 m/s. It
-   * leaves its path; its spin continues. A dynamic rigid is placed there at rest.
+   * Moves a kinematic rigid to a pose. It arrives in the next step, or later if that would need more than 120 m/s. A
+   * dynamic rigid is placed there at rest.
    *
    * @param position x, y, z in metres, world space.
    * @param rotation Unit quaternion x, y, z, w; identity if omitted.
@@ -137,7 +133,7 @@ export class Simulator {
     this.#attempt(() => this.#handle.dragRigid(index, a, b, c, target[0], target[1], target[2], stiffness));
   }
 
-  /** Ends a drag. A kinematic rigid stays or returns to its path; a dynamic rigid keeps its velocity. */
+  /** Ends a drag. A kinematic rigid stays; a dynamic rigid keeps its velocity. */
   releaseRigid(index: number): void {
     this.#attempt(() => this.#handle.releaseRigid(index));
   }
@@ -370,12 +366,6 @@ export class Simulator {
     // After a fault the handle may still be borrowed, and freeing it would throw. Its memory leaks instead.
     if (this.#stopped === undefined) this.#handle.free();
     this.#stopped ??= 'The simulator was disposed.';
-  }
-
-  get #rigids(): typeof RigidNumbers {
-    const { rigidNumbers } = this.#module.bindings;
-    if (rigidNumbers) return rigidNumbers;
-    throw new SimulatorError('This simulator has no rigids: use loadSimulators({ physics: true }).');
   }
 
   #attempt<Result>(action: () => Result): Result {

@@ -7,7 +7,7 @@ use crate::simulator::Simulator;
 
 #[cfg(feature = "rigids")]
 mod with_rapier {
-    use sim::rigids::{Grab, JointDescription, RigidDescription, RigidNumbers, Rigids, pose_of};
+    use sim::rigids::{Grab, RigidDescription, RigidNumbers, Rigids, pose_of};
     use wasm_bindgen::JsValue;
 
     use crate::error::parameter_error;
@@ -33,11 +33,6 @@ mod with_rapier {
         rigids.drag(index, grab).map_err(parameter_error)
     }
 
-    pub fn join(rigids: &mut Rigids, numbers: &[f32]) -> Result<u32, JsValue> {
-        let joint = JointDescription::from_numbers(numbers).map_err(parameter_error)?;
-        rigids.add_joint(&joint).map_err(parameter_error)
-    }
-
     pub fn remove(rigids: &mut Rigids, index: u32) -> Result<(), JsValue> {
         rigids.remove(index).map_err(parameter_error)
     }
@@ -57,13 +52,7 @@ impl Simulator {
     /// Adds a rigid and returns its index. See `sim::rigids::RigidNumbers` for the numbers.
     #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
     #[wasm_bindgen(js_name = addRigid)]
-    pub fn add_rigid(
-        &mut self,
-        numbers: &[f32],
-        vertices: &[f32],
-        indices: &[u32],
-        path: &[f32],
-    ) -> Result<u32, JsValue> {
+    pub fn add_rigid(&mut self, numbers: &[f32], vertices: &[f32], indices: &[u32]) -> Result<u32, JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::add(
             self.simulator.rigids_mut(),
@@ -71,7 +60,6 @@ impl Simulator {
                 numbers,
                 vertices,
                 indices,
-                path,
             },
         );
         #[cfg(not(feature = "rigids"))]
@@ -137,16 +125,6 @@ impl Simulator {
     pub fn release_rigid(&mut self, index: u32) -> Result<(), JsValue> {
         #[cfg(feature = "rigids")]
         return with_rapier::release(self.simulator.rigids_mut(), index);
-        #[cfg(not(feature = "rigids"))]
-        Err(without_rapier())
-    }
-
-    /// Joins two rigids and returns the joint's index. See `sim::rigids::joints` for the numbers.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
-    #[wasm_bindgen(js_name = addJoint)]
-    pub fn add_joint(&mut self, numbers: &[f32]) -> Result<u32, JsValue> {
-        #[cfg(feature = "rigids")]
-        return with_rapier::join(self.simulator.rigids_mut(), numbers);
         #[cfg(not(feature = "rigids"))]
         Err(without_rapier())
     }

@@ -2,7 +2,7 @@
 //! for each call of `hash`, one per line.
 
 use sim::Simulator;
-use sim::rigids::{JointDescription, RigidDescription, RigidNumbers, pose_of};
+use sim::rigids::{RigidDescription, RigidNumbers, pose_of};
 
 fn main() {
     let path = std::env::args().nth(1).expect("the path of a file with calls");
@@ -33,19 +33,14 @@ fn perform(simulator: &mut Simulator, name: &str, arguments: &[Argument]) {
         ("addSurface", [Floats(vertices), Words(indices)]) => {
             simulator.add_surface(vertices, indices).expect("WASM took it");
         }
-        ("addRigid", [Floats(numbers), Floats(vertices), Words(indices), Floats(path)]) => {
+        ("addRigid", [Floats(numbers), Floats(vertices), Words(indices)]) => {
             let numbers = RigidNumbers {
                 numbers,
                 vertices,
                 indices,
-                path,
             };
             let rigid = RigidDescription::from_numbers(&numbers).expect("WASM took it");
             simulator.rigids_mut().add(rigid).expect("WASM took it");
-        }
-        ("addJoint", [Floats(numbers)]) => {
-            let joint = JointDescription::from_numbers(numbers).expect("WASM took it");
-            simulator.rigids_mut().add_joint(&joint).expect("WASM took it");
         }
         ("moveRigid", [Number(rigid), pose @ ..]) => {
             let pose = pose_of(&singles(pose)).expect("WASM took it");

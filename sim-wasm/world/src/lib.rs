@@ -1,8 +1,8 @@
 //! Serialisation of Rapier's world by postcard, including contacts and their history, without which a pile of rigids
-//! would not continue identically. Multibodies and soft bodies are omitted, since no rigid is one: reading them would
-//! be a tenth of the module.
+//! would not continue identically. Joints, multibodies and soft bodies are omitted, since there are none: reading
+//! multibodies and soft bodies would be a tenth of the module.
 
-use rapier3d::dynamics::{ImpulseJointSet, IntegrationParameters, IslandManager, RigidBodySet};
+use rapier3d::dynamics::{IntegrationParameters, IslandManager, RigidBodySet};
 use rapier3d::geometry::{BroadPhaseBvh, ColliderSet, NarrowPhase};
 use rapier3d::prelude::PhysicsWorld;
 
@@ -14,7 +14,6 @@ type Saved = (
     NarrowPhase,
     RigidBodySet,
     ColliderSet,
-    ImpulseJointSet,
 );
 /// The same, borrowed, for writing.
 type SavedRef<'a> = (
@@ -25,7 +24,6 @@ type SavedRef<'a> = (
     &'a NarrowPhase,
     &'a RigidBodySet,
     &'a ColliderSet,
-    &'a ImpulseJointSet,
 );
 
 /// Everything that the next step depends on.
@@ -38,7 +36,6 @@ pub fn to_bytes(world: &PhysicsWorld) -> Vec<u8> {
         &world.narrow_phase,
         &world.bodies,
         &world.colliders,
-        &world.impulse_joints,
     );
     postcard::to_allocvec(&state).expect("memory takes every byte")
 }
@@ -47,8 +44,7 @@ pub fn to_bytes(world: &PhysicsWorld) -> Vec<u8> {
 /// state: bytes that may have been modified must not be passed.
 pub fn from_bytes(bytes: &[u8]) -> Option<PhysicsWorld> {
     let saved: Saved = postcard::from_bytes(bytes).ok()?;
-    let (gravity, integration_parameters, islands, broad_phase, narrow_phase, bodies, colliders, impulse_joints) =
-        saved;
+    let (gravity, integration_parameters, islands, broad_phase, narrow_phase, bodies, colliders) = saved;
     Some(PhysicsWorld {
         gravity: gravity.into(),
         integration_parameters,
@@ -57,7 +53,6 @@ pub fn from_bytes(bytes: &[u8]) -> Option<PhysicsWorld> {
         narrow_phase,
         bodies,
         colliders,
-        impulse_joints,
         ..PhysicsWorld::new()
     })
 }

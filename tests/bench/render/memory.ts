@@ -1,7 +1,7 @@
 /** memory.*: bytes per particle, and no allocation by step and arrange. */
 import { loadSimulators, SimulatorFactory } from '../../../src/sim/load.ts';
 import type { Simulator, SimulatorModule } from '../../../src/sim/simulator.ts';
-import * as rigidNumbers from '../../../src/sim/rigidNumbers.ts';
+import { rigidArguments } from '../../../src/sim/rigid.ts';
 import type { View } from '../../../src/sim/view.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { poseAt, seededSwings } from '../sim/collide/obstacles.ts';
@@ -69,7 +69,7 @@ async function freshFactory(number: number): Promise<SimulatorFactory> {
     fetch(`${folder}/bindings_bg.wasm`),
   ]);
   const { memory } = bindings.initSync({ module: await WebAssembly.compile(await response.arrayBuffer()) });
-  return new SimulatorFactory({ bindings: { ...bindings, rigidNumbers }, memory });
+  return new SimulatorFactory({ bindings: { ...bindings, rigidArguments }, memory });
 }
 
 async function perStep(): Promise<Figure[]> {

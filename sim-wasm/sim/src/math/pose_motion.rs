@@ -46,12 +46,7 @@ impl PoseMotion {
     /// Moves from `start` to `end` in `dt` seconds. A `round` shape is followed without its rotation, which affects
     /// only the velocity of its surface.
     pub fn between(start: Pose, end: Pose, dt: f32, round: bool) -> Self {
-        Self::rotating(start, end, dt, round, Vector::ZERO)
-    }
-
-    /// Same as [`PoseMotion::between`]. `rotation_vector` (rad) is the expected rotation; its angle may exceed pi.
-    pub fn rotating(start: Pose, end: Pose, dt: f32, round: bool, rotation_vector: Vector) -> Self {
-        let rotation_vector = nearest_equivalent_rotation(start.rotation_vector_to(&end), rotation_vector);
+        let rotation_vector = start.rotation_vector_to(&end);
         let velocity = (end.position - start.position) * (1.0 / dt);
         let (start, end) = if round {
             (Pose::at(start.position), Pose::at(end.position))
@@ -124,11 +119,6 @@ impl PoseMotion {
         self.velocity + self.spin.cross(point - origin)
     }
 
-    /// Rotation vector (rad) of a step of `dt` seconds. The angle may exceed pi.
-    pub fn rotation_vector(&self, dt: f32) -> Vector {
-        self.spin * dt
-    }
-
     /// Upper bound of the extra length (m) of a path that the obstacle's rotation bends, compared with the straight
     /// path from `from` to `to` in the obstacle's frame.
     pub fn detour(&self, from: Vector, to: Vector) -> f32 {
@@ -152,15 +142,4 @@ impl PoseMotion {
         }
         bounds
     }
-}
-
-/// The rotation vector nearest to `expected` among `shorter` and those that differ from it by whole turns.
-fn nearest_equivalent_rotation(shorter: Vector, expected: Vector) -> Vector {
-    const TAU: f32 = std::f32::consts::TAU;
-    if expected.length() <= 0.5 * std::f32::consts::PI {
-        return shorter;
-    }
-    let axis = shorter.unit_or(expected.unit_or(Vector::Y));
-    let turns = libm::rintf((expected.dot(axis) - shorter.dot(axis)) / TAU);
-    axis * (shorter.dot(axis) + turns * TAU)
 }

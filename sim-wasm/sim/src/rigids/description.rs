@@ -2,8 +2,6 @@
 
 use crate::collide::contact::Action;
 use crate::math::pose::Pose;
-use crate::rigids::path::Path;
-use crate::rigids::spin::Spin;
 
 /// How a rigid moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,10 +73,6 @@ pub struct RigidDescription {
     pub boundary_layer: f32,
     /// Strength of the force of smoke on a dynamic rigid, 0..=10; 0: none, 1: as air.
     pub feels_smoke: f32,
-    /// Spin of a kinematic rigid, in addition to all other motion.
-    pub spin: Spin,
-    /// Path of a kinematic rigid. The rigid starts at `pose`.
-    pub path: Option<Path>,
 }
 
 impl RigidDescription {
@@ -94,8 +88,6 @@ impl RigidDescription {
             action: Action::Bounce,
             boundary_layer: 0.0,
             feels_smoke: 0.0,
-            spin: Spin::NONE,
-            path: None,
         }
     }
 }

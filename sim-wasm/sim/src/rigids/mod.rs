@@ -1,4 +1,4 @@
-//! Rigid bodies by Rapier: moving, jointed or arbitrarily shaped obstacles.
+//! Rigid bodies by Rapier: moving or arbitrarily shaped obstacles.
 //!
 //! Rapier moves the rigids, not the particles. After its step each rigid is an obstacle that moves from its previous
 //! pose to its new one; particles collide with it as in [`crate::collide`].
@@ -11,24 +11,17 @@ pub(crate) mod forms;
 pub(crate) mod grab;
 pub(crate) mod grid;
 pub(crate) mod guide;
-pub mod joints;
 pub(crate) mod layer;
 pub(crate) mod meshes;
 pub(crate) mod numbers;
 pub(crate) mod particle_coupling;
-pub mod path;
 pub(crate) mod save;
 pub(crate) mod set;
 pub(crate) mod shells;
-pub mod spin;
-pub(crate) mod track;
 pub(crate) mod world;
 
 pub use checks::{TOP_SPEED, pose_of};
 pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape};
 pub use grab::Grab;
-pub use joints::{JointDescription, JointKind, Motor};
 pub use numbers::{FlatRigid, RigidNumbers};
-pub use path::{Keyframe, Pace, Path};
 pub use set::{POSE_PAIR_FLOATS, Rigids};
-pub use spin::Spin;

@@ -1,11 +1,10 @@
 //! Flat numbers of rigids, for language boundaries and saving.
 //!
 //! `numbers`: kind (0 fixed, 1 kinematic, 2 dynamic); position x, y, z and quaternion x, y, z, w; restitution,
-//! friction, density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the axis of the spin x,
-//! y, z and its rate; the number of parts, 0 for a single shape. Then for each part: shape (0 ball, 1 cuboid, 2
-//! capsule, 3 cylinder, 4 convex hull, 5 trimesh), the numbers of its dimensions, vertex numbers and indices, its pose
-//! in the rigid (7, as above), and its dimensions. Ball: radius. Cuboid: half extents. Capsule and cylinder: half
-//! height, radius. Hull and trimesh: none.
+//! friction, density, action (0 bounce, 1 kill, 2 tint) and tint, boundary layer, feels smoke; the number of parts, 0
+//! for a single shape. Then for each part: shape (0 ball, 1 cuboid, 2 capsule, 3 cylinder, 4 convex hull, 5 trimesh),
+//! the numbers of its dimensions, vertex numbers and indices, its pose in the rigid (7, as above), and its dimensions.
+//! Ball: radius. Cuboid: half extents. Capsule and cylinder: half height, radius. Hull and trimesh: none.
 
 use crate::collide::contact::Action;
 use crate::layout::error::ParameterError;
@@ -13,8 +12,6 @@ use crate::math::pose::Pose;
 use crate::math::vector::Vector;
 use crate::rigids::checks::{AXES, LENGTHS, count_error, pose_numbers, pose_under, ranged, shape_error};
 use crate::rigids::description::{RigidDescription, RigidKind, RigidPart, RigidShape};
-use crate::rigids::path::Path;
-use crate::rigids::spin::{Spin, spin_of};
 
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
 const LAYERS: (f64, f64) = (0.0, 10.0);
@@ -29,8 +26,6 @@ pub struct RigidNumbers<'a> {
     pub vertices: &'a [f32],
     /// Three vertices of each triangle, counted within the part; part by part.
     pub indices: &'a [u32],
-    /// The format of [`Path::from_numbers`].
-    pub path: &'a [f32],
 }
 
 /// Owned [`RigidNumbers`].
@@ -39,7 +34,6 @@ pub struct FlatRigid {
     pub numbers: Vec<f32>,
     pub vertices: Vec<f32>,
     pub indices: Vec<u32>,
-    pub path: Vec<f32>,
 }
 
 impl RigidDescription {
@@ -58,7 +52,6 @@ impl RigidDescription {
         let action = reader.action()?;
         let boundary_layer = ranged("rigid.boundaryLayer", reader.number()?, LAYERS)?;
         let feels_smoke = ranged("rigid.feelsSmoke", reader.number()?, FEELINGS)?;
-        let spin = reader.spin()?;
         Ok(Self {
             kind,
             shape: reader.shape()?,
@@ -69,17 +62,12 @@ impl RigidDescription {
             action,
             boundary_layer,
             feels_smoke,
-            spin,
-            path: Path::from_numbers(numbers.path)?,
         })
     }
 
     /// The inverse of [`RigidDescription::from_numbers`].
     pub fn to_numbers(&self) -> FlatRigid {
-        let mut flat = FlatRigid {
-            path: self.path.as_ref().map(Path::to_numbers).unwrap_or_default(),
-            ..FlatRigid::default()
-        };
+        let mut flat = FlatRigid::default();
         flat.numbers.push(match self.kind {
             RigidKind::Fixed => 0.0,
             RigidKind::Kinematic => 1.0,
@@ -93,8 +81,6 @@ impl RigidDescription {
             Action::Tint(tint) => [2.0, f32::from(tint)],
         });
         flat.numbers.extend([self.boundary_layer, self.feels_smoke]);
-        flat.numbers.extend(<[f32; 3]>::from(self.spin.axis));
-        flat.numbers.push(self.spin.rate);
         match &self.shape {
             RigidShape::Compound { parts } => {
                 flat.numbers.push(parts.len() as f32);
@@ -162,11 +148,6 @@ impl<'a> FlatReader<'a> {
             return Err(ParameterError::out_of_range("rigid.tint", 0.0, 1.0, 15.0));
         }
         Ok(Action::from_numbers(action as u8, tint as u8))
-    }
-
-    fn spin(&mut self) -> Result<Spin, ParameterError> {
-        let axis = [self.number()?, self.number()?, self.number()?];
-        spin_of(axis, self.number()?)
     }
 
     fn shape(&mut self) -> Result<RigidShape, ParameterError> {

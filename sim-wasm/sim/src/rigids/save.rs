@@ -12,14 +12,14 @@ use crate::rigids::numbers::{FlatRigid, RigidNumbers};
 use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
 use crate::rigids::world::World;
 
-/// Flat numbers of a description: numbers, vertices, indices, path. All are empty for a removed rigid.
-type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>, Vec<f32>);
-/// Guidance of a rigid: base, velocity, angle, target, grab.
-type SavedGuide = ([f32; 7], [f32; 3], f64, Option<[f32; 7]>, Option<[f32; 7]>);
-/// Steps, rigids, poses, guidance, and the world as the crate `world` writes it.
-type Saved = (u64, Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
+/// Flat numbers of a description: numbers, vertices, indices. All are empty for a removed rigid.
+type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>);
+/// Guidance of a rigid: base, velocity, target, grab.
+type SavedGuide = ([f32; 7], [f32; 3], Option<[f32; 7]>, Option<[f32; 7]>);
+/// Rigids, poses, guidance, and the world as the crate `world` writes it.
+type Saved = (Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
 /// The same, borrowed, for writing.
-type SavedRef<'a> = (u64, Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
+type SavedRef<'a> = (Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
 
 const DIGEST_BYTES: usize = 8;
 
@@ -31,7 +31,7 @@ impl Rigids {
         }
         let rigids = self.members.iter().map(saved).collect();
         let guides = self.members.iter().map(|member| saved_guide(&member.guide)).collect();
-        let state: SavedRef = (self.steps, rigids, &self.poses, guides, self.world.to_bytes());
+        let state: SavedRef = (rigids, &self.poses, guides, self.world.to_bytes());
         let mut bytes = postcard::to_allocvec(&state).expect("memory takes every byte");
         bytes.extend_from_slice(&digest(&bytes));
         bytes
@@ -55,7 +55,7 @@ impl Rigids {
         Self::of_saved(saved)
     }
 
-    fn of_saved((steps, rigids, poses, guides, physics): Saved) -> Result<Self, RestoreError> {
+    fn of_saved((rigids, poses, guides, physics): Saved) -> Result<Self, RestoreError> {
         let count = rigids.len();
         let world = World::from_bytes(&physics).ok_or_else(corrupt)?;
         if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || world.count() != count {
@@ -78,7 +78,6 @@ impl Rigids {
             restore_guide(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
         }
         restored.poses = poses;
-        restored.steps = steps;
         Ok(restored)
     }
 }
@@ -87,16 +86,14 @@ fn saved_guide(guide: &Guide) -> SavedGuide {
     (
         pose_numbers(&guide.base),
         guide.velocity.into(),
-        guide.angle,
         guide.target.as_ref().map(pose_numbers),
         guide.grab.as_ref().map(Grab::numbers),
     )
 }
 
-fn restore_guide(guide: &mut Guide, (base, velocity, angle, target, grab): SavedGuide) -> Result<(), ParameterError> {
+fn restore_guide(guide: &mut Guide, (base, velocity, target, grab): SavedGuide) -> Result<(), ParameterError> {
     guide.base = pose_of(&base)?;
     guide.velocity = velocity.into();
-    guide.angle = angle;
     guide.target = target.map(|numbers| pose_of(&numbers)).transpose()?;
     guide.grab = grab
         .map(|[a, b, c, x, y, z, stiffness]| Grab::from_numbers([a, b, c], [x, y, z], stiffness))
@@ -112,17 +109,15 @@ fn saved(member: &Member) -> SavedRigid {
         numbers,
         vertices,
         indices,
-        path,
     } = member.description.to_numbers();
-    (numbers, vertices, indices, path)
+    (numbers, vertices, indices)
 }
 
-fn described((numbers, vertices, indices, path): &SavedRigid) -> Result<RigidDescription, RestoreError> {
+fn described((numbers, vertices, indices): &SavedRigid) -> Result<RigidDescription, RestoreError> {
     let flat = RigidNumbers {
         numbers,
         vertices,
         indices,
-        path,
     };
     RigidDescription::from_numbers(&flat).map_err(|error| RestoreError::new(error.message))
 }

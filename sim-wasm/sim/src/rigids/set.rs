@@ -14,7 +14,6 @@ use crate::math::pose::{POSE_FLOATS, Pose};
 use crate::math::pose_motion::PoseMotion;
 use crate::math::vector::Vector;
 use crate::rigids::checks::pose_numbers;
-use crate::rigids::checks::shape_error;
 use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
 use crate::rigids::forms;
 use crate::rigids::grid::RigidGrid;
@@ -22,8 +21,6 @@ use crate::rigids::guide::Guide;
 #[cfg(feature = "bench")]
 use crate::rigids::meshes::{ours, parrys};
 use crate::rigids::shells::Shells;
-use crate::rigids::spin::check_spin;
-use crate::rigids::track::Track;
 use crate::rigids::world::World;
 
 /// Floats per rigid in [`Rigids::poses`].
@@ -38,8 +35,6 @@ pub struct Rigids {
     pub(super) poses: Vec<f32>,
     pub(super) grid: RigidGrid,
     pub(super) bounds: Bounds,
-    /// Number of steps of the simulator, the time base of paths.
-    pub(super) steps: u64,
     /// Rigids with a boundary layer; rigids that feel smoke, and their measurements.
     pub(super) layered: Shells,
     pub(super) feeling: Shells,
@@ -90,16 +85,10 @@ impl Rigids {
             poses: Vec::new(),
             grid: RigidGrid::default(),
             bounds: Bounds::NOTHING,
-            steps: 0,
             layered: Shells::default(),
             feeling: Shells::default(),
             sums: Vec::new(),
         }
-    }
-
-    /// Sets the number of steps of the simulator, the time base of paths.
-    pub fn set_steps(&mut self, steps: u64) {
-        self.steps = steps;
     }
 
     /// Number of indices in use, those of removed rigids included.
@@ -123,7 +112,6 @@ impl Rigids {
             ));
         }
         let forms = forms::forms_of(&description)?;
-        check_motion(&description, reach_of(&forms.ours.bounds()))?;
         match free {
             Some(_) => self.world.replace(index, &description, &forms.rapiers),
             None => self.world.add(&description, &forms.rapiers),
@@ -159,12 +147,10 @@ impl Rigids {
             bounds,
         };
         put(&mut self.obstacles, index, obstacle);
-        let mut guide = Guide::new(pose);
-        guide.track = description.path.as_ref().map(Track::new);
         let member = Member {
             description,
             pose,
-            guide,
+            guide: Guide::new(pose),
             reach: reach_of(&own),
             is_removed: false,
         };
@@ -182,13 +168,9 @@ impl Rigids {
     /// Removes a rigid. A later rigid reuses its index. What is attached to the index stays at its last pose.
     ///
     /// # Errors
-    /// The rigid does not exist, or a joint holds it.
+    /// The rigid does not exist.
     pub fn remove(&mut self, index: u32) -> Result<(), ParameterError> {
         self.check_exists(index)?;
-        if self.world.is_joined(index as usize) {
-            let message = "rigid.index has joints, which hold it".to_owned();
-            return Err(shape_error("rigid.index", f64::from(index), message));
-        }
         let index = index as usize;
         self.world.remove(index);
         self.place_removed(index, self.members[index].pose);
@@ -224,11 +206,9 @@ impl Rigids {
 
     /// First half of [`Rigids::advance`]: the step of the world.
     pub(crate) fn step_world(&mut self, dt: f32) {
-        self.steps += 1;
         if self.members.is_empty() {
             return;
         }
-        let time = self.steps as f64 * STEP;
         for (index, member) in self
             .members
             .iter_mut()
@@ -236,7 +216,7 @@ impl Rigids {
             .filter(|(_, member)| !member.is_removed)
         {
             member.put(index, &mut self.world);
-            member.lead(index, &mut self.world, time, dt);
+            member.lead(index, &mut self.world, dt);
         }
         self.world.step(dt);
         for (index, member) in self.members.iter().enumerate() {
@@ -262,13 +242,10 @@ impl Rigids {
 
     fn follow(&mut self, index: usize, start: Pose, end: Pose, dt: f32) {
         let obstacle = &mut self.obstacles[index];
-        let member = &self.members[index];
-        let rotation_vector = member.guide.rotation_vector(&member.description.spin, dt);
-        let still = start == end && rotation_vector == Vector::ZERO;
-        obstacle.motion = if still {
+        obstacle.motion = if start == end {
             PoseMotion::resting(end)
         } else {
-            PoseMotion::rotating(start, end, dt, obstacle.shape.is_round(), rotation_vector)
+            PoseMotion::between(start, end, dt, obstacle.shape.is_round())
         };
         obstacle.bounds = obstacle.motion.bounds_of(&obstacle.shape.bounds());
         self.grid.place(index, obstacle.bounds);
@@ -279,9 +256,8 @@ impl Rigids {
     /// rigid.
     pub(crate) fn ride(&self, number: f64) -> Option<PoseMotion> {
         let index = (number >= 0.0).then_some(number as usize)?;
-        let rotation_vector = self.obstacles.get(index)?.motion.rotation_vector(STEP as f32);
         let [start, end] = ends_of_rigid(&self.poses, index)?;
-        Some(PoseMotion::rotating(start, end, STEP as f32, false, rotation_vector))
+        Some(PoseMotion::between(start, end, STEP as f32, false))
     }
 
     /// Prepares [`Rigids::find_near`] for the distribution of the particles.
@@ -353,11 +329,11 @@ impl Member {
         self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
     }
 
-    /// Applies the guidance for the coming step, which ends at `time`.
-    fn lead(&mut self, index: usize, world: &mut World, time: f64, dt: f32) {
+    /// Applies the guidance for the coming step.
+    fn lead(&mut self, index: usize, world: &mut World, dt: f32) {
         match (self.description.kind, &self.guide.grab) {
             (RigidKind::Kinematic, _) => {
-                if let Some(next) = self.guide.next(time, dt, self.reach, &self.description.spin) {
+                if let Some(next) = self.guide.next(dt, self.reach) {
                     world.head_for(index, &next);
                 }
             }
@@ -376,16 +352,6 @@ impl Member {
             self.pose = pose;
         }
     }
-}
-
-/// Checks that only kinematic rigids have a path or a spin, and the speed of the spin for a shape of `reach` (m).
-fn check_motion(description: &RigidDescription, reach: f32) -> Result<(), ParameterError> {
-    let moves = description.path.is_some() || description.spin.rate != 0.0;
-    if moves && description.kind != RigidKind::Kinematic {
-        let message = "rigid.kind must be kinematic for a rigid with a path or a spin".to_owned();
-        return Err(shape_error("rigid.kind", f64::NAN, message));
-    }
-    check_spin(&description.spin, reach)
 }
 
 /// Maximum distance of a point of the box from the origin (m).

@@ -3,8 +3,7 @@
 use rapier3d::glamx::{Mat3, Pose3, Quat, Vec3};
 use rapier3d::parry::shape::SharedShape;
 use rapier3d::prelude::{
-    ColliderBuilder, GenericJoint, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps,
-    RigidBodyType,
+    ColliderBuilder, PhysicsWorld, RigidBody, RigidBodyBuilder, RigidBodyHandle, RigidBodyMassProps, RigidBodyType,
 };
 
 use crate::math::hash::Hash;
@@ -107,23 +106,6 @@ impl World {
         for unused in colliders.iter().skip(shapes.len()) {
             self.physics.colliders[*unused].set_enabled(false);
         }
-    }
-
-    /// Returns true if a joint holds a rigid.
-    pub fn is_joined(&self, index: usize) -> bool {
-        let body = handle(index);
-        let mut joints = self.physics.impulse_joints.iter();
-        joints.any(|(_, joint)| [joint.body1(), joint.body2()].contains(&body))
-    }
-
-    /// Joins two rigids.
-    pub fn join(&mut self, a: usize, b: usize, joint: GenericJoint) {
-        self.physics.insert_impulse_joint(handle(a), handle(b), joint);
-    }
-
-    /// Number of joints.
-    pub fn joint_count(&self) -> usize {
-        self.physics.impulse_joints.len()
     }
 
     /// Sets the pose of a kinematic rigid after the coming step.

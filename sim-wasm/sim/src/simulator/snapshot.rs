@@ -19,7 +19,7 @@ use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 
 const KIND: &[u8; 4] = b"smok";
-const VERSION: u32 = 4;
+const VERSION: u32 = 5;
 const NAME: &str = "saved simulation";
 
 /// Bits of the word that says which columns follow the others.
@@ -109,7 +109,7 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
     reader.end()?;
     // Rigids are restored first: they are the last step that can fail.
-    restore_rigids(simulator, rigids, saved_state.steps)?;
+    restore_rigids(simulator, rigids)?;
     saved_state.put_into(simulator);
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
@@ -250,18 +250,17 @@ fn rigids_bytes(_simulator: &Simulator) -> Vec<u8> {
 }
 
 #[cfg(feature = "rigids")]
-fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], steps: u64) -> Result<(), RestoreError> {
+fn restore_rigids(simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
     simulator.rigids = if bytes.is_empty() {
         crate::rigids::Rigids::new()
     } else {
         crate::rigids::Rigids::restore(bytes)?
     };
-    simulator.rigids.set_steps(steps);
     Ok(())
 }
 
 #[cfg(not(feature = "rigids"))]
-fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8], _steps: u64) -> Result<(), RestoreError> {
+fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
     if bytes.is_empty() {
         return Ok(());
     }

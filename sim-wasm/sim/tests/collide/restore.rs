@@ -133,10 +133,6 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
             (1 + k % 15) as f32,
             0.1,
             1.0,
-            0.0,
-            1.0,
-            0.0,
-            if k % 3 == 1 { random(k, 500) } else { 0.0 },
             compound as f32,
         ]);
         numbers.extend(part(k / 3 % 7));
@@ -144,7 +140,6 @@ fn no_description_makes_the_world_panic_or_move_to_nowhere() {
             numbers: &numbers,
             vertices: &vertices,
             indices: &indices,
-            path: &[],
         };
         let mut rigids = Rigids::new();
         let Ok(description) = RigidDescription::from_numbers(&numbers) else {
@@ -177,7 +172,6 @@ fn numbers_that_end_too_early_are_rejected() {
             numbers: &flat.numbers[..numbers],
             vertices: &flat.vertices[..vertices],
             indices: &flat.indices[..indices],
-            path: &flat.path,
         })
     };
     let [numbers, vertices, indices] = [flat.numbers.len(), flat.vertices.len(), flat.indices.len()];

@@ -6,7 +6,7 @@ use sim::Simulator;
 use sim::math::pose::Pose;
 use sim::math::vector::Vector;
 use sim::particles::Newborn;
-use sim::rigids::{Keyframe, POSE_PAIR_FLOATS, Path, RigidDescription, RigidKind, RigidShape, Spin};
+use sim::rigids::{POSE_PAIR_FLOATS, RigidDescription, RigidKind, RigidShape};
 
 const STEP: f32 = DT;
 
@@ -17,15 +17,11 @@ fn speck(position: [f32; 3]) -> Newborn {
     }
 }
 
-/// Along x from `from`, at `speed`, for a second.
-fn straight(from: Vector, speed: f32) -> Path {
-    let at = |time: f32| Keyframe {
-        time,
-        pose: Pose::at(from + Vector::new(speed * time, 0.0, 0.0)),
-    };
-    Path::Keyframes {
-        frames: vec![at(0.0), at(1.0)],
-        looped: false,
+/// Takes `count` steps, with the first rigid at `pose` of the time (s) at the end of each.
+fn guided(simulator: &mut Simulator, count: usize, pose: impl Fn(f32) -> Pose) {
+    for step in 1..=count {
+        simulator.rigids_mut().move_to(0, pose(step as f32 * STEP)).unwrap();
+        simulator.step();
     }
 }
 
@@ -40,7 +36,6 @@ fn a_plate_drags_particles_within_its_layer_by_the_closed_form() {
             .rigids_mut()
             .add(RigidDescription {
                 boundary_layer: 0.4,
-                path: Some(straight(Vector::ZERO, speed)),
                 ..kinematic(plate)
             })
             .unwrap();
@@ -48,7 +43,7 @@ fn a_plate_drags_particles_within_its_layer_by_the_closed_form() {
         for (k, share) in shares.iter().enumerate() {
             assert!(simulator.add(&speck([0.0, 0.102 + 0.4 * share, k as f32 - 2.0])));
         }
-        steps(&mut simulator, 30);
+        guided(&mut simulator, 30, |time| Pose::at(Vector::new(speed * time, 0.0, 0.0)));
         for (k, share) in shares.iter().enumerate() {
             let t = (share + 0.002 / 0.4).min(1.0);
             let expected = speed * 0.5 * (1.0 - t * t * (3.0 - 2.0 * t));
@@ -74,13 +69,14 @@ fn a_ball_that_passes_within_a_step_moves_a_particle_as_a_fine_integration_does(
         .add(RigidDescription {
             boundary_layer: layer,
             pose: Pose::at(Vector::new(-5.0, 0.0, 0.0)),
-            path: Some(straight(Vector::new(-5.0, 0.0, 0.0), speed)),
             ..kinematic(RigidShape::Ball { radius })
         })
         .unwrap();
     simulator.add(&speck([0.0, off, 0.0]));
     simulator.add(&speck([0.0, 0.61, 0.0]));
-    steps(&mut simulator, 12);
+    guided(&mut simulator, 12, |time| {
+        Pose::at(Vector::new(-5.0 + speed * time, 0.0, 0.0))
+    });
     let (mut x, fine) = (0.0_f32, 1e-5_f32);
     for step in 0..20_000 {
         let ball = -5.0 + speed * (step as f32 + 0.5) * fine;
@@ -100,10 +96,6 @@ fn a_spinning_drum_drags_air_around_and_off_is_off() {
             .rigids_mut()
             .add(RigidDescription {
                 boundary_layer,
-                spin: Spin {
-                    axis: Vector::Y,
-                    rate: 2.0,
-                },
                 ..kinematic(RigidShape::Cylinder {
                     half_height: 1.0,
                     radius: 0.5,
@@ -111,7 +103,10 @@ fn a_spinning_drum_drags_air_around_and_off_is_off() {
             })
             .unwrap();
         simulator.add(&speck([0.6, 0.0, 0.0]));
-        steps(&mut simulator, 60);
+        guided(&mut simulator, 60, |time| Pose {
+            position: Vector::ZERO,
+            rotation: turned(Vector::Y, 2.0 * time),
+        });
         place(&simulator, 0)
     };
     assert_eq!(drum(0.0), [0.6, 0.0, 0.0]);

@@ -3,7 +3,5 @@
 mod air;
 mod compound;
 mod drag;
-mod joints;
-mod paths;
 mod removal;
 mod sensors;

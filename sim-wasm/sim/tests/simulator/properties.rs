@@ -122,10 +122,7 @@ mod rigids {
     use sim::collide::contact::Action;
     use sim::math::pose::Pose;
     use sim::math::vector::Vector;
-    use sim::rigids::{
-        Grab, JointDescription, JointKind, Keyframe, Pace, Path, RigidDescription, RigidKind, RigidPart, RigidShape,
-        TOP_SPEED,
-    };
+    use sim::rigids::{Grab, RigidDescription, RigidKind, RigidPart, RigidShape};
 
     /// Within a few metres, so that items interact, or anywhere in the world.
     fn any_place() -> impl Strategy<Value = [f32; 3]> {
@@ -180,36 +177,7 @@ mod rigids {
         prop_oneof![4 => any_single_shape(), 1 => compound]
     }
 
-    fn any_path() -> impl Strategy<Value = Path> {
-        let frames = prop::collection::vec((0.02..1.0_f32, any_pose()), 1..5);
-        let keyframes = (frames, any::<bool>()).prop_map(|(frames, looped)| {
-            let mut time = 0.0;
-            let frames = frames.into_iter().map(|(wait, pose)| {
-                time += wait;
-                Keyframe { time, pose }
-            });
-            Path::Keyframes {
-                frames: frames.collect(),
-                looped,
-            }
-        });
-        let pace = prop_oneof![
-            (0.01..5.0_f32).prop_map(Pace::Duration),
-            (0.001..=TOP_SPEED).prop_map(Pace::Speed)
-        ];
-        let points = prop::collection::vec(any_place(), 2..6);
-        let spline = (points, pace, any::<bool>(), any::<bool>());
-        let spline = spline.prop_map(|(points, pace, looped, along)| Path::Spline {
-            points,
-            pace,
-            looped,
-            along,
-        });
-        prop_oneof![keyframes, spline]
-    }
-
-    /// Its path, and its spin as a fraction of the limit for its size. Only kinematic rigids have them.
-    fn any_description() -> impl Strategy<Value = (RigidDescription, f32)> {
+    fn any_description() -> impl Strategy<Value = RigidDescription> {
         let kind = prop_oneof![
             Just(RigidKind::Fixed),
             Just(RigidKind::Kinematic),
@@ -222,92 +190,50 @@ mod rigids {
         ];
         let touch = (0.0..=1.0_f32, 0.0..=1.0_f32, 0.01..=1e5_f32, action);
         let air = (0.0..=10.0_f32, 0.0..=10.0_f32);
-        let motion = (prop::option::of(any_path()), -1.0..=1.0_f32);
-        (kind, any_shape(), any_pose(), touch, air, motion).prop_map(
-            |(kind, shape, pose, touch, air, (path, share))| {
-                let (restitution, friction, density, action) = touch;
-                let moves = kind == RigidKind::Kinematic;
-                let description = RigidDescription {
-                    restitution,
-                    friction,
-                    density,
-                    action,
-                    boundary_layer: air.0,
-                    feels_smoke: air.1,
-                    path: path.filter(|_| moves),
-                    ..RigidDescription::new(kind, shape, pose)
-                };
-                (description, if moves { share } else { 0.0 })
-            },
-        )
-    }
-
-    fn any_joint() -> impl Strategy<Value = JointKind> {
-        prop_oneof![
-            Just(JointKind::Fixed),
-            Just(JointKind::Ball),
-            (1e-3..3.0_f32).prop_map(|length| JointKind::Rope { length }),
-            (1e-3..3.0_f32, 0.0..1e6_f32, 0.0..1e6_f32).prop_map(|(length, stiffness, damping)| JointKind::Spring {
-                length,
-                stiffness,
-                damping
-            }),
-        ]
-    }
-
-    /// The fastest spin (rad/s) that the simulator accepts for it, taken from the error for a faster one.
-    fn fastest(simulator: &mut Simulator, index: u32) -> f32 {
-        let mut rate = 1e6;
-        while let Err(error) = simulator.rigids_mut().set_spin(index, [0.0, 1.0, 0.0], rate) {
-            rate = error.max as f32;
-        }
-        rate
+        (kind, any_shape(), any_pose(), touch, air).prop_map(|(kind, shape, pose, touch, air)| {
+            let (restitution, friction, density, action) = touch;
+            RigidDescription {
+                restitution,
+                friction,
+                density,
+                action,
+                boundary_layer: air.0,
+                feels_smoke: air.1,
+                ..RigidDescription::new(kind, shape, pose)
+            }
+        })
     }
 
     #[derive(Clone, Debug)]
     struct World {
         entries: Entries,
         seed: u32,
-        rigids: Vec<(RigidDescription, f32)>,
-        joint: Option<JointKind>,
-        axis: [f32; 3],
+        rigids: Vec<RigidDescription>,
+        poses: Vec<Pose>,
         target: [f32; 3],
     }
 
     fn any_world() -> impl Strategy<Value = World> {
         let rigids = prop::collection::vec(any_description(), 1..5);
-        let axis = prop::array::uniform3(-1.0..1.0_f32).prop_filter("a direction", |axis| length(axis) > 0.01);
-        let rest = (prop::option::of(any_joint()), axis, any_place());
-        (any_parameters(), any::<u32>(), rigids, rest).prop_map(|(entries, seed, rigids, (joint, axis, target))| {
-            World {
+        let poses = prop::collection::vec(any_pose(), 4);
+        (any_parameters(), any::<u32>(), rigids, poses, any_place()).prop_map(
+            |(entries, seed, rigids, poses, target)| World {
                 entries,
                 seed,
                 rigids,
-                joint,
-                axis,
+                poses,
                 target,
-            }
-        })
+            },
+        )
     }
 
-    /// Adds everything that is accepted. Not accepted are shapes without volume in single precision and joints of two
-    /// fixed rigids.
+    /// Adds everything that is accepted. Not accepted are shapes without volume in single precision. Rigids that can
+    /// move are sent to a pose.
     fn furnish(simulator: &mut Simulator, world: &World) {
-        for (description, spin) in &world.rigids {
-            let Ok(index) = simulator.rigids_mut().add(description.clone()) else {
-                continue;
-            };
-            if *spin != 0.0 {
-                let rate = spin * fastest(simulator, index);
-                simulator.rigids_mut().set_spin(index, world.axis, rate).unwrap();
+        for (description, pose) in world.rigids.iter().zip(&world.poses) {
+            if let Ok(index) = simulator.rigids_mut().add(description.clone()) {
+                let _ = simulator.rigids_mut().move_to(index, *pose);
             }
-        }
-        if let Some(kind) = world.joint {
-            let _ = simulator.rigids_mut().add_joint(&JointDescription {
-                kind,
-                rigids: [0, 1],
-                anchors: [Vector::ZERO, Vector::Y],
-            });
         }
         let [x, y, z] = world.target;
         let grab = Grab {
@@ -316,7 +242,6 @@ mod rigids {
             stiffness: 30.0,
         };
         let _ = simulator.rigids_mut().drag(0, grab);
-        let _ = simulator.rigids_mut().move_to(1, Pose::at(grab.target));
     }
 
     fn keep_all_in_the_world(cases: u32) {

@@ -1,7 +1,7 @@
 /** The simulator with measuring functions: `cargo xtask wasm --bench` in sim-wasm. */
 import { SimulatorFactory } from '../../../../src/sim/load.ts';
 import type { Simulator } from '../../../../src/sim/simulator.ts';
-import * as rigidNumbers from '../../../../src/sim/rigidNumbers.ts';
+import { rigidArguments } from '../../../../src/sim/rigid.ts';
 import type * as Bindings from '../../../../src/sim/wasm/physics/bindings.js';
 
 const FOLDER = '/sim-wasm/target/wasm/bench';
@@ -53,7 +53,7 @@ export async function loadMeasured(): Promise<(capacity: number) => MeasuredSimu
       return handle;
     },
   });
-  const factory = new SimulatorFactory({ bindings: { ...bindings, Simulator, rigidNumbers }, memory });
+  const factory = new SimulatorFactory({ bindings: { ...bindings, Simulator, rigidArguments }, memory });
   return (capacity) => {
     const simulator = factory.create({ capacity, seed: 7 });
     return new MeasuredSimulator(simulator, made as Measuring);
