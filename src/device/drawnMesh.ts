@@ -1,4 +1,4 @@
-import { Mesh, Scene, type BufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+import { Mesh, Scene, type BufferGeometry, type Camera, type RawShaderMaterial, type WebGLRenderer } from 'three';
 import { PassCamera } from './passCamera.ts';
 
 /**
@@ -13,6 +13,7 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
   constructor(material: RawShaderMaterial, geometry?: Geometry) {
     this.mesh = new Mesh(geometry, material);
     this.mesh.frustumCulled = false;
+    this.mesh.layers.enableAll();
     this.scene.add(this.mesh);
   }
 
@@ -29,9 +30,9 @@ export class DrawnMesh<Geometry extends BufferGeometry = BufferGeometry> {
     renderer.compile(this.scene, this.camera);
   }
 
-  draw(renderer: WebGLRenderer, geometry: Geometry = this.mesh.geometry): void {
+  draw(renderer: WebGLRenderer, geometry: Geometry = this.mesh.geometry, camera: Camera = this.camera): void {
     this.mesh.geometry = geometry;
-    renderer.render(this.scene, this.camera);
+    renderer.render(this.scene, camera);
   }
 
   /** Draws once with another material. */

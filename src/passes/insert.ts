@@ -10,8 +10,7 @@ import {
   Vector2,
   ZeroFactor,
   Matrix4,
-  Mesh,
-  type BufferGeometry,
+  type Camera,
   type Fog,
   type FogExp2,
   type RawShaderMaterial,
@@ -23,7 +22,7 @@ import darkenFragmentShader from '../../shaders/insert/darken.frag';
 import fragmentShader from '../../shaders/insert/insert.frag';
 import vertexShader from '../../shaders/lib/fullScreen.vert';
 import type { FrameView } from '../device/frameView.ts';
-import { FullScreen, pictureMaterial, triangle } from '../device/fullScreen.ts';
+import { FullScreen, pictureMaterial } from '../device/fullScreen.ts';
 import { writeColor, type Color } from '../device/ramps.ts';
 
 /** Values of `fogKind` in shaders/insert/insert.frag. */
@@ -48,18 +47,24 @@ export class InsertPass {
     fogRange: { value: new Vector2() },
   };
   private readonly factor = { value: new ThreeColor() };
-  /** A mesh that draws the smoke, for the host's render list. */
-  readonly marker: Mesh<BufferGeometry, RawShaderMaterial>;
+  private readonly pictureTriangle: FullScreen;
+  /** Draws nothing: the material of the smoke object, at whose place in the host's render list smoke is drawn. */
+  readonly placeholder: RawShaderMaterial;
 
   constructor(eye: FrameView) {
     const { viewportOrigin, clipFromView } = eye.uniforms;
     this.darkenTriangle = new FullScreen(darkenFragmentShader, { factor: this.factor }, DARKENS);
     const uniforms = { ...this.uniforms, viewportOrigin, clipFromView };
-    const material = pictureMaterial({ vertexShader, fragmentShader, uniforms, ...BLENDED });
+    this.pictureTriangle = new FullScreen(fragmentShader, uniforms, BLENDED);
+    // The same program, so that `compile` of three.js compiles it.
+    this.placeholder = pictureMaterial({ vertexShader, fragmentShader, uniforms, transparent: true });
     // A scene.overrideMaterial must not replace this material.
-    material.allowOverride = false;
-    this.marker = new Mesh(triangle(), material);
-    this.marker.frustumCulled = false;
+    this.placeholder.allowOverride = false;
+  }
+
+  /** @param camera the host's, whose clipping planes three.js then has for what it draws next */
+  draw(renderer: WebGLRenderer, camera: Camera): void {
+    this.pictureTriangle.draw(renderer, undefined, camera);
   }
 
   /**
@@ -108,8 +113,8 @@ export class InsertPass {
 
   dispose(): void {
     this.darkenTriangle.dispose();
-    this.marker.geometry.dispose();
-    this.marker.material.dispose();
+    this.pictureTriangle.dispose();
+    this.placeholder.dispose();
   }
 }
 

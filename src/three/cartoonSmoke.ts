@@ -1,4 +1,17 @@
-import { Group, Vector2, Vector4, type Camera, type Object3D, type Scene, type WebGLRenderer } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  Object3D,
+  Vector2,
+  Vector4,
+  type Camera,
+  type JSONMeta,
+  type Material,
+  type Object3DJSON,
+  type Scene,
+  type WebGLRenderer,
+} from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
@@ -21,7 +34,7 @@ import { EmitterPool, PooledEmitter, TableEmitter, type EmitterHandle } from './
 import { SmokeFrame, type SmokeSpace } from './frame.ts';
 import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
-import { drawIntoHost, markWith } from './hostFrame.ts';
+import { drawIntoHost } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
   hostStyle,
@@ -38,7 +51,7 @@ import {
 import { receiversIn } from './casters.ts';
 import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
-import { isOverridden, requirementError, requireRenderer } from './requirements.ts';
+import { isEmptyView, isOverridden, requireDrawable, requireRenderer } from './requirements.ts';
 import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
@@ -63,7 +76,13 @@ const FIRST = -1e9;
  * the world, or travel with the object if its {@link space} is `local`. A uniform scale enlarges the smoke. The event
  * `error` reports what fails in the render loop, which never throws. See {@link CartoonSmokeEvents}.
  */
-export class CartoonSmoke extends Group<CartoonSmokeEvents> {
+export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
+  /** Gives smoke its place among the blended objects that three.js draws. Tools that look for meshes skip sprites. */
+  readonly isSprite = true;
+  /** Empty, for tools that read the geometry of every object. */
+  readonly geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(), 3));
+  /** What three.js draws {@link geometry} with. It is visible while there is smoke. */
+  readonly material: Material;
   /** What its transform does to puffs that exist, as given to `create`. */
   readonly space: SmokeSpace;
   private readonly device: Device;
@@ -162,9 +181,9 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       this.passes.release();
       this.hasDrawn = false;
     });
-    const { marker } = this.passes.insert;
-    markWith(marker, (renderer, scene, camera) => this.draw(renderer, scene, camera));
-    this.add(marker);
+    this.material = this.passes.insert.placeholder;
+    this.material.onBeforeRender = (renderer, scene, camera) => this.draw(renderer, scene, camera);
+    Object.defineProperty(this, 'frustumCulled', { get: () => false, set: () => {} });
   }
 
   /**
@@ -318,10 +337,17 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     throw new UnsupportedError('Smoke cannot be cloned, since its simulator is created asynchronously: call create().');
   }
 
-  /** @throws UnsupportedError always: JSON cannot hold the state of the simulator */
-  override toJSON(): never {
+  /**
+   * In the JSON of a parent, a group with the transform and the children of smoke.
+   * @throws UnsupportedError when called for smoke itself: JSON cannot hold the state of the simulator
+   */
+  override toJSON(meta?: JSONMeta): Object3DJSON {
+    if (typeof meta === 'object') {
+      const { uuid } = this;
+      return Object.assign(new Group().copy(this), { uuid, renderOrder: 0 }).toJSON(meta);
+    }
     throw new UnsupportedError(
-      'Smoke cannot be written as JSON: remove it from the scene before toJSON(), and keep its values by get().',
+      'Smoke cannot be written as JSON: keep its values by get(), or call toJSON() of its scene, which leaves smoke out.',
     );
   }
 
@@ -356,19 +382,13 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
     };
   }
 
-  /**
-   * Draws everything except the marker mesh. Returns false where smoke cannot be drawn; the next `update` reports the
-   * reason.
-   */
-  private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): boolean {
-    if (this.isDrawing || !this.device.isUsable || isOverridden(renderer, scene)) return false;
-    const error = requirementError(renderer, camera);
-    if (error) {
-      this.error = error;
-      return false;
-    }
+  /** Draws smoke. The next `update` reports why it could not be drawn. */
+  private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
+    if (this.isDrawing || !this.device.isUsable) return;
+    if (isOverridden(renderer, scene) || isEmptyView(renderer, camera)) return;
     this.isDrawing = true;
     try {
+      requireDrawable(renderer, camera);
       const { origin, ...input } = this.lookFrom(renderer);
       const { keyLight, onRelight } = this;
       const { boxes, ...placed } = this.frame.view(this, camera, lightFrom(keyLight), receiversIn(scene));
@@ -376,19 +396,17 @@ export class CartoonSmoke extends Group<CartoonSmokeEvents> {
       const view = { renderer, scene, camera, keyLight, scale, origin, onRelight };
       this.drawn = drawIntoHost(this.passes, view, boxes, { ...input, ...placed });
       this.hasDrawn = true;
-      return true;
     } catch (failure) {
       this.error = failure;
-      return false;
     } finally {
       this.isDrawing = false;
     }
   }
 
-  /** Hides the marker while there is nothing to draw, so that a frame costs nothing. */
+  /** Hides the smoke while there is nothing to draw, so that a frame costs nothing. */
   private markVisible(): void {
     const isVisible = !this.hasDrawn || this.simulator.alive > 0 || !this.passes.casters.isEmpty;
-    this.passes.insert.marker.visible = isVisible;
+    this.material.visible = isVisible;
     if (!isVisible) this.drawn = NOTHING;
   }
 

@@ -1,4 +1,4 @@
-import { Box3, Vector2, NoBlending, type Camera, type Mesh, type Scene, type WebGLRenderer } from 'three';
+import { Box3, Vector2 } from 'three';
 import type { Rows } from '../sim/rows.ts';
 import { isSimplified } from '../smoke/extraPasses.ts';
 import { arrangeFrame, drawSmoke, reportOf } from '../smoke/frame.ts';
@@ -81,26 +81,10 @@ export function drawIntoHost(
     eye.uniforms.viewportOrigin.value.copy(view.origin);
     insert.setSmoke(picture.texture, targets.depth, isLinearPicture(renderer));
     insert.setFog(scene.fog, view.scale);
+    insert.draw(renderer, camera);
+    renderer.clearStencil();
     return reportOf(arranged);
   } finally {
     state.restore();
   }
-}
-
-/**
- * Uses a full-screen mesh to draw smoke at its place in the host's frame: among the blended objects, after all opaque ones.
- * @param draw draws everything before the mesh; returns false where smoke cannot be drawn, which hides the mesh
- */
-export function markWith(mesh: Mesh, draw: (renderer: WebGLRenderer, scene: Scene, camera: Camera) => boolean): void {
-  mesh.onBeforeRender = (renderer, scene, camera) => {
-    const isDrawn = draw(renderer, scene, camera);
-    mesh.geometry.setDrawRange(0, isDrawn ? 3 : 0);
-  };
-  mesh.onAfterRender = (renderer) => {
-    renderer.clearStencil();
-    renderer.state.buffers.stencil.setTest(false);
-    renderer.state.setBlending(NoBlending);
-  };
-  // The marker must not be hit by raycasts.
-  mesh.raycast = () => {};
 }

@@ -1,5 +1,6 @@
 import {
   LinearSRGBColorSpace,
+  Matrix4,
   SRGBColorSpace,
   Vector4,
   type Camera,
@@ -24,30 +25,40 @@ export function requireRenderer(renderer: WebGLRenderer): void {
   throw new UnsupportedError('Smoke needs stencil and depth: create the renderer with { stencil: true, depth: true }.');
 }
 
-/** Why smoke cannot be drawn into the renderer's current target; undefined when it can. */
-export function requirementError(renderer: WebGLRenderer, camera: Camera): UnsupportedError | undefined {
+/**
+ * Whether a view shows nothing. A canvas that is hidden or being resized has no size, and its camera an aspect of 0/0.
+ */
+export function isEmptyView(renderer: WebGLRenderer, { projectionMatrix, matrixWorldInverse }: Camera): boolean {
+  const { z: width, w: height } = renderer.getCurrentViewport(viewport);
+  const size = width * height * clip.multiplyMatrices(projectionMatrix, matrixWorldInverse).determinant();
+  // NaN fails every comparison.
+  return !(Math.abs(size) > 0 && Math.abs(size) < Infinity);
+}
+
+/** @throws UnsupportedError when smoke cannot be drawn into the renderer's current target */
+export function requireDrawable(renderer: WebGLRenderer, camera: Camera): void {
   const target = renderer.getRenderTarget();
-  if (renderer.xr.isPresenting) return new UnsupportedError('Smoke cannot be drawn in an XR session.');
+  if (renderer.xr.isPresenting) throw new UnsupportedError('Smoke cannot be drawn in an XR session.');
   // The cameras of an ArrayCamera have their own viewports, which a draw in between would lose.
   if ('viewport' in camera && camera.viewport)
-    return new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
+    throw new UnsupportedError('Smoke cannot be drawn by an ArrayCamera: render with one camera at a time.');
   if (target && target.textures.length > 1)
-    return new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
+    throw new UnsupportedError('Smoke cannot be drawn into a render target with several textures.');
   const { z: width, w: height } = renderer.getCurrentViewport(viewport);
   const { maxTextureSize } = renderer.capabilities;
   if (Math.max(width, height) > maxTextureSize)
-    return new UnsupportedError(
+    throw new UnsupportedError(
       `Smoke cannot be drawn into a viewport of ${width} x ${height} pixels: this GPU allows ${maxTextureSize}.`,
     );
   const { outputColorSpace } = renderer;
   if (outputColorSpace !== SRGBColorSpace && outputColorSpace !== LinearSRGBColorSpace)
-    return new UnsupportedError(
+    throw new UnsupportedError(
       `renderer.outputColorSpace cannot be ${outputColorSpace}: smoke needs SRGBColorSpace or LinearSRGBColorSpace.`,
     );
-  return undefined;
 }
 
 const viewport = new Vector4();
+const clip = new Matrix4();
 
 /** Whether shadow volumes can be counted in a target, or in the canvas (null), whose renderer was checked at creation. */
 export function hasStencilBuffer(target: WebGLRenderTarget | null): boolean {

@@ -27,6 +27,9 @@ export default mergeConfig(site, {
       'react',
       '@react-three/fiber',
       'three/examples/jsm/objects/Reflector.js',
+      ...['GLTF', 'OBJ', 'PLY', 'STL', 'USDZ'].map((name) => `three/examples/jsm/exporters/${name}Exporter.js`),
+      'three/examples/jsm/libs/fflate.module.js',
+      'three/examples/jsm/utils/BufferGeometryUtils.js',
       ...['EffectComposer', 'GTAOPass', 'OutputPass', 'RenderPass', 'UnrealBloomPass'].map(
         (name) => `three/examples/jsm/postprocessing/${name}.js`,
       ),

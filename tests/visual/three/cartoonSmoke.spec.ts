@@ -222,7 +222,7 @@ test.describe('errors', () => {
     expect(said.empty).toMatch(/^ParameterError: cast cannot be “Group”: .*contains a mesh/);
     expect(said.emitter).toMatch(/^ParameterError: emitter cannot be 8: it takes a whole number from 0 to 7/);
     expect(said.clone).toMatch(/^UnsupportedError: .*cloned.*create/);
-    expect(said.json).toMatch(/^UnsupportedError: .*JSON: remove it/);
+    expect(said.json).toMatch(/^UnsupportedError: .*JSON: keep its values/);
     expect(said.seconds).toMatch(/^ParameterError: seconds cannot be NaN/);
     expect(said.count).toMatch(/^ParameterError: count cannot be NaN/);
     expect(said.fraction).toMatch(/^ParameterError: count cannot be 1.5: it takes a whole number from 0/);

@@ -51,7 +51,7 @@ export async function errors(): Promise<Record<string, string>> {
   await attempt('empty', () => smoke.cast(new Group()));
   await attempt('emitter', () => smoke.emitFrom(new Group(), 8));
   await attempt('clone', () => host.scene.clone());
-  await attempt('json', () => host.scene.toJSON());
+  await attempt('json', () => smoke.toJSON());
   update('seconds', NaN);
   await attempt('count', () => smoke.step(NaN));
   await attempt('fraction', () => smoke.step(1.5));
