@@ -7,7 +7,7 @@ import tests from '../support/vite.config.ts';
  */
 export default mergeConfig(tests, {
   cacheDir: '.cache/vite-bench',
-  optimizeDeps: { include: ['@dimforge/rapier3d-compat', 'three.quarks', 'three-nebula'] },
+  optimizeDeps: { include: ['@dimforge/rapier3d-compat', 'three.quarks'] },
   server: {
     headers: {
       'Cross-Origin-Opener-Policy': 'same-origin',

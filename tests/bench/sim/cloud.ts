@@ -1,4 +1,4 @@
-/** The smoke for both sides of sim.vsJavaScript, and its forces. */
+/** The smoke of all contestants, and its forces. */
 import type { Particles } from '../support/snapshot.ts';
 import { emptyParticles } from '../support/snapshot.ts';
 import { random } from '../../visual/random.ts';
@@ -26,15 +26,12 @@ export const SIX_FORCES = {
   'vortices.0.axis.z': 1,
 } as const;
 
-/** The parameters of the forces, with the simulator's keys. */
-export type ForceValues = Readonly<Record<keyof typeof SIX_FORCES, number>>;
-
 const HALF_SIDE = 5;
-/** Seconds. No particle expires during a measurement, unless a test sets a shorter lifetime. */
+/** Seconds. No particle expires during a measurement. */
 const LIFETIME = 1000;
 
 /** Seeded particles in a cube of 10 m, at rest relative to the air. */
-export function seededCloud(count: number, seed: number, lifetime = LIFETIME): Particles {
+export function seededCloud(count: number, seed: number): Particles {
   const next = random(seed);
   const particles = emptyParticles(count);
   for (const axis of ['x', 'y', 'z'] as const) {
@@ -42,7 +39,7 @@ export function seededCloud(count: number, seed: number, lifetime = LIFETIME): P
     particles[`p${axis}`].set(particles[axis]);
   }
   for (let i = 0; i < count; i++) particles.temperature[i] = 0.5 + next();
-  for (let i = 0; i < count; i++) particles.lifetime[i] = lifetime * (0.5 + next());
+  for (let i = 0; i < count; i++) particles.lifetime[i] = LIFETIME * (0.5 + next());
   for (let i = 0; i < count; i++) particles.attributes[i] = next() * 2 ** 32;
   particles.size.fill(0.2);
   return particles;

@@ -1,11 +1,10 @@
-/** Our simulator in WASM, and the same equations in JavaScript. */
+/** Our simulator in WASM. */
 import { loadSimulators } from '../../../src/sim/load.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
 import { time } from '../support/figures.ts';
 import { readParticles, withParticles, type Particles } from '../support/snapshot.ts';
 import { SIX_FORCES, seededCloud } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
-import { TwinSimulator } from './twin.ts';
 
 /** Seed of the turbulence. */
 const SEED = 7;
@@ -48,45 +47,6 @@ export class Wasm implements Contestant {
 
   dispose(): void {
     this.simulator.dispose();
-  }
-}
-
-export class JavaScript implements Contestant {
-  readonly name = 'javaScript';
-  private readonly count: number;
-  private twin: TwinSimulator;
-
-  constructor(count: number) {
-    this.count = count;
-    this.twin = this.fresh();
-  }
-
-  get particles(): Particles {
-    return this.twin.particles;
-  }
-
-  get alive(): number {
-    return this.twin.alive;
-  }
-
-  restart(): void {
-    this.twin = this.fresh();
-  }
-
-  advance(steps: number): number {
-    return time(() => {
-      for (let step = 0; step < steps; step++) this.twin.step();
-    });
-  }
-
-  places(): Float32Array {
-    return placesOf(this.twin.particles);
-  }
-
-  dispose(): void {}
-
-  private fresh(): TwinSimulator {
-    return new TwinSimulator(SIX_FORCES, { seed: SEED, drift: [0, 0, 0], phase: 0 }, seededCloud(this.count, 3));
   }
 }
 

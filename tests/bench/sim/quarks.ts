@@ -16,8 +16,11 @@ import { time } from '../support/figures.ts';
 import type { Particles } from '../support/snapshot.ts';
 import { SIX_FORCES } from './cloud.ts';
 import type { Contestant } from './contestant.ts';
-import { STEP, TYPICAL_DISTANCE, angularRate } from './nearest.ts';
 
+/** Seconds. */
+const STEP = 1 / 60;
+/** Metres: approximate mean distance of the seeded cloud from the vortex axis. */
+const TYPICAL_DISTANCE = 3.8;
 /** LimitSpeedOverLife removes `dampen` * 20 of the excess speed per second. */
 const DAMPEN_PER_SECOND = 20;
 /** Root mean square of the noise. The acceleration is divided by it to give the same speed against the drag. */
@@ -90,6 +93,8 @@ function behaviours(): Behavior[] {
   const swirl = (SIX_FORCES['turbulence.speed'] * drag) / (Math.sqrt(3) * NOISE);
   const side = SIX_FORCES['turbulence.scale'];
   const pace = SIX_FORCES['turbulence.evolution'];
+  // Of the vortex outside its core, rad/s.
+  const rate = SIX_FORCES['vortices.0.circulation'] / (2 * Math.PI * TYPICAL_DISTANCE ** 2);
   return [
     new ApplyForce(new Vector3(0, -1, 0), new ConstantValue(SIX_FORCES['gravity.acceleration'])),
     new ApplyForce(new Vector3(0, 1, 0), new ConstantValue(SIX_FORCES['buoyancy.acceleration'])),
@@ -100,7 +105,7 @@ function behaviours(): Behavior[] {
       new Vector3(swirl, swirl, swirl),
       new Vector3(pace, pace, pace),
     ),
-    new OrbitOverLife(new ConstantValue(angularRate(TYPICAL_DISTANCE)), new Vector3(...axis).normalize()),
+    new OrbitOverLife(new ConstantValue(rate), new Vector3(...axis).normalize()),
     new LimitSpeedOverLife(NONE, drag / DAMPEN_PER_SECOND),
   ];
 }

@@ -1,7 +1,7 @@
 /** The contest for four numbers of particles, and the resulting ratios. */
 import { figure, type Figure } from '../support/figures.ts';
 import { ratios } from '../support/statistics.ts';
-import { compareEngines, hold } from './contest.ts';
+import { compareQuarks, hold } from './contest.ts';
 import type { Costs, Plan } from './rounds.ts';
 
 const JUDGED = 100_000;
@@ -11,25 +11,20 @@ const SIZES = [1_000, 10_000, JUDGED, 1_000_000];
 const CONTESTANTS: Readonly<Record<string, string>> = {
   wasm: 'step() of this simulator in WASM',
   native: 'the same crate natively, with SSE4.1 and without FMA as in WASM; ends in the same fingerprint',
-  javaScript: 'the same step in JavaScript, struct of arrays; ends in the same places up to 0.1 mm',
   memory: 'a pass in WASM that reads and writes the columns that a step reads and writes',
   nativeMemory: 'the same pass natively',
   quarks: "three.quarks' update of a system with six behaviours, no renderer",
-  nebula: "three-nebula's System.update with five behaviours and damping, no renderer",
 };
 
-/** Differences between the engines' behaviours and ours. */
-const UNEQUAL = {
-  quarks: 'its turbulence has divergence, its vortex turns all at one rate, its buoyancy does not cool',
-  nebula: 'its turbulence does not evolve, its vortex has no core, its buoyancy does not cool',
-};
+/** Differences between the behaviours of three.quarks and ours. */
+const UNEQUAL = 'its turbulence has divergence, its vortex turns all at one rate, its buoyancy does not cool';
 
 export async function measureAgainstOthers(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
-  const ways = await compareEngines();
+  const way = await compareQuarks();
   for (const size of SIZES) {
     const costs = await hold(size, planFor(size, quick));
-    if (size === JUDGED) figures.unshift(...judge(costs, ways));
+    if (size === JUDGED) figures.unshift(...judge(costs, way));
     for (const [name, note] of Object.entries(CONTESTANTS)) {
       figures.push(figure(`sim.cost.${name}.${size}`, 'ns/particle', costs[name], note));
     }
@@ -42,16 +37,11 @@ function planFor(size: number, quick: boolean): Plan {
   return { rounds, share: quick ? 30 : 100, warming: quick ? 300 : 600, slice: 10, cost: 'mean' };
 }
 
-function judge(costs: Costs, ways: Readonly<Record<string, number>>): Figure[] {
+function judge(costs: Costs, way: number): Figure[] {
   const work = `${JUDGED} particles, six forces, one octave`;
-  const against = (name: string, other: string, note: string) =>
-    figure(name, 'x', ratios(costs[other], costs.wasm), `${work}; ${note}`);
-  const engine = (name: 'quarks' | 'nebula') =>
-    `${CONTESTANTS[name]}, through ours; ${UNEQUAL[name]}, its particles go ${ways[name].toPrecision(2)} times as far`;
+  const quarks = `${CONTESTANTS.quarks}, through ours; ${UNEQUAL}, its particles go ${way.toPrecision(2)} times as far`;
   return [
-    against('sim.vsJavaScript', 'javaScript', `${CONTESTANTS.javaScript}, through ours; goal >= 4`),
-    against('sim.vsQuarks', 'quarks', `${engine('quarks')}; goal >= 20`),
-    against('sim.vsNebula', 'nebula', engine('nebula')),
+    figure('sim.vsQuarks', 'x', ratios(costs.quarks, costs.wasm), `${work}; ${quarks}; goal >= 20`),
     figure('sim.vsNative', 'x', ratios(costs.wasm, costs.native), `${work}; ${CONTESTANTS.native}; goal <= 1.6`),
   ];
 }

@@ -5,7 +5,7 @@
  */
 
 /** The columns of particle state in saved order. */
-export const FLOAT_COLUMNS = [
+const FLOAT_COLUMNS = [
   'x',
   'y',
   'z',
@@ -23,14 +23,6 @@ export const FLOAT_COLUMNS = [
 
 /** Struct of arrays; units as in sim-wasm/sim/src/particles/mod.rs. */
 export type Particles = Record<(typeof FLOAT_COLUMNS)[number], Float32Array> & { attributes: Uint32Array };
-
-/** State of a simulator before its first step besides its particles, as far as the twin needs it. */
-export interface Memory {
-  seed: number;
-  /** Distance by which the wind has moved the turbulence, metres, and its phase, radians. */
-  drift: [number, number, number];
-  phase: number;
-}
 
 /** The part of a simulator that this file uses. */
 interface Saving {

@@ -20,7 +20,7 @@ const WAY = 0.06;
 /** Largest difference between the two positions of a rigid, metres. */
 const POSE_TOLERANCE = 1e-4;
 
-/** Moving smoke flows around the rigids: the same forces as in sim.vsJavaScript, with a smaller vortex. */
+/** Moving smoke flows around the rigids: the same forces as in sim.vsQuarks, with a smaller vortex. */
 const FORCES = { ...SIX_FORCES, 'vortices.0.circulation': 2, 'vortices.0.reach': 4 };
 
 interface Round {
