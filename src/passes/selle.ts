@@ -41,6 +41,7 @@ export class SellePass {
       lit: { value: null as Texture | null },
       depth: { value: null as Texture | null },
       inkColor: { value: new ThreeColor() },
+      /** Depth gap beyond which a line is drawn, metres. */
       threshold: { value: 0 },
     };
     const material = new RawShaderMaterial({
@@ -53,23 +54,21 @@ export class SellePass {
     this.lines = new FullScreen(linesFragmentShader, this.lineUniforms);
   }
 
-  /** @param threshold depth gap beyond which a line is drawn, metres */
-  setLines(color: Color, threshold: number): void {
-    writeColor(color, this.lineUniforms.inkColor);
-    this.lineUniforms.threshold.value = threshold;
-  }
-
-  /** Draws the puffs into the targets. */
-  draw(renderer: WebGLRenderer, rows: RowGeometry): void {
+  /** Draws the puffs into the targets and then the picture with lines, in place of the resolve pass. */
+  draw(
+    renderer: WebGLRenderer,
+    targets: Targets,
+    { geometry, places }: { geometry: RowGeometry; places: Float32Array },
+    { outlines, innerLine, inkColor }: { outlines: boolean; innerLine: number; inkColor: Color },
+    output: WebGLRenderTarget | null,
+  ): void {
     // Read on each draw: billboards are baked on first access, and the puffs may have changed.
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
-    this.rows.draw(renderer, rows);
-  }
-
-  /** Draws the final picture with lines, in place of the resolve pass. */
-  drawLines(renderer: WebGLRenderer, targets: Targets, output: WebGLRenderTarget | null): void {
+    this.rows.draw(renderer, geometry);
+    writeColor(inkColor, this.lineUniforms.inkColor);
+    this.lineUniforms.threshold.value = outlines ? innerLine * meanRadiusOf(places) : Infinity;
     this.lineUniforms.unlit.value = targets.unlit;
     this.lineUniforms.lit.value = targets.lit;
     this.lineUniforms.depth.value = targets.depth;
@@ -81,4 +80,11 @@ export class SellePass {
     this.lines.dispose();
     this.rows.material.dispose();
   }
+}
+
+/** Mean radius of rows in metres; 0 without rows. */
+function meanRadiusOf(places: Float32Array): number {
+  let sum = 0;
+  for (let at = 3; at < places.length; at += 4) sum += places[at];
+  return sum / Math.max(1, places.length / 4);
 }

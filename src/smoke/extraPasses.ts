@@ -1,23 +1,24 @@
 /** Code that few smokes need. It is loaded on first use and shared by all smokes of the thread. */
-import type { PuffForm } from '../device/puffTextures.ts';
+import type { FrameView } from '../device/frameView.ts';
+import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
+import type { RampTexture } from '../device/ramps.ts';
 import type { DebugView } from '../preset/quality.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
+import type { SellePass } from '../passes/selle.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
 import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { inTime } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
-import type { ShadowMapSources } from '../passes/shadowMap.ts';
-import type { ComparisonRenderers } from './comparisonRenderers.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Volumes } from './style.ts';
 
 const imports = {
   caps: () => import('../puffs/bake/lobeCaps.ts'),
   billboards: () => import('./billboards.ts'),
-  comparisons: () => import('./comparisonRenderers.ts'),
+  selle: () => import('../passes/selle.ts'),
   debugViews: () => import('./debugViews.ts'),
   countedVolumes: () => import('../passes/countedVolumes.ts'),
   tiledVolumes: () => import('../passes/tiledVolumes/tiledVolumes.ts'),
@@ -78,10 +79,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
-    ...(renderer !== 'nailboards' && {
-      billboards: `The renderer ${renderer}`,
-      comparisons: `The renderer ${renderer}`,
-    }),
+    ...(renderer === 'selle' && { billboards: 'The renderer selle', selle: 'The renderer selle' }),
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
     ...(isSimplified(kind) && { simplify: 'Simplified light' }),
@@ -127,10 +125,17 @@ async function bring(name: Name, called: string): Promise<void> {
   }
 }
 
+/** What the optional passes of one smoke share with its other passes. */
+interface Sources {
+  readonly eye: FrameView;
+  readonly puffs: PuffTextures;
+  readonly ramps: RampTexture;
+}
+
 /** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
-  private readonly sources: ShadowMapSources;
-  private madeComparisons: ComparisonRenderers | undefined;
+  private readonly sources: Sources;
+  private madeSelle: SellePass | undefined;
   private madeVolumes: CountedVolumesPass | undefined;
   private madeTiles: TiledVolumesPass | undefined;
   private madeSimplify: SimplifyPass | undefined;
@@ -138,13 +143,14 @@ export class ExtraPasses implements FrameExtras {
   private requested: Promise<void> | undefined;
   private madeViews: DebugViews | undefined;
 
-  constructor(sources: ShadowMapSources) {
+  constructor(sources: Sources) {
     this.sources = sources;
   }
 
-  get comparisons(): ComparisonRenderers | undefined {
-    if (here.comparisons) this.madeComparisons ??= new here.comparisons.ComparisonRenderers(this.sources);
-    return this.madeComparisons;
+  get selle(): SellePass | undefined {
+    const { eye, puffs, ramps } = this.sources;
+    if (here.selle) this.madeSelle ??= new here.selle.SellePass(eye, puffs, ramps);
+    return this.madeSelle;
   }
 
   get countedVolumes(): CountedVolumesPass | undefined {
@@ -191,7 +197,7 @@ export class ExtraPasses implements FrameExtras {
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */
   dispose(): void {
-    this.madeComparisons?.dispose();
+    this.madeSelle?.dispose();
     this.madeVolumes?.dispose();
     this.madeTiles?.dispose();
     this.madeSimplify?.dispose();

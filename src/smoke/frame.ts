@@ -8,7 +8,7 @@ import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
-import { THROWS_SHADOW, type Style } from './style.ts';
+import type { Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox, viewSources } from './views.ts';
 import type { FrameInput, FrameReport } from './frameInput.ts';
 
@@ -41,7 +41,7 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   passes.scene?.surfaces.draw(renderer, targets);
   passes.scene?.creases.draw(renderer);
   const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
-  if (style.renderer !== 'nailboards') passes.extras.comparisons!.draw(passes, input, arranged, surfaceDepth);
+  if (style.renderer === 'selle') passes.extras.selle!.draw(renderer, targets, arranged.bodies, style, input.output);
   else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
   else drawSmoke(passes, input, arranged, surfaceDepth);
   return reportOf(arranged);
@@ -119,7 +119,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   const travel = eye.travelAt(smoke.getCenter(new Vector3()));
   const receivers = sources.boxes.reduce((all, box) => all.union(box), smoke.clone());
   eye.receive(input.others ? smoke : receivers);
-  const throwsShadow = style.shadows && THROWS_SHADOW[style.renderer];
+  const throwsShadow = style.shadows && style.renderer === 'nailboards';
   if (throwsShadow) {
     const { rows } = simulator.arrange(lightView(sources, input, receivers, travel));
     input.others?.take(rows);

@@ -42,16 +42,12 @@ export class SceneSurfaces {
     this.descriptions = descriptions;
   }
 
-  /** @param placed what takes the transforms; defaults to those of the frame */
-  place(
-    rigids: readonly Matrix4[],
-    parts: readonly Matrix4[],
-    placed: Pick<SurfaceTransforms, 'place'> = this.transforms,
-  ): void {
+  /** Sets the world transforms of surfaces on rigids and parts. */
+  place(rigids: readonly Matrix4[], parts: readonly Matrix4[]): void {
     this.descriptions.forEach(({ rigid, part }, surface) => {
       if (rigid === undefined && part === undefined) return;
       const transform = part === undefined ? rigids[rigid!] : parts[part];
-      placed.place(surface, transform, transform.elements[13] > OUT_OF_SIGHT);
+      this.transforms.place(surface, transform, transform.elements[13] > OUT_OF_SIGHT);
     });
   }
 

@@ -90,13 +90,7 @@ export class SmokeRenderer {
       isFlat,
       mask: new MaskPass(),
       resolve: new ResolvePass(eye),
-      extras: new ExtraPasses({
-        eye,
-        puffs: this.puffs,
-        ramps: this.ramps,
-        firstSurface: FIRST_SURFACE_RAMP,
-        surfaces: this.surfaces,
-      }),
+      extras: new ExtraPasses({ eye, puffs: this.puffs, ramps: this.ramps }),
       hasBackdrop: backdrop !== undefined,
       extentsOf: (form) => this.puffs.of(form),
     };

@@ -9,6 +9,7 @@ import type { BodiesPass } from '../passes/bodies.ts';
 import type { MaskPass } from '../passes/mask.ts';
 import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
+import type { SellePass } from '../passes/selle.ts';
 import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import type { ResolvePass } from '../passes/resolve.ts';
@@ -59,10 +60,12 @@ export interface ArrangedFrame {
 
 /** Optional passes, whose modules are loaded on demand; undefined until then. */
 export interface FrameExtras {
-  readonly comparisons: DrawsInstead | undefined;
+  /** Draws in place of all other passes of the smoke; `style.renderer` decides. */
+  readonly selle: SellePass | undefined;
   /** Counts entries and exits; `style.volumes` decides. */
   readonly countedVolumes: CountedVolumesPass | undefined;
-  readonly debugViews: DrawsInstead | undefined;
+  /** Draws in place of the default passes what `view` of the input says. */
+  readonly debugViews: { readonly draw: DrawSmoke } | undefined;
   /** Smooths the light; `style.simplify` decides. */
   readonly simplify: SimplifyPass | undefined;
   /** Draws lines inside the silhouette; `style.strokes` decides. */
@@ -82,8 +85,3 @@ export type DrawSmoke = (
   arranged: ArrangedFrame,
   surfaceDepth: SurfaceDepth | undefined,
 ) => void;
-
-/** Draws in place of the default passes what `style.renderer` or `view` of the input says. */
-interface DrawsInstead {
-  readonly draw: DrawSmoke;
-}

@@ -8,20 +8,11 @@ import { table } from '../preset/table.ts';
 import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
-/** How puffs are drawn: with nailboards and shadow volumes, or with one of three renderers for comparison. */
-export type Renderer = 'nailboards' | ComparisonRenderer;
-export type ComparisonRenderer = 'selle' | 'sprites' | 'shadowMap';
+/** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
+export type Renderer = 'nailboards' | 'selle';
 
 /** How the stencil counts shadow volumes: by testing each pixel's receiver, or entries and exits as in the paper. */
 export type Volumes = 'receiver' | 'counted';
-
-/** The renderers that draw shadows and need casters. */
-export const THROWS_SHADOW: Readonly<Record<Renderer, boolean>> = {
-  nailboards: true,
-  selle: false,
-  sprites: false,
-  shadowMap: true,
-};
 
 type StyleRow = Extract<(typeof styleRows)[number], { readonly reader: 'style' }>;
 

@@ -41,13 +41,11 @@ export function viewSources(passes: SmokePasses, { style, others }: FrameInput):
 
 export function eyeView(sources: ViewSources, input: FrameInput): View {
   const { eye } = sources;
-  // Blended sprites must be sorted back to front.
-  const blends = input.style.renderer === 'sprites';
   return {
     ...common(sources, input),
     purpose: 'eye',
     pad: widestLineOf(input.style, input.pixelRatio) * eye.unitsPerPixel,
-    direction: (blends ? eye.forward.clone().negate() : eye.forward).toArray(),
+    direction: eye.forward.toArray(),
     receivers: { min: [0, 0, 0], max: [0, 0, 0] },
     coverage: coverageOf(sources, input, 1),
   };
@@ -81,8 +79,7 @@ function coverageOf(
   { style, pixelRatio, simulator }: FrameInput,
   covers: number,
 ): CoverageView | undefined {
-  // The comparison renderers draw hidden puffs, too: they are compared without occlusion culling, and blended sprites
-  // are transparent. The solids do not match flat puffs.
+  // The renderer `selle` is compared without occlusion culling. The solids do not match flat puffs.
   if (style.renderer !== 'nailboards' || isFlat || (simulator.alive ?? Infinity) <= FEW) return undefined;
   const { capRange, depth, solids } = extents;
   const [nearest, farthest] = eye.range;

@@ -116,7 +116,7 @@ function requireOpen(values: Values): void {
   }
 }
 
-/** A preset may select a comparison renderer; in a host scene only nailboards are supported. */
+/** A preset may select another renderer; in a host scene only nailboards are supported. */
 export function hostStyle(values: Values): Style {
   return { ...styleOf(values), renderer: 'nailboards' };
 }

@@ -35,7 +35,7 @@ export const smokeRows: readonly Parameter[] = [
     'emission',
     {
       label: 'Dissolving',
-      text: 'How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the comparison renderers have no holes.',
+      text: 'How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the renderer selle have no holes.',
     },
     ['Shrink', 'Erode'],
   ),

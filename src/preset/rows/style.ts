@@ -206,14 +206,12 @@ export const styleRows = [
     'style',
     {
       label: 'Renderer',
-      text: 'The rendering method; all but nailboards are for comparison.',
+      text: 'The rendering method; selle is for comparison.',
       default: 'nailboards',
     },
     [
       ['nailboards', 'Nailboards'],
       ['selle', 'Depth lines (Selle 2004)'],
-      ['sprites', 'Soft sprites'],
-      ['shadowMap', 'Shadow map'],
     ],
   ),
 ] as const satisfies readonly Parameter[];

@@ -10,7 +10,7 @@ import { measureTargets } from './targets.ts';
 import { measureVisible } from './visible.ts';
 import { measureUploads } from './uploads.ts';
 import { measureAgainstQuarks } from './versusQuarks.ts';
-import { measureAgainstComparisons } from './versusComparisons.ts';
+import { measureAgainstSelle } from './versusSelle.ts';
 
 export async function measure(quick: boolean): Promise<Figure[]> {
   if (!globalThis.crossOriginIsolated) throw new Error('The page is not isolated, so its clock is too coarse.');
@@ -18,7 +18,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
-    ...(await measureAgainstComparisons(quick)),
+    ...(await measureAgainstSelle(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),
     ...(await measureSmall(quick)),

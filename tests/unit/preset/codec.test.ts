@@ -142,6 +142,9 @@ describe('decode', () => {
     expect(await codes('#style.gradient=rainbow')).toEqual(['malformed']);
     expect(await codes('#style.shadows=yes')).toEqual(['malformed']);
     expect(await codes('#scene=nowhere')).toEqual(['malformed']);
+    for (const removed of ['sprites', 'shadowMap']) {
+      expect(await codes(`#style.renderer=${removed}`), removed).toEqual(['malformed']);
+    }
   });
 
   it('names an unknown preset and shows the default one', async () => {

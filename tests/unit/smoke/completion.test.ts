@@ -8,14 +8,14 @@ const { here, requests } = vi.hoisted(() => ({
 }));
 
 vi.mock('../../../src/smoke/extraPasses.ts', () => ({
-  hasExtras: ({ renderer }: PictureKind) => here.has(renderer),
-  fetchExtras: ({ renderer: what }: PictureKind) =>
+  hasExtras: ({ view }: PictureKind) => here.has(view!),
+  fetchExtras: ({ view }: PictureKind) =>
     new Promise<void>((resolve, reject) => {
       const come = () => {
-        here.add(what);
+        here.add(view!);
         resolve();
       };
-      requests.push({ what, come, fail: reject });
+      requests.push({ what: view!, come, fail: reject });
     }),
 }));
 
@@ -23,11 +23,12 @@ const settled = () => new Promise((resolve) => setTimeout(resolve));
 
 /** A completion, its requested picture kind, and its notices. */
 function begun() {
-  const wanted: { renderer: PictureKind['renderer'] } = { renderer: 'selle' };
+  const wanted: { view: PictureKind['view'] } = { view: 'ink' };
   const notified: string[] = [];
   const completion = completionOf(
     () => ({
       ...wanted,
+      renderer: 'nailboards',
       form: 'lobes',
       isDeformed: true,
       volumes: 'receiver',
@@ -68,11 +69,11 @@ test('code that becomes needed during a load is loaded before completion', async
   const { completion, wanted, notified } = begun();
   const done = vi.fn<() => void>();
   const waiting = completion.wait().then(done);
-  wanted.renderer = 'sprites';
+  wanted.view = 'counts';
   completion.begin();
   requests[0].come();
   await settled();
-  expect(requests.map(({ what }) => what)).toEqual(['selle', 'sprites']);
+  expect(requests.map(({ what }) => what)).toEqual(['ink', 'counts']);
   expect(done).not.toHaveBeenCalled();
   requests[1].come();
   await waiting;
@@ -81,7 +82,7 @@ test('code that becomes needed during a load is loaded before completion', async
 
 test('code that is no longer needed is not awaited, and loaded code is not requested again', async () => {
   const { completion, wanted, notified } = begun();
-  here.add((wanted.renderer = 'nailboards'));
+  here.add((wanted.view = 'lit'));
   requests[0].fail(new Error('gone'));
   await settled();
   completion.begin();

@@ -1,7 +1,6 @@
 /** Shadows of boxes and of single-lobe puffs (balls) on a ground, compared with analytic results. */
 import {
   Box3,
-  Euler,
   Matrix4,
   OrthographicCamera,
   PerspectiveCamera,
@@ -13,8 +12,6 @@ import {
 } from 'three';
 import type { Color } from '../../../src/device/ramps.ts';
 import type { SurfaceDescription } from '../../../src/passes/surface.ts';
-import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
-import { orientationOf, rotatedLobes } from '../../../src/puffs/orientation.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { Lab, takePicture, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
 import { random } from '../random.ts';
@@ -67,26 +64,6 @@ interface Crate {
   worldFromModel: Matrix4;
 }
 
-type MapView = View & { crates?: readonly Crate[]; receiver?: SurfaceDescription };
-
-/** A part outside the view. It casts no shadow for any position of the light. */
-const PARKED: Crate = { half: [0.5, 0.5, 0.5], worldFromModel: new Matrix4().setPosition(0, -100, 0) };
-
-export const MAP_VIEWS = {
-  sun: () => ({ camera: from([0.5, 2.6, 5]), towardsLight: [-0.5, 0.8, 0.4], casters: puffs(), crates: crates() }),
-  distantLamp: () => ({ camera: from([0.5, 2.6, 5]), lamp: [2, 9, 1.5], casters: puffs(), crates: crates() }),
-  lampAbove: () => ({ camera: from([0.5, 2.6, 5]), lamp: [0.1, 2.4, 0.2], casters: puffs(), crates: crates() }),
-  // One shadow is outside the lamp's downward map, another on its border.
-  lampAmongCrates: () => ({ camera: from([0.5, 3.6, 5]), lamp: [0.1, 0.6, 0.2], casters: [], crates: crates() }),
-  lampBelow: () => ({
-    camera: from([0.5, -4, 4], [0, -1, 0]),
-    lamp: [0, -150, 0],
-    casters: [{ place: [0.6, -1.8, 0.4], radius: 0.5, variation: 1 }],
-    crates: [PARKED],
-    receiver: { ...ground(0, 0), mesh: box([0, GROUND_Y + 0.1, 0], [GROUND_HALF, 0.1, GROUND_HALF]) },
-  }),
-} satisfies Record<string, () => MapView>;
-
 /** How the ground pixels match their expected shadow steps. */
 export interface StepsReport {
   /** Pixels in the first shadow step cast by a model of overlapping boxes, and pixels in the second step. */
@@ -136,62 +113,6 @@ const OVERLAPPING: readonly LabPuff[] = [
   { place: [-0.6, -0.3, 0.3], radius: 0.4 },
   { place: [-0.1, -0.1, 0.2], radius: 0.4 },
 ];
-
-function puffs(): LabPuff[] {
-  return [
-    { place: [-0.2, -0.1, 0.4], radius: 0.35, seed: 9 },
-    { place: [0.2, -0.4, -0.6], radius: 0.4, roll: 1, variation: 2, seed: 3 },
-  ];
-}
-
-function crates(): Crate[] {
-  const rotated = new Matrix4().makeRotationFromEuler(new Euler(0.3, 0.5, 0.2)).setPosition(1, -0.3, 0.5);
-  return [
-    { half: [0.35, 0.2, 0.25], worldFromModel: rotated },
-    { half: [0.3, 0.25, 0.2], worldFromModel: new Matrix4().setPosition(-1.1, -0.5, -0.3) },
-    PARKED,
-  ];
-}
-
-/**
- * Ground pixels in shadow, those that the shadow map leaves lit (`missing`), and lit ones that it darkens (`extra`).
- */
-export function mapErrors(name: keyof typeof MAP_VIEWS): { shadow: number; missing: number; extra: number } {
-  const view: MapView = MAP_VIEWS[name]();
-  const { crates: standing = [], receiver = ground(GROUND_Y, GROUND_HALF) } = view;
-  const lobes = view.casters.flatMap(lobesOf);
-  const riding = standing.map(({ half }, part) => crateOf(half, part));
-  const surfaces = [receiver, ...riding];
-  const parts = standing.map(({ worldFromModel }) => worldFromModel);
-  const scene = { ...view, width: WIDTH, height: HEIGHT, puffs: [], surfaces, parts };
-  const lab = new Lab(scene);
-  const [dark, lit] = [true, false].map((shadows) => lab.draw({ ...scene, style: { renderer: 'shadowMap', shadows } }));
-  lab.dispose();
-  const report = { shadow: 0, missing: 0, extra: 0 };
-  for (let pixel = 0; pixel < WIDTH * HEIGHT; ++pixel) {
-    const point = groundPoint(viewRay(pixel, view.camera));
-    if (!point || !isOf(lit, pixel, receiver.color)) continue;
-    const isShadow =
-      lobes.some((lobe) => hides(lobe, point, view)) ||
-      standing.some((crate) => crate !== PARKED && hidesAsBox(crate, point, view));
-    const isDark = !isOf(dark, pixel, receiver.color);
-    if (isShadow) report.shadow += 1;
-    if (isShadow && !isDark) report.missing += 1;
-    if (!isShadow && isDark) report.extra += 1;
-  }
-  return report;
-}
-
-/** The lobes of a puff with the default shapes. */
-function lobesOf({ place, radius, variation = 0, seed = 0, roll = 0 }: LabPuff): LabPuff[] {
-  return rotatedLobes(orientationOf(seed, roll), LOBE_SHAPES[variation].lobes).map((lobe) => ({
-    place: new Vector3(...lobe.center)
-      .multiplyScalar(radius)
-      .add(new Vector3(...place))
-      .toArray(),
-    radius: lobe.radius * radius,
-  }));
-}
 
 function crateOf(half: Triple, part?: number): SurfaceDescription {
   return { name: 'crate', mesh: box([0, 0, 0], half), color: [219, 64, 92], casts: true, inked: false, part };

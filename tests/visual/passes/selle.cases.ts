@@ -1,8 +1,6 @@
-/** The comparison renderers: Selle's lines, blended sprites, shadow maps. */
-import type { Color } from '../../../src/device/ramps.ts';
+/** The lines of the renderer `selle`. */
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
-import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture, type LabPuff } from '../lab.ts';
-import { box } from '../solids.ts';
+import { frontCamera, PLAIN_STYLE, takePicture, type LabPicture } from '../lab.ts';
 
 const WIDTH = 200;
 const HEIGHT = 160;
@@ -94,43 +92,6 @@ function leaksFrom(radius: number, isInk: readonly boolean[]): boolean {
   return false;
 }
 
-/**
- * The centre pixel of two overlapping sprites with two tints, far one first, and the analytic blend of the two colours.
- */
-export function blendedSprites(): { drawn: number[]; expected: number[] } {
-  const puffs: LabPuff[] = [
-    { place: [0, 0, -0.5], radius: 0.5, tint: 1, age: 0.25 },
-    { place: [0, 0, 0.5], radius: 0.5, tint: 2, age: 0.5 },
-  ];
-  const backdrop = { top: [10, 20, 30], bottom: [10, 20, 30] } as const;
-  const picture = takePicture({ width: WIDTH, height: HEIGHT, puffs, backdrop, style: { renderer: 'sprites' } });
-  const expected = puffs.reduce<number[]>(
-    (below, { tint, age }) => mix(below, PLAIN_STYLE.tints[tint! - 1], 0.5 * (1 - age!)),
-    [...backdrop.top],
-  );
-  return { drawn: colorAt(picture, (HEIGHT / 2) * WIDTH + WIDTH / 2), expected };
-}
-
-/** Opacity at the centre of a sprite `gap` radii in front of a wall, as a share of the opacity without a wall. */
-export function softness(gap: number): number {
-  const radius = 0.5;
-  const wall = {
-    name: 'wall',
-    mesh: box([0, 0, -1], [3, 3, 1]),
-    color: [0, 0, 0],
-    casts: false,
-    inked: false,
-  } as const;
-  const picture = takePicture({
-    width: WIDTH,
-    height: HEIGHT,
-    puffs: [{ place: [0, 0, gap * radius], radius }],
-    surfaces: [wall],
-    style: { renderer: 'sprites', smokeColor: [255, 255, 255] },
-  });
-  return colorAt(picture, (HEIGHT / 2) * WIDTH + WIDTH / 2)[0] / (0.5 * 255);
-}
-
 function colorAt({ pixels }: LabPicture, at: number): number[] {
   return [...pixels.subarray(4 * at, 4 * at + 3)];
 }
@@ -141,8 +102,4 @@ function colorsOf({ pixels }: LabPicture): Set<number> {
 
 function equals(a: readonly number[], b: readonly number[]): boolean {
   return a.every((value, channel) => value === b[channel]);
-}
-
-function mix(below: readonly number[], above: Color, alpha: number): number[] {
-  return below.map((value, channel) => value * (1 - alpha) + above[channel] * alpha);
 }
