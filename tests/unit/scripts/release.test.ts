@@ -9,28 +9,13 @@ import { parse } from 'yaml';
 import { Project } from '../../support/project.ts';
 import { script } from '../../support/server.ts';
 
-interface Step {
-  name?: string;
-  uses?: string;
-  run?: string;
-  with?: Record<string, unknown>;
-  env?: Record<string, string>;
-}
-interface Job {
-  needs?: string | string[];
-  permissions: Record<string, string>;
-  'timeout-minutes'?: number;
-  steps: Step[];
-}
 interface Workflow {
-  on: { push: { tags: string[]; branches?: string[] } };
-  permissions: Record<string, string>;
-  jobs: Record<string, Job>;
+  jobs: Record<string, { steps: { name?: string; run?: string }[] }>;
 }
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const BASE = 'https://example.org/some/where';
-const { on, permissions, jobs } = parse(readFileSync(join(ROOT, '.github/workflows/release.yml'), 'utf8')) as Workflow;
+const { jobs } = parse(readFileSync(join(ROOT, '.github/workflows/release.yml'), 'utf8')) as Workflow;
 
 const out = mkdtempSync(join(tmpdir(), 'cartoon-smoke-release-'));
 afterAll(() => rmSync(out, { recursive: true }));
@@ -42,43 +27,11 @@ function commandOf(job: string, name: string): string {
   return command;
 }
 
-describe('order and permissions of the jobs', () => {
-  test('only a tag publishes, and only after the tests', () => {
-    expect(on).toEqual({ push: { tags: ['v*'] } });
-    const steps = jobs.build.steps.map(({ name, uses }) => name ?? uses!.split('@')[0]);
-    const [checked, tested, built] = ['Check the tag', 'Test', 'Build the site'].map((name) => steps.indexOf(name));
-    expect(checked).toBeGreaterThan(steps.indexOf('actions/setup-node'));
-    expect(tested).toBeGreaterThan(checked);
-    expect(built).toBeGreaterThan(tested);
-    expect(steps.indexOf('actions/upload-pages-artifact')).toBeGreaterThan(built);
-    expect(commandOf('build', 'Test')).toBe('npm test');
-    expect(commandOf('build', 'Test in the engines')).toBe('npm run test:engines');
-    expect(steps.indexOf('Test in the engines')).toBeLessThan(built);
-  });
-
-  test('publishing jobs wait for the build and alone have write permissions', () => {
-    expect(Object.values(permissions)).not.toContain('write');
-    for (const [name, job] of Object.entries(jobs)) {
-      expect(job['timeout-minutes'], name).toBeGreaterThan(0);
-      if (name === 'build') expect(Object.values(job.permissions)).not.toContain('write');
-      else expect(job.needs, name).toBe('build');
-    }
-  });
-
-  test('actions have pinned versions', () => {
-    const used = Object.values(jobs).flatMap(({ steps }) => steps.flatMap(({ uses }) => uses ?? []));
-    expect(used.length).toBeGreaterThan(0);
-    for (const action of used) expect(action).toMatch(/^actions\/[\w-]+@v\d+$/);
-  });
-});
-
 describe('the tag', () => {
   const run = (changelog: string, tag: string) => {
     const project = new Project();
     project.write('CHANGELOG.md', changelog);
     project.write('package.json', JSON.stringify({ version: '1.2.3' }));
-    const command = commandOf('build', 'Check the tag');
-    expect(command).toBe('npm run release:check -- "$GITHUB_REF_NAME"');
     const ending = project.run('release.mjs', [tag]);
     project.dispose();
     return ending;
@@ -117,9 +70,7 @@ describe('the site', () => {
   });
 
   test('is built by the command of the workflow, with its public address', { timeout: 240_000 }, () => {
-    const step = jobs.build.steps.find(({ name }) => name === 'Build the site')!;
-    expect(Object.keys(step.env!)).toEqual(['CARTOON_SMOKE_BASE']);
-    const { status, stderr } = spawnSync(`${step.run!} -- --out "$OUT"`, {
+    const { status, stderr } = spawnSync(`${commandOf('build', 'Build the site')} -- --out "$OUT"`, {
       cwd: ROOT,
       shell: true,
       encoding: 'utf8',
@@ -137,22 +88,9 @@ describe('the site', () => {
     // Relative URLs only, so that it works in any folder.
     expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
   });
-
-  test('the published folder is the built one', () => {
-    const upload = jobs.build.steps.find(({ uses }) => uses?.startsWith('actions/upload-pages-artifact'))!;
-    expect(upload.with).toEqual({ path: 'dist' });
-  });
 });
 
 describe('the package', () => {
-  test('has the same file name from the build to npm', () => {
-    expect(commandOf('build', 'Build the package')).toBe('npm run package');
-    const stepOf = (job: string, action: string) => jobs[job].steps.find(({ uses }) => uses?.startsWith(action))!;
-    const uploaded = stepOf('build', 'actions/upload-artifact').with;
-    expect(uploaded).toEqual({ name: 'package', path: 'package' });
-    expect(stepOf('npm', 'actions/download-artifact').with).toEqual(uploaded);
-  });
-
   test('is accepted by npm with the command of the workflow', async () => {
     const { manifest } = await script<{ manifest: object }>('package/manifest.mjs');
     mkdirSync(join(out, 'package'));
