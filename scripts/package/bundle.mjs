@@ -13,8 +13,13 @@ import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
-/** The scripts for CDNs, each with its entry. */
-const SCRIPTS = { 'cartoon-smoke.min': 'src/element/script.ts', 'puff.min': 'src/puff/script.ts' };
+/** The scripts for CDNs, each with its entry. Those with warnings are not minified. */
+const SCRIPTS = {
+  'cartoon-smoke.min': 'src/element/script.ts',
+  'cartoon-smoke.development': 'src/development/elementScript.ts',
+  'puff.min': 'src/puff/script.ts',
+  'puff.development': 'src/development/puffScript.ts',
+};
 /**
  * A single file.
  * @type {import('rolldown').OutputOptions}
@@ -46,6 +51,14 @@ const SPLIT = { codeSplitting: { groups: TOGETHER } };
 const ERRORS = { errors: 'src/preset/errors.ts' };
 /** Smoke in the three.js scenes of others, a build of its own. */
 const HOSTED = { cartoonSmoke: 'src/three/cartoonSmoke.ts', proxies: 'src/three/proxies.ts' };
+/** What modules with warnings wrap, by its file. */
+const WRAPPED = {
+  index: 'src/index.ts',
+  element: 'src/element/define.ts',
+  cartoonSmoke: HOSTED.cartoonSmoke,
+  fiber: 'src/fiber.ts',
+  puff: 'src/puff.ts',
+};
 
 /**
  * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the scripts for
@@ -61,7 +74,6 @@ export async function bundleAll(folder, plugins = shortening()) {
   const modules = {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
-    'element.development': 'src/element/development.ts',
     puff: 'src/puff.ts',
     ...ERRORS,
   };
@@ -80,8 +92,20 @@ export async function bundleAll(folder, plugins = shortening()) {
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
   // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
-  await bundleScript('cartoon-smoke.min', folder, plugins);
-  await bundleScript('puff.min', folder, plugins);
+  await bundleWarnings(join(folder, 'development'));
+  for (const name of Object.keys(SCRIPTS))
+    await bundleScript(/** @type {keyof typeof SCRIPTS} */ (name), folder, plugins);
+}
+
+/**
+ * Writes the modules with warnings. They import the other modules of the package, which stay the same without them.
+ * @param {string} folder
+ */
+async function bundleWarnings(folder) {
+  const names = ['index', 'element', 'fiber', 'puff'];
+  const input = entries(Object.fromEntries(names.map((name) => [name, `src/development/${name}.ts`])));
+  const chunks = { minify: false, chunkFileNames: 'shared-[name].js' };
+  await bundle({ input, external: 'three', plugins: [beside(WRAPPED, '../')] }, folder, chunks);
 }
 
 /**
@@ -93,7 +117,8 @@ export async function bundleAll(folder, plugins = shortening()) {
  */
 export async function bundleScript(name, folder, plugins = shortening()) {
   const input = entries({ [name]: SCRIPTS[name] });
-  await bundle({ input, plugins: [...plugins, withoutPresetWords(), workerAt(`./${name}.js`)] }, folder, ALONE);
+  const output = name.endsWith('.min') ? ALONE : { ...ALONE, minify: false, sourcemap: false };
+  await bundle({ input, plugins: [...plugins, withoutPresetWords(), workerAt(`./${name}.js`)] }, folder, output);
   copyWasm(folder);
 }
 
@@ -197,10 +222,11 @@ function workerAt(address) {
 /**
  * Imports modules from their files in the package.
  * @param {Record<string, string>} modules their sources by the names of their files
+ * @param {string} place of these files
  * @returns {import('rolldown').Plugin}
  */
-function beside(modules) {
-  const files = new Map(Object.entries(modules).map(([name, source]) => [inRoot(source), `./${name}.js`]));
+function beside(modules, place = './') {
+  const files = new Map(Object.entries(modules).map(([name, source]) => [inRoot(source), `${place}${name}.js`]));
   return {
     name: 'beside',
     resolveId(source, importer) {

@@ -9,8 +9,12 @@ const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 /** Web URL of the GitHub repository in package.json. */
 const address = githubAddress(project.repository);
 
-/** With warnings on the console in development builds. */
-const ELEMENT = { development: './dist/element.development.js', default: './dist/element.js' };
+/**
+ * A module and, for development builds, one with warnings.
+ * @param {string} name
+ */
+const warning = (name) => ({ development: `./dist/development/${name}.js`, default: `./dist/${name}.js` });
+const ELEMENT = warning('element');
 
 /** Omits the fields of the project's package.json that only development needs. */
 export const manifest = {
@@ -35,18 +39,23 @@ export const manifest = {
     'confetti',
   ],
   exports: {
-    '.': { types: './types/index.d.ts', default: './dist/index.js' },
+    '.': { types: './types/index.d.ts', ...warning('index') },
     './element': { types: './types/element/define.d.ts', ...ELEMENT },
     './react': { types: './types/jsx/react.d.ts', ...ELEMENT },
     './preact': { types: './types/jsx/preact.d.ts', ...ELEMENT },
     './solid': { types: './types/jsx/solid.d.ts', ...ELEMENT },
     './svelte': { types: './types/jsx/svelte.d.ts', ...ELEMENT },
     './vue': { types: './types/jsx/vue.d.ts', ...ELEMENT },
-    './fiber': { types: './types/fiber.d.ts', default: './dist/fiber.js' },
-    './puff': { types: './types/puff.d.ts', default: './dist/puff.js' },
+    './fiber': { types: './types/fiber.d.ts', ...warning('fiber') },
+    './puff': { types: './types/puff.d.ts', ...warning('puff') },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/element/define.d.ts', default: './dist/cartoon-smoke.min.js' },
+    './cartoon-smoke.development.js': {
+      types: './types/element/define.d.ts',
+      default: './dist/cartoon-smoke.development.js',
+    },
     './puff.min.js': { types: './types/puff/script.d.ts', default: './dist/puff.min.js' },
+    './puff.development.js': { types: './types/puff/script.d.ts', default: './dist/puff.development.js' },
     './core.wasm': { types: './types/asset.d.ts', default: './dist/wasm/core/bindings_bg.wasm' },
     './physics.wasm': { types: './types/asset.d.ts', default: './dist/wasm/physics/bindings_bg.wasm' },
     './worker.js': { types: './types/asset.d.ts', default: './dist/worker.js' },
@@ -63,8 +72,10 @@ export const manifest = {
   files: ['dist', 'film', 'types', 'custom-elements.json', 'html-custom-data.json', 'web-types.json'],
   sideEffects: [
     './dist/element.js',
-    './dist/element.development.js',
+    './dist/development/*.js',
     './dist/cartoon-smoke.min.js',
+    './dist/cartoon-smoke.development.js',
+    './dist/puff.development.js',
     './dist/puff.min.js',
   ],
   // From the oldest release that uploads ranges of textures. tests/e2e/package/versions.long.spec.ts installs both ends.

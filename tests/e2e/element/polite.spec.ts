@@ -232,13 +232,18 @@ test('keeps its box and its button on a page that unsets, rotates and blurs ever
   await expect(page.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
 });
 
-const MISTAKES = `<cartoon-smoke ${WISP} ${BOX} class="a" data-a="b" emision-rate="3" emission-lifetime="9999"></cartoon-smoke>`;
+const MISTAKES = `<cartoon-smoke ${WISP} ${BOX} class="a" data-a="b" emision-rate="3" emission-lifetime="9999" collide=".none"></cartoon-smoke>`;
 
 for (const [build, warnings] of [
   ['element', []],
   [
-    'element.development',
-    [/no attribute .emision-rate.. Did you mean .emission-rate.\?$/, /emission-lifetime|emission\.lifetime|Lifetime/],
+    'development/element',
+    [
+      /no attribute .emision-rate.. Did you mean .emission-rate.\?$/,
+      /collide=.\.none. matches no element/,
+      /emission-lifetime|emission\.lifetime|Lifetime/,
+      /^element\.stage: \.set was read from a promise/,
+    ],
   ],
 ] as const) {
   test(`${build}.js writes ${warnings.length} warnings on two elements with the same mistakes`, async ({
@@ -249,6 +254,11 @@ for (const [build, warnings] of [
     await openPage(MISTAKES + MISTAKES, { script: MODULES.replace('element.js', `${build}.js`) });
     await stands(page);
     await stands(page, 'cartoon-smoke:last-of-type');
+    await page.evaluate(() => {
+      for (const { stage } of document.querySelectorAll('cartoon-smoke')) void (stage as never as { set: unknown }).set;
+    });
+    // Longer than the element waits for what its selector names.
+    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 2500)));
     await frames(page, 2);
     expect(lines).toHaveLength(warnings.length);
     warnings.forEach((warning, index) => expect(lines.toSorted()[index]).toMatch(warning));
@@ -261,7 +271,7 @@ test.describe('with a failed download', () => {
   test('the development build writes the error once', async ({ page, openPage }) => {
     const lines = watchConsole(page);
     await page.route('**/bindings_bg.wasm', (route) => route.abort());
-    const script = MODULES.replace('element.js', 'element.development.js');
+    const script = MODULES.replace('element.js', 'development/element.js');
     await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`.repeat(2), { script });
     const failures = () => lines.filter((line) => line.startsWith('<cartoon-smoke>: LoadError: '));
     await expect.poll(failures).toHaveLength(1);

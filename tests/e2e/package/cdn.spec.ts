@@ -4,6 +4,8 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import type {} from '../../../src/puff/script.ts';
+import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, stands, test as base, type Server } from '../../support/embed.ts';
 import { script } from '../../support/server.ts';
 
@@ -65,6 +67,25 @@ test('a page with the printed hash runs smoke in a worker', async ({ page, cdn, 
   const scripts = new Set(cdn.sent.map(({ file }) => file).filter((file) => file.endsWith('.js')));
   expect([...scripts]).toEqual(['package/dist/cartoon-smoke.min.js']);
 });
+
+for (const [kind, warnings] of [
+  ['min', []],
+  ['development', [/no attribute .presett.. Did you mean .preset.\?$/, /^puff\(\): The target is null/]],
+] as const) {
+  test(`the scripts ${kind}.js write ${warnings.length} warnings and run smoke`, async ({ page, cdn, visit }) => {
+    const lines = watchConsole(page);
+    const load = (name: string) =>
+      `<script type="module" src="${cdn.address}package/dist/${name}.${kind}.js"></script>`;
+    await visit(`${load('cartoon-smoke')}${load('puff')}<cartoon-smoke presett="lamp"></cartoon-smoke>`);
+    expect(await thread(page)).toBe('worker');
+    await page.evaluate(async () => {
+      await document.querySelectorAll('cartoon-smoke')[1].ready;
+      const { puff } = window;
+      await Promise.all([puff(null, { count: 1, effect: 'pop' }), puff(null, { count: 1, effect: 'pop' })]);
+    });
+    expect(lines.toSorted()).toEqual(warnings.map((warning) => expect.stringMatching(warning) as unknown));
+  });
+}
 
 test('modules of another host can start a worker', async ({ page, cdn, visit }) => {
   await visit(`<script type="module" src="${cdn.address}package/dist/element.js" crossorigin></script>`);

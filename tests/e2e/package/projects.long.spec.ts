@@ -1,5 +1,5 @@
 /** The package as a new user installs it: packed by npm, in projects outside this repository. */
-import { writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type * as Vite from 'vite';
 import { bin, expect, expectTitle, expectTypes, PAGE, PAGE_WITH_ELEMENT, test } from '../../support/freshProject.ts';
@@ -93,6 +93,74 @@ test('Rollup, with the plugins that find packages and copy files', async ({ page
   writeFileSync(join(place, 'dist/index.html'), `${PAGE_WITH_ELEMENT}<script type="module" src="main.js"></script>`);
   await expectTitle(page, join(place, 'dist'), READY);
 });
+
+const PARTS = `export * as index from 'cartoon-smoke';
+export * as fiber from 'cartoon-smoke/fiber';
+export * as puff from 'cartoon-smoke/puff';
+import 'cartoon-smoke/element';
+`;
+const FIBER = ['@react-three/fiber@9', 'react@19', 'react-dom@19'];
+/** Text of a warning of each entry. */
+const WARNINGS = ['was read from a promise', 'update() was never called', 'The target is null', 'matches no element'];
+const config = (conditions: string) => `import resolve from '@rollup/plugin-node-resolve';
+import commonjs from '@rollup/plugin-commonjs';
+
+export default {
+  input: 'main.js',
+  output: { dir: 'dist', format: 'es' },
+  external: /^(react|@react-three)/,
+  plugins: [resolve({ exportConditions: [${conditions}] }), commonjs()],
+};
+`;
+const bundlers = {
+  esbuild: {
+    packages: ['esbuild'],
+    build: (place: string, isDevelopment: boolean) => {
+      const options = `{ entryPoints: ['main.js'], bundle: true, format: 'esm', outdir: 'dist', loader: { '.wasm': 'file' }, conditions: ${isDevelopment ? "['development']" : '[]'} }`;
+      writeFileSync(join(place, 'build.mjs'), `import { build } from 'esbuild';\nawait build(${options});\n`);
+      bin(place, '../build.mjs');
+    },
+  },
+  rollup: {
+    packages: ['rollup@4', '@rollup/plugin-node-resolve@16', '@rollup/plugin-commonjs@28'],
+    build: (place: string, isDevelopment: boolean) => {
+      writeFileSync(join(place, 'rollup.config.js'), config(isDevelopment ? "'development'" : ''));
+      bin(place, 'rollup/dist/bin/rollup', '--config');
+    },
+  },
+  webpack: {
+    packages: ['webpack', 'webpack-cli'],
+    build: (place: string, isDevelopment: boolean) => {
+      const mode = isDevelopment ? 'development' : 'production';
+      bin(place, 'webpack/bin/webpack.js', './main.js', '--mode', mode, '--devtool', 'source-map');
+    },
+  },
+  vite: {
+    packages: ['vite@8'],
+    build: (place: string, isDevelopment: boolean) => {
+      const environment = isDevelopment ? `process.env.NODE_ENV = 'development';` : '';
+      writeFileSync(
+        join(place, 'vite.config.js'),
+        `${environment} export default { build: { rollupOptions: { input: 'main.js', preserveEntrySignatures: 'strict' } } };`,
+      );
+      bin(place, 'vite/bin/vite.js', 'build', '--mode', isDevelopment ? 'development' : 'production');
+    },
+  },
+} as const;
+
+for (const [name, { packages, build }] of Object.entries(bundlers)) {
+  test(`${name} bundles warnings in development only`, ({ project }) => {
+    const place = project([...packages, ...FIBER], { 'main.js': PARTS });
+    for (const isDevelopment of [true, false]) {
+      rmSync(join(place, 'dist'), { recursive: true, force: true });
+      build(place, isDevelopment);
+      const dist = readdirSync(join(place, 'dist'), { recursive: true, encoding: 'utf8' });
+      const scripts = dist.filter((file) => file.endsWith('.js'));
+      const code = scripts.map((file) => readFileSync(join(place, 'dist', file), 'utf8')).join('\n');
+      expect(WARNINGS.filter((text) => code.includes(text))).toEqual(isDevelopment ? WARNINGS : []);
+    }
+  });
+}
 
 const ANGULAR = {
   'angular.json': JSON.stringify({

@@ -75,7 +75,9 @@ it('exports by name each type that a public signature names', () => {
   expect(exported).toBeGreaterThan(80);
 });
 
-it.each(['index', 'element', 'fiber', 'preset'])('can import %s without a DOM', (name) => {
+const WARNING = ['index', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
+
+it.each(['index', 'element', 'fiber', 'preset', ...WARNING])('can import %s without a DOM', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
   const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
   const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
@@ -88,7 +90,9 @@ it('has a source map for each module, and no labels of the table in the code of 
   const hasSources = (file: string) =>
     !file.endsWith('rolldown-runtime.js') && !/^export\{[^}]*\}from"[^"]*";\s*$/.test(codeOf(file));
   const codeOf = (file: string) => readFileSync(join(FOLDER, 'dist', file), 'utf8');
-  const modules = files.filter((file) => file.endsWith('.js') && hasSources(file));
+  // Scripts that are not minified need no source map.
+  const isPlain = (file: string) => file.endsWith('.development.js');
+  const modules = files.filter((file) => file.endsWith('.js') && !isPlain(file) && hasSources(file));
   expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
   const isWordy = (code: string) => table.some(({ text }) => code.includes(text));
   const wordy = modules.filter((file) => isWordy(codeOf(file)));
@@ -102,6 +106,25 @@ it('contains React in the module of React Three Fiber only', () => {
     /['"](react|@react-three\/fiber)['"/]/.test(readFileSync(join(dist, file), 'utf8'));
   expect(built.filter(usesReact)).toEqual(['fiber.js']);
   expect(readFileSync(join(dist, 'fiber.js'), 'utf8')).toMatch(/^["']use client["']/);
+});
+
+it('contains the warnings of development builds only in their files', () => {
+  const sources = join(ROOT, 'src/development');
+  const texts = readdirSync(sources).flatMap((file) => {
+    const code = readFileSync(join(sources, file), 'utf8').replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
+    return code.match(/\b[A-Z]\w*(?: [\w(),]+){3,}/g) ?? [];
+  });
+  expect(texts.length).toBeGreaterThan(10);
+  const dist = join(FOLDER, 'dist');
+  const built = readdirSync(dist, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.js'));
+  const codeOf = (file: string) => readFileSync(join(dist, file), 'utf8');
+  const [warning, others] = [true, false].map((isWarning) =>
+    built.filter((file) => /development/.test(file) === isWarning).map((file) => ({ file, code: codeOf(file) })),
+  );
+  expect(texts.filter((text) => !warning.some(({ code }) => code.includes(text)))).toEqual([]);
+  expect(
+    others.filter(({ code }) => /console\.warn|development\//.test(code) || texts.some((text) => code.includes(text))),
+  ).toEqual([]);
 });
 
 it('contains no fault injection', () => {

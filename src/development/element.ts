@@ -1,29 +1,20 @@
-/**
- * The element for development builds, which bundlers choose by the export condition `development`: it writes unknown
- * attributes, corrected values and failures to the console, once each. In production the element writes nothing.
- */
-import { CartoonSmokeElement } from './define.ts';
-import type { SmokeEvents } from './events.ts';
+/** The element with warnings about its attributes and about failures. */
+import { CartoonSmokeElement } from '../element/define.ts';
+import type { SmokeEvents } from '../element/events.ts';
+import { STAGE_MEMBERS, warnOfError, warnOnce, warnUnawaited } from './warn.ts';
 
 /** Attributes of all HTML elements, and prefixes that frameworks and ARIA use. */
 const GLOBAL =
   /^(accesskey|autocapitalize|autofocus|class|contenteditable|dir|draggable|enterkeyhint|exportparts|hidden|id|inert|inputmode|is|item(id|prop|ref|scope|type)|lang|nonce|part|popover|role|slot|spellcheck|style|tabindex|title|translate|writingsuggestions)$|^(aria|data|v|ng|on)-|^on[a-z]+$|[^a-z0-9-]|^_/;
-const TAG = '<cartoon-smoke>';
-
-const warned = new Set<string>();
-
-function warn(message: string): void {
-  if (warned.has(message)) return;
-  warned.add(message);
-  // oxlint-disable-next-line eslint/no-console -- only in development builds
-  console.warn(`${TAG}: ${message}`);
-}
+const ABOUT = '<cartoon-smoke>';
+/** Time in which a page adds the elements that a selector names, milliseconds. */
+const SELECTOR_DELAY_MS = 2000;
 
 function warnOfAttributes(element: CartoonSmokeElement): void {
   const known = CartoonSmokeElement.observedAttributes;
   for (const name of element.getAttributeNames()) {
     if (!known.includes(name) && !GLOBAL.test(name)) {
-      warn(`There is no attribute \u201c${name}\u201d. Did you mean \u201c${nearest(name, known)}\u201d?`);
+      warnOnce(ABOUT, `There is no attribute \u201c${name}\u201d. Did you mean \u201c${nearest(name, known)}\u201d?`);
     }
   }
 }
@@ -48,20 +39,44 @@ function distance(a: string, b: string): number {
 }
 
 /** Calls a listener for the events of all elements. The capture phase also reaches events that do not bubble. */
-function listen<Name extends keyof SmokeEvents>(name: Name, act: (detail: SmokeEvents[Name]) => void): void {
+function listen<Name extends keyof SmokeEvents>(
+  name: Name,
+  act: (detail: SmokeEvents[Name], element: CartoonSmokeElement) => void,
+): void {
   const heard = (event: Event) => {
     if (!(event.target instanceof CartoonSmokeElement)) return;
     warnOfAttributes(event.target);
-    act((event as CustomEvent<SmokeEvents[Name]>).detail);
+    act((event as CustomEvent<SmokeEvents[Name]>).detail, event.target);
   };
   // None on a server.
   globalThis.document?.addEventListener(name, heard, { capture: true });
 }
 
-listen('ready', () => undefined);
+function warnOfSelectors(element: CartoonSmokeElement): void {
+  if (!element.isConnected) return;
+  for (const name of ['collide', 'emit-from']) {
+    const selector = element.getAttribute(name);
+    try {
+      if (!selector || (element.getRootNode() as ParentNode).querySelector(selector)) continue;
+      warnOnce(ABOUT, `${name}=\u201c${selector}\u201d matches no element.`);
+    } catch {
+      // A notice says that the selector is invalid.
+    }
+  }
+}
+
+listen('ready', (_, element) => void setTimeout(() => warnOfSelectors(element), SELECTOR_DELAY_MS));
 listen('statechange', ({ notices }) => {
-  for (const { message } of notices) warn(message);
+  for (const { message } of notices) warnOnce(ABOUT, message);
 });
-listen('error', ({ error }) => warn(`${error.name}: ${error.message}`));
+listen('error', ({ error }) => warnOfError(ABOUT, error));
+
+const { get } = Object.getOwnPropertyDescriptor(CartoonSmokeElement.prototype, 'stage')!;
+Object.defineProperty(CartoonSmokeElement.prototype, 'stage', {
+  configurable: true,
+  get(this: CartoonSmokeElement) {
+    return warnUnawaited('element.stage', get!.call(this) as CartoonSmokeElement['stage'], STAGE_MEMBERS);
+  },
+});
 
 export { CartoonSmokeElement };
