@@ -21,6 +21,7 @@ const FILES = [
     'lists.json and singles.json in src/preset, src/sim/layout.ts',
     (say) => cargoNative('test', ['--test', 'all', 'simulator::page_table'], say, environment),
   ],
+  ['src/preset/valueTypes.ts', (say) => vitest('preset/valueTypes', 'are those of the table', say)],
   ['src/element/attributes/names.json', (say) => vitest('element/names', 'lists the keys', say)],
   ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],
   ['tables in docs/', (say) => vitest('repository/documents', 'has the generated table', say)],

@@ -20,7 +20,8 @@ export {
   SmokeError,
   UnsupportedError,
 } from './preset/errors.ts';
-export type { Value, Values } from './preset/parameter.ts';
+export type { AnyValues, ShareLink, Value, Values } from './preset/parameter.ts';
+export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './preset/valueTypes.ts';
 export { presets, presetValues, type Preset } from './preset/presets.ts';
 export type { DebugView, Quality } from './preset/quality.ts';
 export type { PlainMesh } from './puffs/fit/closedMesh.ts';

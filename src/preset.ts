@@ -6,7 +6,9 @@ export { decode, encode, type Decoded, type State } from './preset/codec.ts';
 export { FileError, ParameterError, SmokeError } from './preset/errors.ts';
 export { readFile, writeFile, type SmokeFile } from './preset/file.ts';
 export type { Notice } from './preset/notice.ts';
+export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './preset/valueTypes.ts';
 export type {
+  AnyValues,
   ChoiceParameter,
   ColorParameter,
   CurveParameter,
@@ -15,6 +17,7 @@ export type {
   ParameterDescription,
   RampParameter,
   Reader,
+  ShareLink,
   ToggleParameter,
   Value,
   Values,

@@ -86,7 +86,7 @@ function properties() {
 function markup() {
   const own = attributes.map(
     ({ name, type, description }) =>
-      `  /** ${description} */\n  '${name}'?: ${type.text === 'number' ? 'number | string' : type.text} | undefined;`,
+      `  /** ${description} */\n  '${name}'?: ${name === 'preset' ? 'PresetName' : type.text === 'number' ? 'number | string' : type.text} | undefined;`,
   );
   const parameters = rows().map(({ row, attribute, isListed }) => {
     const name = isListed ? `[attribute: \`${attribute}\`]` : `'${attribute}'?`;
@@ -95,7 +95,8 @@ function markup() {
   const events = EVENTS.map(
     (name) => `  on${name}?: ((event: CustomEvent<SmokeEvents['${name}']>) => unknown) | undefined;`,
   );
-  return `import type { SmokeEvents } from './events.js';
+  return `import type { PresetName } from '../preset/valueTypes.js';
+import type { SmokeEvents } from './events.js';
 /** What the element takes in markup. */
 export interface SmokeAttributes {
 ${[...own, ...parameters].join('\n')}

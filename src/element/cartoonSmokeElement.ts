@@ -1,4 +1,5 @@
 import { ContextError, type SmokeError } from '../preset/errors.ts';
+import type { PresetName } from '../preset/valueTypes.ts';
 import type { Fault } from '../device/faults.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
@@ -24,7 +25,8 @@ export interface CartoonSmokeElement extends StageMethods {
   paused: boolean;
   transparent: boolean;
   interactive: boolean;
-  preset: string | undefined;
+  get preset(): string | undefined;
+  set preset(name: PresetName | null | undefined);
   src: string | undefined;
   start: string | undefined;
   alt: string | undefined;

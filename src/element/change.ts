@@ -1,4 +1,5 @@
 import type { Values } from '../preset/parameter.ts';
+import { differing } from '../preset/values.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 
 /**
@@ -7,9 +8,6 @@ import type { RemoteStage } from '../remote/contract.ts';
  */
 export async function change(stage: RemoteStage, before: Values, after: Values): Promise<void> {
   const gone = Object.keys(before).filter((key) => !(key in after));
-  const changed = Object.entries(after).filter(([key, value]) => before[key] !== value);
-  await Promise.all([
-    gone.length > 0 && stage.unset(gone),
-    changed.length > 0 && stage.set(Object.fromEntries(changed)),
-  ]);
+  const changed = differing(before, after);
+  await Promise.all([gone.length > 0 && stage.unset(gone), Object.keys(changed).length > 0 && stage.set(changed)]);
 }

@@ -13,12 +13,14 @@ import {
   type Ref,
   type RefObject,
 } from 'react';
-import type { SmokeError } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
+import { ParameterError, requireOptions, type SmokeError } from '../preset/errors.ts';
+import type { AnyValues, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
+import { differing } from '../preset/values.ts';
 import { CartoonSmoke } from '../three/cartoonSmoke.ts';
+import type { DirectionalLight, Scene } from 'three';
 import type { KeyLight } from '../three/keyLight.ts';
-import { AT_CREATION, startValues, type CartoonSmokeOptions } from '../three/options.ts';
+import { changeable, startValues, type CartoonSmokeOptions } from '../three/options.ts';
 import { placementIn, targetOf, useLatest, type PlacementProps, type Target } from './hooks.ts';
 
 /**
@@ -26,8 +28,8 @@ import { placementIn, targetOf, useLatest, type PlacementProps, type Target } fr
  * change of another option creates the smoke again.
  */
 export interface SmokeProps extends Omit<CartoonSmokeOptions, 'renderer' | 'keyLight'>, PlacementProps {
-  /** The light that shades smoke and that smoke blocks, or a reference to it. */
-  keyLight: Target<KeyLight>;
+  /** The light that shades smoke and that smoke blocks, or a reference to it. Default: the first directional light of the scene. */
+  keyLight?: Target<KeyLight>;
   /** Called when the smoke is in the scene, with the handles of its children. */
   onReady?: (smoke: CartoonSmoke) => void;
   /**
@@ -92,6 +94,7 @@ export function Smoke({ children, ref, ...props }: SmokeProps): ReactNode {
 function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error: unknown) => void) {
   const { keyLight, preset, physics, space, values } = props;
   const renderer = useThree(({ gl }) => gl);
+  const scene = useThree((state) => state.scene);
   const latest = useLatest(props);
   const applied = useRef<Values>({});
   const [smoke, setSmoke] = useState<CartoonSmoke>();
@@ -101,14 +104,15 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
     let isWanted = true;
     const onError = ({ error }: { error: SmokeError }) => latest.current.onError?.(error);
     const create = async () => {
+      requireOptions('Smoke', placementIn(latest.current)[1], PROPS);
       const { values: given = {} } = latest.current;
       const onRelight = (isInShadow: boolean) => latest.current.onRelight?.(isInShadow);
       const options = { renderer, preset, physics, space, values: given, onRelight };
-      const created = await CartoonSmoke.create({ ...options, keyLight: targetOf(keyLight) });
+      const created = await CartoonSmoke.create({ ...options, keyLight: keyLight ? targetOf(keyLight) : sunOf(scene) });
       if (!isWanted) return created.dispose();
       live.current = created;
       created.addEventListener('error', onError);
-      applied.current = given;
+      applied.current = changeable(given);
       setSmoke(created);
     };
     // StrictMode runs this effect, its end and this effect again: the first creates nothing.
@@ -122,14 +126,25 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
       live.current = undefined;
       setSmoke(undefined);
     };
-  }, [renderer, keyLight, preset, physics, space, latest, report, ...AT_CREATION.map((key) => values?.[key])]);
+  }, [
+    renderer,
+    scene,
+    keyLight,
+    preset,
+    physics,
+    space,
+    latest,
+    report,
+    values?.seed,
+    values?.['simulation.maxParticles'],
+  ]);
 
   useEffect(() => {
     if (!smoke || live.current !== smoke) return;
     try {
-      const changes = changesOf(applied.current, values ?? {}, preset);
+      const changes = changesOf(applied.current, changeable(values ?? {}), preset);
       if (Object.keys(changes).length > 0) smoke.set(changes);
-      applied.current = values ?? {};
+      applied.current = changeable(values ?? {});
     } catch (error) {
       report(error);
     }
@@ -138,14 +153,27 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
   return [smoke, live] as const;
 }
 
+const PROPS = ['keyLight', 'preset', 'values', 'physics', 'space', 'onRelight', 'onReady', 'onError'];
+
+/** @throws ParameterError if the scene has no directional light */
+function sunOf(scene: Scene): KeyLight {
+  const sun = scene.getObjectByProperty('isDirectionalLight', true) as DirectionalLight | undefined;
+  if (sun) return sun;
+  throw new ParameterError(
+    'keyLight',
+    undefined,
+    'a light of the scene, which has no directional light to use instead',
+  );
+}
+
 /** The values that differ. Keys that are no longer given have the values of the preset, or their defaults. */
-function changesOf(before: Values, now: Values, preset: string | undefined): Values {
-  const changed = Object.entries(now).filter(([key, value]) => before[key] !== value);
+function changesOf(before: Values, now: Values, preset: SmokeProps['preset']): Values {
+  const changed = differing(before, now);
   const gone = Object.keys(before).filter((key) => !(key in now));
-  if (gone.length === 0) return Object.fromEntries(changed);
-  const start = startValues({ preset });
+  if (gone.length === 0) return changed;
+  const start: AnyValues = startValues({ preset });
   const initial = gone.map((key) => [key, start[key] ?? findParameter(key)!.default]);
-  return Object.fromEntries([...initial, ...changed]);
+  return { ...Object.fromEntries(initial), ...changed };
 }
 
 /**

@@ -7,14 +7,15 @@
 import { migrate, olderValues, VERSION, versionOf } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { DECODED_LIMIT, pack, packBytes, unpack, unpackBytes } from './packing.ts';
-import type { Parameter, Value, Values } from './parameter.ts';
+import type { AnyValues, Parameter, ShareLink, Value, Values } from './parameter.ts';
 import { defaultPreset, findPreset, presetValues, type Preset } from './presets.ts';
 import { findParameter, table } from './table.ts';
+import type { PresetName } from './valueTypes.ts';
 import { readText, writeText } from './values.ts';
 
 /** Content of a link: a preset and a value for every parameter that is not optional. */
 export interface State {
-  readonly preset: string;
+  readonly preset: PresetName;
   readonly values: Values;
 }
 
@@ -40,9 +41,9 @@ export function defaultState(): State {
  * Encodes a state as a URL hash, with `#`. Compresses it if the readable form exceeds 1,500 characters.
  * @param take bytes of a take, for a link to a moment
  */
-export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Promise<string> {
+export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Promise<ShareLink> {
   const text = writeState(state);
-  const shown = text.length <= LONGEST_READABLE ? `#${text}` : `#v=${VERSION}&z=${await pack(text)}`;
+  const shown: ShareLink = text.length <= LONGEST_READABLE ? `#${text}` : `#v=${VERSION}&z=${await pack(text)}`;
   return take ? `${shown}&take=${await packBytes(take)}` : shown;
 }
 
@@ -63,8 +64,9 @@ function writeState({ preset, values }: State): string {
 }
 
 /** Values that differ from the preset, in the order of the table. */
-export function ownValues({ preset, values }: State): [Parameter, Value][] {
-  const base = presetValues(findPreset(preset) ?? defaultPreset);
+export function ownValues({ preset, values: given }: State): [Parameter, Value][] {
+  const values: AnyValues = given;
+  const base: AnyValues = presetValues(findPreset(preset) ?? defaultPreset);
   const differing = table.filter(({ key }) => values[key] !== undefined && values[key] !== base[key]);
   return differing.map((parameter) => [parameter, values[parameter.key]]);
 }
@@ -131,7 +133,10 @@ export async function readState(
   const found = findPreset(name);
   if (!found) notices.push(notice('unknownPreset', 'preset', name, presetSentence));
   const preset = found ?? defaultPreset;
-  const values = { ...presetValues(preset), ...(await valuesThen(versionOf(given), preset, notices)) };
+  const values: Record<string, Value> = {
+    ...presetValues(preset),
+    ...(await valuesThen(versionOf(given), preset, notices)),
+  };
   for (const [key, text] of pairs) {
     if (!OWN_KEYS.has(key)) readPair(key, text, values, notices, source);
   }
@@ -152,7 +157,7 @@ async function valuesThen(version: string, { name }: Preset, notices: Notice[]):
 function readPair(
   key: string,
   text: string,
-  values: Record<string, Values[string]>,
+  values: Record<string, Value>,
   notices: Notice[],
   source: 'link' | 'file',
 ): void {

@@ -25,6 +25,20 @@ export class ParameterError extends SmokeError {
   }
 }
 
+/**
+ * Validates the options of a call, which may be any value of JavaScript.
+ * @param known the names of all options
+ * @throws ParameterError unless it is an object with these options only
+ */
+export function requireOptions(call: string, options: unknown, known: readonly string[]): void {
+  const names = known.join(', ');
+  if (typeof options !== 'object' || options === null)
+    throw new ParameterError(call, options, `an object with the options ${names}`);
+  for (const [name, value] of Object.entries(options)) {
+    if (!known.includes(name)) throw new ParameterError(`${call}.${name}`, value, `no value: its options are ${names}`);
+  }
+}
+
 /** A mesh or shape cannot be used as a puff. The message has the fault and what is accepted. */
 export class ShapeError extends SmokeError {
   override name = 'ShapeError';

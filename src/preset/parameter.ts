@@ -5,12 +5,19 @@
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
+import type { ItemValues, SingleValues } from './valueTypes.ts';
 
 /** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve or ramp. */
 export type Value = number | string;
 
+/** Values by flat dotted key, of any type: for code that goes through the table. */
+export type AnyValues = Readonly<Record<string, Value>>;
+
 /** Values by flat dotted key, such as `{ 'emission.rate': 240 }`. */
-export type Values = Readonly<Record<string, Value>>;
+export type Values = { readonly [Key in keyof (SingleValues & ItemValues)]?: (SingleValues & ItemValues)[Key] };
+
+/** A link with `#`, or its hash. */
+export type ShareLink = `${string}#${string}`;
 
 /** The consumer of a parameter. The simulator takes numbers with the same key; TypeScript code reads the others. */
 export type Reader = 'simulator' | 'style' | 'light' | 'camera' | 'stage';

@@ -10,8 +10,11 @@ import type { Preset } from './byScene/preset.ts';
 import { rocketPresets } from './byScene/rocket.ts';
 import { trainPresets } from './byScene/train.ts';
 import { wispPresets } from './byScene/wisp.ts';
+import { ParameterError } from './errors.ts';
+import type { Values } from './parameter.ts';
+import { presetValues as valuesOf } from './values.ts';
+import type { PresetName } from './valueTypes.ts';
 
-export { presetValues } from './values.ts';
 export type { Preset };
 
 /** Presets grouped by scene. The first one of a scene has the scene's name and is its default look. */
@@ -36,4 +39,15 @@ export const defaultPreset: Preset = presets[0];
 /** The preset with this name, or undefined. Safe for untrusted names. */
 export function findPreset(name: string): Preset | undefined {
   return byName.get(name);
+}
+
+/**
+ * Defaults of all parameters that are not optional, overridden by the values of a preset.
+ * @throws ParameterError for an unknown name
+ */
+export function presetValues(preset: PresetName | Pick<Preset, 'values'>): Values {
+  const found = typeof preset === 'string' ? findPreset(preset) : preset;
+  if (typeof found?.values !== 'object')
+    throw new ParameterError('preset', preset, `a preset, or its name: ${[...byName.keys()].join(', ')}`);
+  return valuesOf(found);
 }

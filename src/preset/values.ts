@@ -3,7 +3,14 @@ import { readCurve } from './curve.ts';
 import { ParameterError } from './errors.ts';
 import type { Preset } from './byScene/preset.ts';
 import { notice, type Notice } from './notice.ts';
-import { accepted, type NumberParameter, type Parameter, type Value, type Values } from './parameter.ts';
+import {
+  accepted,
+  type NumberParameter,
+  type Parameter,
+  type AnyValues,
+  type Value,
+  type Values,
+} from './parameter.ts';
 import { readRamp } from './ramp.ts';
 import { findParameter, table } from './table.ts';
 
@@ -11,21 +18,28 @@ const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const COLOR = /^#[0-9a-f]{6}$/i;
 
 /** Defaults of all parameters that are not optional. */
-export function defaults(): Record<string, Value> {
+export function defaults(): Values {
   const needed = table.filter(({ isOptional }) => !isOptional);
   return Object.fromEntries(needed.map((parameter) => [parameter.key, parameter.default]));
 }
 
 /** Defaults of all parameters that are not optional, overridden by the preset's values. */
-export function presetValues(preset: Preset): Record<string, Value> {
+export function presetValues(preset: Pick<Preset, 'values'>): Values {
   return { ...defaults(), ...preset.values };
+}
+
+/** The values of `after` that `before` has not. */
+export function differing(before: AnyValues, after: AnyValues): Values {
+  return Object.fromEntries(Object.entries(after).filter(([key, value]) => before[key] !== value));
 }
 
 /**
  * Validates values without changing or rounding them.
  * @throws ParameterError for the first unknown key or invalid value
  */
-export function validate(values: Values): void {
+export function validate(values: AnyValues): void {
+  if (typeof values !== 'object' || values === null)
+    throw new ParameterError('values', values, "an object such as { 'emission.rate': 60 }");
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
     if (!parameter || !isAccepted(parameter, value)) throw errorOf(key, value, parameter);

@@ -1,7 +1,7 @@
 /** The smoke of all calls on one canvas: one stage, whose emitters and obstacles the calls share. */
 import { ContextError, LoadError, SmokeError } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
-import { defaults } from '../preset/values.ts';
+import type { Value, Values } from '../preset/parameter.ts';
+import { defaults, differing } from '../preset/values.ts';
 import { sizeOf } from '../page/size.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
@@ -60,7 +60,7 @@ interface Begun {
   readonly indices: readonly number[];
 }
 
-type Changes = Record<string, Values[string]>;
+type Changes = Record<string, Value>;
 
 export interface EngineOptions {
   /** A canvas of the page. Default: one over the page. */
@@ -276,7 +276,7 @@ export class Engine {
 
   /** Sends the values that differ from those of the stage: long messages take time of both threads. */
   private set(values: Values): Promise<void> {
-    const changes = Object.fromEntries(Object.entries(values).filter(([key, value]) => this.sent[key] !== value));
+    const changes = differing(this.sent, values);
     if (Object.keys(changes).length === 0) return Promise.resolve();
     this.sent = { ...this.sent, ...changes };
     return this.stage.set(changes);

@@ -1,10 +1,8 @@
 /** Colours, ink and light of the smoke. */
-import { ParameterError } from '../preset/errors.ts';
-import { fetchPreset } from '../preset/byScene/fetchPreset.ts';
-import type { Values } from '../preset/parameter.ts';
+import { fetchValues } from '../preset/byScene/fetchPreset.ts';
+import type { Value, Values } from '../preset/parameter.ts';
 import { isOfLook } from './ofLook.ts';
-import { fetched } from '../preset/timeout.ts';
-import { defaults, presetValues } from '../preset/values.ts';
+import { defaults } from '../preset/values.ts';
 
 const USUAL = 'air';
 /** Number of tints of the simulator. Not imported: the module of constants is in the file of the renderer. */
@@ -16,20 +14,7 @@ export const TINT_LIMIT = 3;
  * @throws ParameterError for an unknown preset, LoadError when it cannot be fetched
  */
 export async function lookOf(preset = USUAL): Promise<Values> {
-  return pick(preset.includes('#') ? await valuesOfLink(preset) : await valuesOfPreset(preset));
-}
-
-async function valuesOfLink(link: string): Promise<Values> {
-  const { decode } = await fetched('The link', import('../preset/codec.ts'));
-  const { state, notices } = await decode(link.slice(link.indexOf('#')));
-  if (notices.length > 0) throw new ParameterError('preset', link, `a share link: ${notices[0].message}`);
-  return state.values;
-}
-
-async function valuesOfPreset(name: string): Promise<Values> {
-  const preset = await fetchPreset(name);
-  if (!preset) throw new ParameterError('preset', name, 'the name of a preset, such as lamp-noir, or a share link');
-  return presetValues(preset);
+  return pick(await fetchValues(preset));
 }
 
 /** Only values that every preset has, so that a look replaces all of the one before. */
@@ -48,7 +33,7 @@ export class Tints {
    * The number of a colour's tint; 0 without a colour. A new colour takes the tint of the oldest one.
    * @param values receives the colour
    */
-  take(color: string | undefined, values: Record<string, Values[string]>): number {
+  take(color: string | undefined, values: Record<string, Value>): number {
     if (color === undefined) return 0;
     const known = this.colors.indexOf(color);
     const tint = known >= 0 ? this.indices[known] : this.next();

@@ -1,5 +1,7 @@
 /** Options of a call, and their ranges. */
 import { ParameterError } from '../preset/errors.ts';
+import type { ShareLink } from '../preset/parameter.ts';
+import type { PresetName } from '../preset/valueTypes.ts';
 
 /** The effects, by name. */
 export const EFFECTS = ['poof', 'pop', 'dust', 'trail', 'burst', 'whoosh', 'boom', 'vanish', 'appear'] as const;
@@ -25,7 +27,7 @@ export interface PuffOptions {
    * Name of a preset, such as 'lamp-noir', or a share link or its hash, whose colours, ink and light the smoke gets. All
    * visible smoke has one look: that of the latest call with this option.
    */
-  preset?: string;
+  preset?: PresetName | ShareLink;
   /** Time in which new puffs appear, seconds, 0 to 60. Default: by effect. */
   duration?: number;
   /** Seed of the random numbers, a whole number from 0. It applies if no other smoke is visible. Default: random. */

@@ -1,6 +1,6 @@
 /** The simulator's emitters and obstacles, handed out to calls. */
 import { LIST_LIMIT } from '../preset/lists.ts';
-import type { Value, Values } from '../preset/parameter.ts';
+import type { AnyValues, Value, Values } from '../preset/parameter.ts';
 import { DRAG, type Emission, type Extent } from './effects.ts';
 
 /** Air in which a puff neither rises nor falls at temperature 1, and keeps its temperature. */
@@ -165,7 +165,7 @@ function shapeOf({ shape, direction = 90, halfWidth, halfHeight }: Emission): Re
   };
 }
 
-function lineBetween(from: ScenePoint, to: ScenePoint): Values {
+function lineBetween(from: ScenePoint, to: ScenePoint): AnyValues {
   return {
     shape: 'line',
     ...strip((from.x + to.x) / 2, (from.y + to.y) / 2),
@@ -205,7 +205,7 @@ export class Obstacles {
   }
 }
 
-function underKey(prefix: string, values: Values): Values {
+function underKey(prefix: string, values: AnyValues): Values {
   return Object.fromEntries(Object.entries(values).map(([key, value]) => [`${prefix}.${key}`, value]));
 }
 

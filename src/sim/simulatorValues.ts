@@ -1,10 +1,10 @@
 import { MAX_STOPS, readCurve, writeCurve } from '../preset/curve.ts';
-import type { Parameter, Value, Values } from '../preset/parameter.ts';
+import type { AnyValues, Parameter, Value, Values } from '../preset/parameter.ts';
 import { findParameter, table } from '../preset/table.ts';
 import type { Simulator } from './simulator.ts';
 
 /** Selects the values that the simulator reads and converts them to numbers. */
-export function simulatorValues(values: Values): Record<string, number> {
+export function simulatorValues(values: AnyValues): Record<string, number> {
   const numbers: Record<string, number> = {};
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
@@ -32,7 +32,7 @@ function stopsOf(curve: string): Record<string, number> {
  * optional parameters that have the scene's value.
  * @param rig values that the scene sets, as numbers
  */
-export function valuesIn(simulator: Simulator, values: Values, rig: Readonly<Record<string, number>>): Values {
+export function valuesIn(simulator: Simulator, values: AnyValues, rig: Readonly<Record<string, number>>): Values {
   const after: Record<string, Value> = { ...values };
   after['simulation.maxParticles'] = simulator.capacity;
   after.seed = simulator.seed;

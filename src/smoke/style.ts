@@ -2,7 +2,7 @@ import { Color as ThreeColor, type IUniform } from 'three';
 import type { StyleUniforms } from '../device/frameView.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
 import { writeColor, type Color, type Tone } from '../device/ramps.ts';
-import type { Parameter, Value, Values } from '../preset/parameter.ts';
+import type { AnyValues, Parameter, Value, Values } from '../preset/parameter.ts';
 import type { styleRows } from '../preset/rows/style.ts';
 import { table } from '../preset/table.ts';
 import { defaults } from '../preset/values.ts';
@@ -91,7 +91,9 @@ const rows = table.filter(({ key, reader }) => key.startsWith('style.') && reade
 
 /** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {
-  const fields = Object.fromEntries(rows.map((row) => [nameOf(row), fieldOf(row, values[row.key])])) as Fields;
+  const fields = Object.fromEntries(
+    rows.map((row) => [nameOf(row), fieldOf(row, (values as AnyValues)[row.key])]),
+  ) as Fields;
   const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
   const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
   return {
@@ -116,7 +118,7 @@ export function styleOf(values: Values): Style {
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
 export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
-  const [rotation, stretch, billow] = ['turn', 'stretch', 'billow'].map((name) => values[`puff.${name}`] as number);
+  const [rotation, stretch, billow] = (['turn', 'stretch', 'billow'] as const).map((name) => values[`puff.${name}`]!);
   const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };
 }

@@ -1,5 +1,5 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
-import type { NumberParameter, Values } from '../preset/parameter.ts';
+import type { AnyValues, NumberParameter, Values } from '../preset/parameter.ts';
 import { table } from '../preset/table.ts';
 import { requireFinite } from '../preset/values.ts';
 import type { CameraPose, Scene } from '../scenes/scene.ts';
@@ -22,7 +22,7 @@ export class OrbitCamera {
   private readonly target = new Vector3();
   private readonly place = new Spherical();
   private readonly shot: Shot;
-  private values: Values = {};
+  private values: AnyValues = {};
   private seconds = 0;
   private height = 1;
 
@@ -64,7 +64,7 @@ export class OrbitCamera {
   }
 
   /** Applies the `camera.*` entries of these values. Omitted ones follow the scene again. */
-  hold(values: Values): void {
+  hold(values: AnyValues): void {
     const given = rows.flatMap(({ key }) => (values[key] === undefined ? [] : [[key, values[key]] as const]));
     this.values = Object.fromEntries(given);
     this.settle();

@@ -3,6 +3,7 @@ import { missingContext, type ContextEvent, type Device } from '../device/device
 import { FramesInFlight } from '../device/framesInFlight.ts';
 import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
+import { differing } from '../preset/values.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
@@ -188,7 +189,7 @@ export class RunningScene implements FrameTasks {
   replace(after: Values): void {
     const before = this.now;
     this.simulation.unset(Object.keys(before).filter((key) => !(key in after)));
-    this.simulation.set(differing(after, before));
+    this.simulation.set(differing(before, after));
     const capacity = after['simulation.maxParticles'] as number;
     if (capacity !== before['simulation.maxParticles']) {
       this.simulation.input((simulator) => simulator.inputCapacity(capacity));
@@ -349,11 +350,6 @@ export class RunningScene implements FrameTasks {
  */
 function stepsFor(goal: number): number {
   return Math.max(0, Math.ceil(goal - 1e-6));
-}
-
-/** The entries of `values` that differ from `before`. */
-function differing(values: Values, before: Values): Values {
-  return Object.fromEntries(Object.entries(values).filter(([key, value]) => before[key] !== value));
 }
 
 function statsOf(

@@ -1,5 +1,5 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import type { Values } from '../preset/parameter.ts';
+import type { AnyValues, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
@@ -24,7 +24,7 @@ export class Simulation {
   stepMs = 0;
   drag: Drag | undefined;
   /** Optional parameters that the scene sets. */
-  readonly rig: Values;
+  readonly rig: AnyValues;
   private readonly factory: SimulatorFactory;
   private readonly scene: Scene;
   private readonly matrices: Matrix4[];

@@ -2,7 +2,7 @@
 import { SimulatorError } from '../preset/errors.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
-import { defaults, isAccepted } from '../preset/values.ts';
+import { defaults, differing, isAccepted } from '../preset/values.ts';
 import type { TakeInfo } from '../sim/input.ts';
 
 /** A recording of all inputs by step, with everything needed to replay them to the same hash at every step. */
@@ -29,10 +29,7 @@ export interface Take {
 
 /** The note for these start values. It omits defaults, to keep links to takes short. */
 export function noteOf(values: Values): string {
-  const usual = defaults();
-  return JSON.stringify({
-    values: Object.fromEntries(Object.entries(values).filter(([key, value]) => usual[key] !== value)),
-  });
+  return JSON.stringify({ values: differing(defaults(), values) });
 }
 
 /** @throws SimulatorError when the note was not written by a stage */

@@ -1,5 +1,5 @@
 import { MathUtils, Vector3, type Object3D } from 'three';
-import type { NumberParameter, Values } from '../preset/parameter.ts';
+import type { AnyValues, NumberParameter, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
@@ -84,7 +84,9 @@ export class Carrier {
 
   /** The simulator's number for a key of the table, without overrides. */
   numberOf(key: string): number {
-    const number = simulatorValues({ [key]: this.context.values()[key] ?? findParameter(key)!.default })[key];
+    const number = simulatorValues({ [key]: (this.context.values() as AnyValues)[key] ?? findParameter(key)!.default })[
+      key
+    ];
     const isCarried = this.rider && key.endsWith('.rigid') && !this.free.has(key.slice(0, -'.rigid'.length));
     return isCarried && number === NOWHERE ? this.rider!.number : number;
   }

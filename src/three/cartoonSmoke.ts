@@ -37,11 +37,11 @@ import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost } from './hostFrame.ts';
 import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
+  changeable,
   hostStyle,
   loadPreset,
   requireChangeable,
-  requireSpace,
-  requireValues,
+  requireCreation,
   startValues,
   type CartoonSmokeEvents,
   type CartoonSmokeOptions,
@@ -122,11 +122,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    * the values require cannot be fetched.
    */
   static async create(options: CartoonSmokeOptions): Promise<CartoonSmoke> {
+    requireCreation(options);
     requireRenderer(options.renderer);
     requireKeyLight(options.keyLight);
-    requireSpace(options.space ?? 'world');
     const given = { preset: options.preset, values: { ...options.values } };
-    requireValues(given.values);
     await loadPreset(given.preset);
     const values = startValues(given);
     const device = borrowDevice(options.renderer);
@@ -150,6 +149,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   private constructor(options: CartoonSmokeOptions, device: Device, values: Values, simulator: Simulator) {
     super();
+    if (!(simulator as Simulator | undefined))
+      throw new UnsupportedError('Smoke is created asynchronously: use await CartoonSmoke.create() instead of new.');
     this.name = 'CartoonSmoke';
     this.renderOrder = FIRST;
     this.device = device;
@@ -317,9 +318,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     await Promise.all([this.completion.wait(), this.passes.ownStencil.wait()]);
   }
 
-  /** All current values. */
+  /** All current values that `set` takes. */
   get(): Values {
-    return { ...this.values };
+    return changeable(this.values);
   }
 
   get stats(): CartoonSmokeStats {

@@ -1,10 +1,10 @@
 import type { Object3D } from 'three';
 import type { HostCaster, HostCasters } from './casters.ts';
+import { requireOptions } from '../preset/errors.ts';
 import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import type { CastOptions } from './options.ts';
 import { requireProxies } from './proxies.ts';
-import { requireKnown } from './requirements.ts';
 import { worldPose } from './riders.ts';
 import { newPose } from './shapes.ts';
 
@@ -20,7 +20,7 @@ export class Caster extends Handle {
   /** @throws ParameterError for an unknown option or a proxy without a radius */
   constructor(casters: HostCasters, frame: SmokeFrame, object: Object3D, options: CastOptions) {
     super('cast', object);
-    requireKnown('cast', options, ['proxies']);
+    requireOptions('cast', options, ['proxies']);
     requireProxies('cast', options.proxies);
     this.casters = casters;
     this.frame = frame;

@@ -1,11 +1,10 @@
 import { Matrix4, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh, type Vector3 } from 'three';
-import { ParameterError } from '../preset/errors.ts';
+import { ParameterError, requireOptions } from '../preset/errors.ts';
 import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import { boneBalls, follow, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
-import { requireKnown } from './requirements.ts';
 import { worldPose } from './riders.ts';
 import { newPose, poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
@@ -152,7 +151,7 @@ const between = newPose();
 
 /** @throws ParameterError for an unknown option, a proxy without a radius or an invalid strength of the push */
 export function requireCollideOptions(options: CollideOptions): void {
-  requireKnown('collide', options, OPTIONS);
+  requireOptions('collide', options, OPTIONS);
   requireProxies('collide', options.proxies);
   const { feelsSmoke = false } = options;
   const isStrength = typeof feelsSmoke === 'number' && feelsSmoke >= 0 && feelsSmoke <= 10;

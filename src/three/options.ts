@@ -1,8 +1,9 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
-import { ParameterError, type SmokeError } from '../preset/errors.ts';
-import { fetched } from '../preset/timeout.ts';
-import type { Values } from '../preset/parameter.ts';
+import { fetchValues } from '../preset/byScene/fetchPreset.ts';
+import { ParameterError, requireOptions, type SmokeError } from '../preset/errors.ts';
+import type { ShareLink, Values } from '../preset/parameter.ts';
 import { defaults, validate } from '../preset/values.ts';
+import type { PresetName } from '../preset/valueTypes.ts';
 import { styleOf, type Style } from '../smoke/style.ts';
 import type { SmokeSpace } from './frame.ts';
 import type { KeyLight } from './keyLight.ts';
@@ -14,9 +15,12 @@ export interface CartoonSmokeOptions {
   renderer: WebGLRenderer;
   /** The light that shades smoke and that smoke blocks. The host keeps ownership and may move it. */
   keyLight: KeyLight;
-  /** Name of a preset, the base for `values`. The preset's light and scene are ignored. */
-  preset?: string;
-  /** Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. */
+  /** Name of a preset, or a share link or its hash: the base for `values`. */
+  preset?: PresetName | ShareLink;
+  /**
+   * Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. What the host's
+   * scene determines is ignored here and in `preset`: `scene`, `light.*`, `camera.*`, `style.renderer`, `style.backdrop`.
+   */
   values?: Values;
   /** Whether objects can collide with smoke, which loads the larger simulator. Default true. */
   physics?: boolean;
@@ -68,51 +72,55 @@ export function requireSpace(space: SmokeSpace): void {
 }
 
 /** Keys that only `create` takes. */
-export const AT_CREATION = ['seed', 'simulation.maxParticles'];
+const AT_CREATION = ['seed', 'simulation.maxParticles'];
 
-/** Values of the presets that {@link loadPreset} has loaded. */
+const OPTIONS = ['renderer', 'keyLight', 'preset', 'values', 'physics', 'space', 'onRelight'];
+/** What the host's scene determines. */
+const OF_HOST = /^(scene$|light\.|camera\.|style\.(renderer|backdrop)$)/;
+
+/** @throws ParameterError for an unknown option or a value out of range */
+export function requireCreation(options: CartoonSmokeOptions): void {
+  requireOptions('create', options, OPTIONS);
+  requireSpace(options.space ?? 'world');
+  validate(options.values ?? {});
+}
+
+/** Values of the presets and links that {@link loadPreset} has loaded. */
 const loaded = new Map<string, Values>();
 
 /**
- * Loads a preset for {@link startValues}.
- * @throws ParameterError for an unknown name, LoadError if the presets cannot be loaded
+ * Loads a preset or a share link for {@link startValues}.
+ * @throws ParameterError for an unknown name or a damaged link, LoadError if it cannot be loaded
  */
-export async function loadPreset(name: string | undefined): Promise<void> {
-  if (name === undefined || loaded.has(name)) return;
-  const { findPreset, presets } = await fetched('The presets', import('../preset/presets.ts'));
-  const preset = findPreset(name);
-  if (!preset) throw new ParameterError('preset', name, presets.map((each) => each.name).join(', '));
-  loaded.set(name, preset.values);
-}
-
-/** @throws ParameterError for a value out of range, or one that the host's scene determines */
-export function requireValues(values: Values): void {
-  validate(values);
-  requireOpen(values);
+export async function loadPreset(preset: CartoonSmokeOptions['preset']): Promise<void> {
+  if (preset !== undefined && !loaded.has(preset)) loaded.set(preset, await fetchValues(preset));
 }
 
 /** The initial values: the defaults, then the small emitter, the loaded preset and the caller's values. */
-export function startValues({ preset = '', values }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
-  return { ...defaults(), ...EMITTER, ...loaded.get(preset), ...values };
+export function startValues({ preset, values }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
+  const given = ofSmoke({ ...(preset && loaded.get(preset)), ...values });
+  return { ...defaults(), ...EMITTER, ...given };
+}
+
+/** The values without those that the host's scene determines. */
+export function ofSmoke(values: Values): Values {
+  return Object.fromEntries(Object.entries(values).filter(([key]) => !OF_HOST.test(key)));
+}
+
+/** The values that can change after creation. */
+export function changeable(values: Values): Values {
+  return Object.fromEntries(Object.entries(ofSmoke(values)).filter(([key]) => !AT_CREATION.includes(key)));
 }
 
 /**
  * Validates values that are set after creation.
- * @throws ParameterError for the first value that is out of range or fixed at creation
+ * @throws ParameterError for the first value that is out of range, fixed at creation or determined by the host's scene
  */
 export function requireChangeable(values: Values): void {
-  requireValues(values);
-  for (const key of AT_CREATION) {
-    if (key in values) throw new ParameterError(key, values[key], 'a value at creation only');
-  }
-}
-
-/** @throws ParameterError for a value that the host's scene determines */
-function requireOpen(values: Values): void {
+  validate(values);
   for (const [key, value] of Object.entries(values)) {
-    if (key === 'scene' || key.startsWith('light.'))
-      throw new ParameterError(key, value, 'no value (your scene sets it)');
-    if (key === 'style.renderer' && value !== 'nailboards') throw new ParameterError(key, value, 'nailboards only');
+    if (OF_HOST.test(key)) throw new ParameterError(key, value, 'no value (your scene sets it)');
+    if (AT_CREATION.includes(key)) throw new ParameterError(key, value, 'a value at creation only');
   }
 }
 

@@ -12,9 +12,11 @@ import { ParameterError, UnsupportedError } from '../preset/errors.ts';
 
 /**
  * Checks the renderer settings that are fixed at creation.
- * @throws UnsupportedError that names the required options
+ * @throws ParameterError without a renderer, UnsupportedError that names the required options
  */
 export function requireRenderer(renderer: WebGLRenderer): void {
+  if (typeof renderer !== 'object' || renderer === null)
+    throw new ParameterError('renderer', renderer, 'the WebGLRenderer that renders your scene');
   if (!('isWebGLRenderer' in renderer)) throw new UnsupportedError('Smoke needs a WebGLRenderer of three.js.');
   if (renderer.capabilities.logarithmicDepthBuffer)
     throw new UnsupportedError(
@@ -76,17 +78,4 @@ export function isOverridden(renderer: WebGLRenderer, { overrideMaterial }: Scen
 /** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */
 export function isLinearPicture(renderer: WebGLRenderer): boolean {
   return renderer.getRenderTarget() !== null || renderer.outputColorSpace === LinearSRGBColorSpace;
-}
-
-/** @throws ParameterError for the first key of `options` that is not among `known` */
-export function requireKnown(call: string, options: object, known: readonly string[]): void {
-  if (typeof options !== 'object' || options === null) throw new ParameterError(call, options, 'an object of options');
-  for (const key in options) {
-    if (!known.includes(key))
-      throw new ParameterError(
-        `${call}.${key}`,
-        (options as never)[key],
-        `no value: its options are ${known.join(', ')}`,
-      );
-  }
 }

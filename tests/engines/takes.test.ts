@@ -12,7 +12,7 @@ type Stages = typeof import('./page/stages.ts');
 type Element = typeof import('./page/element.ts');
 
 /** Drags the ball and drops an object in the lamp; steers the airplane. */
-test.for(['lamp', 'airplane'])('a take of the %s replays from its link', async (preset, { load }) => {
+test.for(['lamp', 'airplane'] as const)('a take of the %s replays from its link', async (preset, { load }) => {
   const stages = await load<Stages>('/tests/engines/page/stages.ts');
   const { hash, link, steps, inputs } = await stages.perform(preset);
   expect(inputs).toBeGreaterThan(9);

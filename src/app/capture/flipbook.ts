@@ -122,7 +122,7 @@ class MapCamera {
 
   /** The values that the maps change. */
   private ownStyle(): Values {
-    const keys = ['style.outlines', 'style.rim', 'style.rimColor', 'style.smokeColor'];
+    const keys = ['style.outlines', 'style.rim', 'style.rimColor', 'style.smokeColor'] as const;
     return Object.fromEntries(keys.map((key) => [key, this.style[key]]));
   }
 

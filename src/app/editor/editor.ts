@@ -4,7 +4,9 @@ import {
   findParameter,
   findPreset,
   presetValues,
+  type PresetName,
   type State,
+  type AnyValues,
   type Value,
   type Values,
 } from '../../preset.ts';
@@ -42,7 +44,7 @@ export class Editor {
   private delivery: Promise<void> | undefined;
 
   /** @param preset name of the preset that the stage's values come from */
-  constructor(stage: Pick<Stage, 'get' | 'replace' | 'on'>, preset: string, surroundings: Surroundings) {
+  constructor(stage: Pick<Stage, 'get' | 'replace' | 'on'>, preset: PresetName, surroundings: Surroundings) {
     this.stage = stage;
     this.surroundings = surroundings;
     this.seen = stage.get();
@@ -93,7 +95,7 @@ export class Editor {
   }
 
   reset(key: string): void {
-    this.changeAll({ [key]: this.base[key] });
+    this.changeAll({ [key]: (this.base as AnyValues)[key] });
   }
 
   resetAll(): void {
@@ -102,9 +104,10 @@ export class Editor {
 
   /** Selects a preset. Within the same scene the camera stays. */
   choose(preset: string, gesture?: string): void {
-    const values = presetValues(findPreset(preset) ?? defaultPreset);
+    const found = findPreset(preset) ?? defaultPreset;
+    const values = presetValues(found);
     const eye = values.scene === this.state.values.scene ? eyeOf(this.state.values) : {};
-    this.replace({ preset, values: { ...eye, ...values } }, gesture);
+    this.replace({ preset: found.name, values: { ...eye, ...values } }, gesture);
   }
 
   /** Replaces the whole state, for example from a link. Can be undone. */
@@ -198,7 +201,7 @@ function withChanges(values: Values, changes: Changes): Values {
 }
 
 /** Values of `after` that differ from `before`; undefined for keys that `after` lacks. */
-export function differences(before: Values, after: Values): Changes {
+export function differences(before: AnyValues, after: AnyValues): Changes {
   // A state contains a few dozen of the table's thousands of keys.
   const keys = new Set([...Object.keys(before), ...Object.keys(after)]);
   return Object.fromEntries([...keys].filter((key) => before[key] !== after[key]).map((key) => [key, after[key]]));

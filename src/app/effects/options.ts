@@ -1,6 +1,6 @@
 /** The form with the options of a call. */
 import type { PuffOptions } from '../../puff.ts';
-import { presets } from '../../preset.ts';
+import { presets, type PresetName } from '../../preset.ts';
 import { create, textButton, uniqueId } from '../ui/dom.ts';
 
 interface Slider {
@@ -40,7 +40,12 @@ export function createForm(notify: (options: FormOptions) => void): HTMLElement 
   const rows = [
     ...SLIDERS.map((slider) => sliderRow(slider, change, resets)),
     colorRow(change, resets),
-    choiceRow('Look', [['', 'Open air'], ...looks()], (preset) => change({ preset: preset || undefined }), resets),
+    choiceRow(
+      'Look',
+      [['', 'Open air'], ...looks()],
+      (preset) => change({ preset: (preset as PresetName) || undefined }),
+      resets,
+    ),
     choiceRow(
       'Layer',
       [

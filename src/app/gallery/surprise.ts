@@ -1,4 +1,4 @@
-import { presets, presetValues, type State } from '../../preset.ts';
+import { presets, presetValues, type State, type Value } from '../../preset.ts';
 import type { Editor } from '../editor/editor.ts';
 
 /**
@@ -11,7 +11,7 @@ export function mixedState(current: string, random: () => number = Math.random):
   const pick = (from: typeof presets) => from[Math.floor(random() * from.length)];
   const base = pick(presets.filter(({ name }) => name !== current));
   const model = pick(presets.filter(({ name }) => name !== base.name));
-  const values = { ...presetValues(base) };
+  const values: Record<string, Value> = { ...presetValues(base) };
   for (const key of Object.keys(values)) if (isStyle(key)) delete values[key];
   const style = Object.entries(presetValues(model)).filter(([key]) => isStyle(key));
   return { preset: base.name, values: { ...values, ...Object.fromEntries(style) } };

@@ -1,6 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { LIST_LIMIT, startValues } from '../../internal.ts';
-import type { Values } from '../../preset.ts';
+import type { AnyValues, Values } from '../../preset.ts';
 import { create, createSvg, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { GizmoHandle, type Gizmo } from './gizmo.ts';
@@ -105,7 +105,7 @@ export class Gizmos {
 }
 
 /** A vortex exists when its circulation is not 0; an emitter exists when any of its values is set. */
-function isPresent(key: string, values: Values): boolean {
+function isPresent(key: string, values: AnyValues): boolean {
   if (key.startsWith('vortices')) return Number(values[`${key}.circulation`] ?? 0) !== 0;
   return Object.keys(values).some((name) => name.startsWith(`${key}.`));
 }

@@ -1,6 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { itemLabel } from '../../internal.ts';
-import { findParameter, type Values } from '../../preset.ts';
+import { findParameter, type AnyValues, type Values } from '../../preset.ts';
 import { clampTo } from './clampTo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';
@@ -49,7 +49,7 @@ export class PlaceGizmo implements Gizmo {
   }
 
   /** Index of its carrier; -1 for none. */
-  carrierIn(values: Values): number {
+  carrierIn(values: AnyValues): number {
     return Number(values[`${this.key}.rigid`] ?? -1);
   }
 
@@ -62,7 +62,7 @@ export class PlaceGizmo implements Gizmo {
     );
   }
 
-  private positionIn(values: Values): Vector {
+  private positionIn(values: AnyValues): Vector {
     const [x, y, z] = AXES.map((axis) => {
       const key = `${this.key}.position.${axis}`;
       return Number(values[key] ?? findParameter(key)!.default);

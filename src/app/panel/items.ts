@@ -6,6 +6,7 @@ import {
   type ChoiceParameter,
   type Parameter,
   type State,
+  type AnyValues,
   type Value,
   type Values,
 } from '../../preset.ts';
@@ -97,9 +98,9 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
   const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
   const foot = create('div', { class: 'item-foot' }, remove);
   const element = create('details', { class: 'group' }, create('summary', {}, label));
-  const show = ({ values }: State) => {
+  const show = (state: State) => {
     remove.hidden = !canBeRemoved(group, editor, scene);
-    const [base, rig] = [editor.base, scene.rig];
+    const [values, base, rig]: AnyValues[] = [state.values, editor.base, scene.rig];
     for (const [parameter, row] of rows) {
       const scenes = rig[parameter.key] ?? parameter.default;
       row.show(values[parameter.key] ?? scenes, base[parameter.key] ?? scenes);

@@ -1,5 +1,5 @@
 import { automaticColors, inPieces, nextTask } from '../../internal.ts';
-import { groups, table, type Parameter, type State } from '../../preset.ts';
+import { groups, table, type Parameter, type AnyValues, type State } from '../../preset.ts';
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { icon } from '../ui/icons.ts';
@@ -34,12 +34,12 @@ export async function createPanel(
   explainIn(caption, panel);
   const show = (state: State) => {
     head.show();
-    const { base } = editor;
     const rig = { ...scene.rig, ...automaticColors(state.values) };
+    const [values, base, scenes]: AnyValues[] = [state.values, editor.base, rig];
     items.show(state);
     for (const [{ key, default: initial }, row] of rows) {
-      const scenes = rig[key] ?? initial;
-      row.show(state.values[key] ?? scenes, base[key] ?? scenes);
+      const own = scenes[key] ?? initial;
+      row.show(values[key] ?? own, base[key] ?? own);
     }
   };
   editor.listen(show);

@@ -83,7 +83,7 @@ function errorOf({ isFresh, mostParticles }: Take): string | undefined {
 
 /** Applies the values that the simulator does not read, and that takes therefore do not record per step. */
 function lookAs(stage: Stage, values: Values): void {
-  const needless = Object.keys(lookOf(stage.get())).filter((key) => values[key] === undefined);
+  const needless = Object.keys(lookOf(stage.get())).filter((key) => !(key in values));
   stage.unset(needless);
   stage.set(lookOf(values));
 }

@@ -1,5 +1,5 @@
 /** Code that shows the current smoke in a three.js scene of its own. */
-import { findParameter, type Value, type Values } from '../../preset.ts';
+import { findParameter, type AnyValues, type Value, type Values } from '../../preset.ts';
 import type { Stage } from '../../index.ts';
 import { styleOf, type EmbedOptions } from './embed.ts';
 
@@ -21,7 +21,7 @@ export interface SceneOfCode {
 }
 
 /** Values of `CartoonSmoke` that differ from the table. */
-const OWN: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
+const OWN: AnyValues = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 /** What a scene of three.js has of its own. */
 const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
 const NEEDED = ['seed', 'simulation.maxParticles'];
@@ -51,7 +51,7 @@ export function sceneOf(stage: Stage): SceneOfCode {
 
 /** Keys of the emitters and forces that move with an object of the page's scene, which the code does not have. */
 export function ridingKeys(stage: Stage): string[] {
-  const all = { ...stage.rig, ...stage.get() };
+  const all: AnyValues = { ...stage.rig, ...stage.get() };
   return Object.keys(all).filter((key) => key.endsWith('.rigid') && (all[key] as number) >= 0);
 }
 
@@ -62,14 +62,14 @@ function isCarried(key: string, value: Value): boolean {
 }
 
 /** Whether a value is of an emitter that emits nothing. The first emitter of a three.js scene emits by default. */
-function isSilent(key: string, values: Values): boolean {
+function isSilent(key: string, values: AnyValues): boolean {
   const emitter = /^emitters\.\d\./.exec(key)?.[0];
   return emitter !== undefined && key !== 'emitters.0.share' && values[`${emitter}share`] === 0;
 }
 
 function lightOf(values: Values): Numbers {
-  const [azimuth, elevation] = ['azimuth', 'elevation'].map(
-    (key) => ((values[`light.${key}`] as number) * Math.PI) / 180,
+  const [azimuth, elevation] = (['azimuth', 'elevation'] as const).map(
+    (key) => (values[`light.${key}`]! * Math.PI) / 180,
   );
   const across = LIGHT_DISTANCE * Math.cos(elevation);
   return rounded([across * Math.sin(azimuth), LIGHT_DISTANCE * Math.sin(elevation), across * Math.cos(azimuth)]);

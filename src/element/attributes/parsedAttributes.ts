@@ -1,5 +1,5 @@
 import { notice, summarise, type Notice } from '../../preset/notice.ts';
-import type { Values } from '../../preset/parameter.ts';
+import type { Value, Values } from '../../preset/parameter.ts';
 import { fetchPreset, FIRST_PRESET } from '../../preset/byScene/fetchPreset.ts';
 import { findParameter } from '../../preset/table.ts';
 import { presetValues, readText } from '../../preset/values.ts';
@@ -37,7 +37,7 @@ const CHOICES = [
 export async function parseAttributes(element: Element): Promise<ParsedAttributes> {
   const notices: Notice[] = [];
   const base = await readBase(element, notices);
-  const values = { ...base.values };
+  const values: Record<string, Value> = { ...base.values };
   for (const { name, value } of element.attributes) {
     const parameter = findParameter(keyOfAttribute.get(name) ?? '');
     if (!parameter) continue;

@@ -1,6 +1,6 @@
 /** Elements of the page in the smoke: obstacles (`collide`) and emitters (`emit-from`). */
 import { notice, type Notice } from '../../preset/notice.ts';
-import type { Values } from '../../preset/parameter.ts';
+import type { AnyValues, Values } from '../../preset/parameter.ts';
 import type { RemoteStage } from '../../remote/contract.ts';
 import type { ScenePlane } from '../../stage/sight.ts';
 import { change } from '../change.ts';
@@ -167,7 +167,7 @@ export class OnPage {
 
   /** The attributes' values for keys that were overridden before and are not any more. */
   private restored(now: Values = {}, before: Values = this.given): Values {
-    const own = this.owner.values();
+    const own: AnyValues = this.owner.values();
     const gone = Object.keys(before).filter((key) => !(key in now) && own[key] !== undefined);
     return Object.fromEntries(gone.map((key) => [key, own[key]]));
   }

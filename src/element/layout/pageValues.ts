@@ -1,5 +1,5 @@
 /** Converts boxes of the page to obstacles and emitters in the plane that the camera looks at. */
-import type { Values } from '../../preset/parameter.ts';
+import type { AnyValues, Values } from '../../preset/parameter.ts';
 import type { ScenePlane } from '../../stage/sight.ts';
 import type { Box } from './nearest.ts';
 
@@ -156,7 +156,7 @@ function vector(name: string, [x, y, z]: Triple): Record<string, number> {
   return { [`${name}.x`]: rounded(x), [`${name}.y`]: rounded(y), [`${name}.z`]: rounded(z) };
 }
 
-function underKey(prefix: string, values: Values): Values {
+function underKey(prefix: string, values: AnyValues): Values {
   return Object.fromEntries(Object.entries(values).map(([key, value]) => [`${prefix}.${key}`, value]));
 }
 

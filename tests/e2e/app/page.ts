@@ -2,6 +2,7 @@
 import type { Page } from '@playwright/test';
 import type { Stage } from '../../../src/stage/stage.ts';
 import { expect } from '../../support/fixtures.ts';
+import type { AnyValues } from '../../../src/preset/parameter.ts';
 
 const LITTLE = '&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 /** Little smoke of one shape, which is cheap to draw with SwiftShader and to bake, in a scene without anything else. */
@@ -28,7 +29,7 @@ export function ask<Answer>(page: Page, question: (stage: Stage) => Answer): Pro
 
 /** The value of a parameter on the stage. */
 export function valueOf(page: Page, key: string): Promise<unknown> {
-  return page.evaluate((name) => window.cartoonSmoke!.get()[name], key);
+  return page.evaluate((name) => (window.cartoonSmoke!.get() as AnyValues)[name], key);
 }
 
 export async function expectValue(page: Page, key: string, value: unknown): Promise<void> {

@@ -17,8 +17,7 @@ async function opened(page: Page, openPage: OpenPage, style = ''): Promise<void>
 /** The camera's position: degrees around its target, and distance in metres; undefined before the first change. */
 async function eye(page: Page): Promise<Record<'azimuth' | 'distance', number | undefined>> {
   const values = await page.locator('cartoon-smoke').evaluate((smoke: CartoonSmokeElement) => smoke.get());
-  const valueOf = (key: string) => values[key] as number | undefined;
-  return { azimuth: valueOf('camera.azimuth'), distance: valueOf('camera.distance') };
+  return { azimuth: values['camera.azimuth'], distance: values['camera.distance'] };
 }
 
 /** Distance of the camera from its target after a zoom, metres. */

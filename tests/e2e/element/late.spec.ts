@@ -168,7 +168,7 @@ test('a camera drag that ends out of view does not continue with the pointer', a
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
   await stands(page);
-  const azimuth = async () => Math.round(Number((await valuesOn(page))['camera.azimuth'] ?? 0));
+  const azimuth = async () => Math.round((await valuesOn(page))['camera.azimuth'] ?? 0);
   const drag = async (left: number) => {
     await page.mouse.move(left, 60);
     await page.mouse.down();

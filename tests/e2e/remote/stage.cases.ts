@@ -161,9 +161,9 @@ export async function errors(thread: 'main' | 'worker') {
   const before = await stage.hash();
   const rejected = {
     range: await thrownBy(() => stage.set({ 'emission.rate': -5 })),
-    text: await thrownBy(() => stage.set({ 'emission.rate': '60' })),
-    unknown: await thrownBy(() => stage.set({ nothing: 1 })),
-    scene: await thrownBy(() => stage.enter({ scene: 'moon' })),
+    text: await thrownBy(() => stage.set({ 'emission.rate': '60' as never })),
+    unknown: await thrownBy(() => stage.set({ nothing: 1 } as object)),
+    scene: await thrownBy(() => stage.enter({ scene: 'moon' as never })),
     bytes: await thrownBy(() => stage.restore(new Uint8Array(8))),
     fraction: await thrownBy(() => stage.step(1.5)),
     negativeStep: await thrownBy(() => stage.step(-1)),

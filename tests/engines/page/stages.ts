@@ -4,6 +4,7 @@ import type { Format } from '../../../src/app/capture/settings.ts';
 import { encode } from '../../../src/preset/codec.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
+import type { PresetName } from '../../../src/preset/valueTypes.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { packed, packedFile } from './bytes.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
@@ -38,7 +39,9 @@ function valuesOf(preset: string): Values {
 }
 
 /** Simulates user input: drags an object, drops another, blows and steers. */
-export async function perform(preset: string): Promise<{ hash: string; link: string; steps: number; inputs: number }> {
+export async function perform(
+  preset: PresetName,
+): Promise<{ hash: string; link: string; steps: number; inputs: number }> {
   const stage = await open(preset);
   stage.step(40);
   const { x, y } = handleOf(stage);

@@ -13,7 +13,7 @@ it('writes the options that are given', () => {
 });
 
 it('writes texts that cannot end the text', () => {
-  expect(puffCode('x', { preset: "a'\\b" })).toBe("puff(x, { preset: 'a\\'\\\\b' });");
+  expect(puffCode('x', { preset: "a'\\b#" })).toBe("puff(x, { preset: 'a\\'\\\\b#' });");
 });
 
 it('names the preset of an unchanged look', async () => {

@@ -6,14 +6,18 @@ test('a change is sent completely before another one, without unchanged values',
   const sent: unknown[] = [];
   const record = (name: string) => async (given: unknown) => void sent.push([name, given]);
   const stage = { unset: record('unset'), set: record('set') } as unknown as RemoteStage;
-  const first = change(stage, { gone: 1, same: 2, other: 3 }, { same: 2, other: 4, added: 5 });
-  const second = change(stage, { other: 4 }, { other: 6 });
+  const first = change(
+    stage,
+    { seed: 1, 'puff.size': 2, 'emission.rate': 3 },
+    { 'puff.size': 2, 'emission.rate': 4, 'puff.turn': 5 },
+  );
+  const second = change(stage, { 'emission.rate': 4 }, { 'emission.rate': 6 });
   expect(sent).toEqual([
-    ['unset', ['gone']],
-    ['set', { other: 4, added: 5 }],
-    ['set', { other: 6 }],
+    ['unset', ['seed']],
+    ['set', { 'emission.rate': 4, 'puff.turn': 5 }],
+    ['set', { 'emission.rate': 6 }],
   ]);
   await Promise.all([first, second]);
-  await change(stage, { same: 2 }, { same: 2 });
+  await change(stage, { 'puff.size': 2 }, { 'puff.size': 2 });
   expect(sent).toHaveLength(3);
 });

@@ -6,9 +6,10 @@ import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presets, presetValues } from '../../../src/preset/presets.ts';
 import { findParameter, table } from '../../../src/preset/table.ts';
 import { isAccepted } from '../../../src/preset/values.ts';
+import type { PresetName } from '../../../src/preset/valueTypes.ts';
 import { expectRoundTrips } from './roundTrip.ts';
 
-function withChanges(preset: string, changes: Values): State {
+function withChanges(preset: PresetName, changes: Values): State {
   const base = presetValues(presets.find(({ name }) => name === preset)!);
   return { preset, values: { ...base, ...changes } };
 }

@@ -1,7 +1,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { defaultState } from '../../../src/preset/codec.ts';
+import { defaultState, type State } from '../../../src/preset/codec.ts';
 import { FileError } from '../../../src/preset/errors.ts';
 import { readFile, writeFile } from '../../../src/preset/file.ts';
 import { jsonFault } from '../../../src/preset/jsonFault.ts';
@@ -29,7 +29,7 @@ describe('a file', () => {
   }, 60_000);
 
   it('is readable text', async () => {
-    const state = { ...defaultState(), values: { ...defaultState().values, 'puff.size': 2, 'style.tones': 3 } };
+    const state: State = { ...defaultState(), values: { ...defaultState().values, 'puff.size': 2, 'style.tones': 3 } };
     expect(await writeFile({ name: 'Big', state }, 'https://x/smoke-file.schema.json')).toBe(`{
   "$schema": "https://x/smoke-file.schema.json",
   "format": "cartoon-smoke",

@@ -7,7 +7,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { beforeAll, expect, it } from 'vitest';
 import { decode } from '../../../src/preset/codec.ts';
 import { VERSION } from '../../../src/preset/migrations.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { AnyValues, Value, Values } from '../../../src/preset/parameter.ts';
 import { presets } from '../../../src/preset/presets.ts';
 import { findParameter, table } from '../../../src/preset/table.ts';
 
@@ -15,9 +15,9 @@ interface Meaning {
   /** All released versions, the current one last. */
   versions: string[];
   /** Defaults by parameter; keys of list items have `#` instead of the index. */
-  defaults: Values;
+  defaults: AnyValues;
   /** Differences from the defaults, by preset name. */
-  presets: Record<string, Values>;
+  presets: Record<string, AnyValues>;
 }
 
 const FILE = new URL('linkMeaning.json', import.meta.url);
@@ -45,7 +45,7 @@ it('is preserved for links of all versions by migrations', async () => {
 });
 
 function presentMeaning({ versions }: Meaning): Meaning {
-  const defaults: Record<string, Values[string]> = {};
+  const defaults: Record<string, Value> = {};
   for (const row of table) {
     const key = row.key.replace(/\.\d\./, '.#.');
     expect(defaults[key] ?? row.default, row.key).toBe(row.default);
@@ -60,7 +60,7 @@ function presentMeaning({ versions }: Meaning): Meaning {
 }
 
 /** The value of a key without a value in the preset; an optional parameter then has the scene's value. */
-function usual(defaults: Values, key: string): Values[string] | undefined {
+function usual(defaults: AnyValues, key: string): Value | undefined {
   return findParameter(key)?.isOptional ? undefined : defaults[key];
 }
 
@@ -77,6 +77,6 @@ function changesOf(recorded: Meaning): string[] {
   });
 }
 
-function valueIn({ defaults, presets: named }: Meaning, preset: string, key: string): Values[string] | undefined {
+function valueIn({ defaults, presets: named }: Meaning, preset: string, key: string): Value | undefined {
   return preset === '' ? defaults[key] : (named[preset]?.[key] ?? usual(defaults, key));
 }

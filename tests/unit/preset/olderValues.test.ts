@@ -21,7 +21,7 @@ const recorded: [version: number, name: string, own: Values][] = [
 /** All values of a preset of an older version. A list item that only the current preset changes had the scene's value. */
 async function valuesThen(name: string, own: Values): Promise<Values> {
   const { values } = presets.find((preset) => preset.name === name)!;
-  const { rig } = await sceneNamed((values.scene ?? 'lamp') as string).load();
+  const { rig } = await sceneNamed(values.scene ?? 'lamp').load();
   const ofScene = Object.keys(values).filter((key) => findParameter(key)!.isOptional && key in rig);
   return { ...defaults(), ...Object.fromEntries(ofScene.map((key) => [key, rig[key]])), ...own };
 }

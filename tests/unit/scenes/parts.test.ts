@@ -1,6 +1,6 @@
 /** Items attached to moving parts of a scene follow them, and every way of running it gives the same hashes. */
 import { describe, expect, it, vi } from 'vitest';
-import { decode, encode } from '../../../src/preset/codec.ts';
+import { decode, encode, type State } from '../../../src/preset/codec.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { findParameter } from '../../../src/preset/table.ts';
@@ -172,7 +172,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
   });
 
   it('are stored in a link, and numbers beyond the last part are not', async () => {
-    const state = { preset: 'airplane', values: { ...presetValues(findPreset('airplane')!), ...RIDERS } };
+    const state: State = { preset: 'airplane', values: { ...presetValues(findPreset('airplane')!), ...RIDERS } };
     const link = await encode(state);
     expect(link).toContain('vortices.0.rigid=4096');
     expect(await decode(link)).toEqual({ state, notices: [] });

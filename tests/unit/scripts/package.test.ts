@@ -1,6 +1,6 @@
 /** The npm package, as checkers and servers see it. */
-import { execFileSync } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
@@ -74,6 +74,33 @@ it('exports by name each type that a public signature names', () => {
   expect(hidden).toEqual([]);
   expect(exported).toBeGreaterThan(80);
 });
+
+it('has types that reject unknown keys, values and presets', () => {
+  const folder = join(ROOT, '.cache/typeCases');
+  mkdirSync(folder, { recursive: true });
+  const cases = readFileSync(join(ROOT, 'tests/unit/scripts/typeCases.ts'), 'utf8');
+  const types = join(FOLDER, 'types');
+  writeFileSync(join(folder, 'cases.ts'), cases.replace(/'[./]+src\/(.*)\.ts'/g, `'${types}/$1.js'`));
+  writeFileSync(
+    join(folder, 'markup.ts'),
+    `import type { SmokeAttributes } from '${types}/element/attributes.js';
+export const accepted: SmokeAttributes = { preset: 'wisp', 'emission-rate': 3, 'style-gradient': 'height' };
+export const rejected: SmokeAttributes[] = [
+  // @ts-expect-error no such preset
+  { preset: 'lampp' },
+  // @ts-expect-error no such attribute
+  { 'emission-rates': 3 },
+  // @ts-expect-error no such option
+  { 'style-gradient': 'rainbow' },
+];
+`,
+  );
+  const options = { strict: true, noEmit: true, moduleResolution: 'bundler', module: 'ESNext', target: 'ES2023' };
+  const config = { compilerOptions: { ...options, skipLibCheck: true, types: [] }, include: ['.'] };
+  writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(config));
+  const { stdout } = spawnSync(process.execPath, [join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', folder]);
+  expect(String(stdout)).toBe('');
+}, 60_000);
 
 const WARNING = ['index', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
 

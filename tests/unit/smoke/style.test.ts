@@ -1,6 +1,7 @@
 /** The style, whose fields and uniforms follow from the table. */
 import { Color } from 'three';
 import { expect, it } from 'vitest';
+import type { Values } from '../../../src/preset/parameter.ts';
 import { styleRows } from '../../../src/preset/rows/style.ts';
 import { defaults } from '../../../src/preset/values.ts';
 import { inkPixelsOf, setStyle, styleOf, styleUniforms, widestLineOf } from '../../../src/smoke/style.ts';
@@ -26,7 +27,7 @@ it('has a uniform for each number, toggle and colour that is a field', () => {
 
 it('sets the uniforms to the values of a style', () => {
   const uniforms = styleUniforms();
-  const values = { ...defaults(), 'style.innerTaper': 2.5, 'style.inkColor': '#ff0033', 'style.creases': 0 };
+  const values: Values = { ...defaults(), 'style.innerTaper': 2.5, 'style.inkColor': '#ff0033', 'style.creases': 0 };
   setStyle(uniforms, styleOf({ ...values, 'style.rim': 0.5, 'style.outlineWidth': 3 }), 2);
   expect(uniforms.innerTaper.value).toBe(2.5);
   expect((uniforms.inkColor.value as Color).toArray()).toEqual([1, 0, 0.2]);

@@ -1,6 +1,6 @@
 /** Puffs with custom shapes: changes of parameters, meshes of the host, several smokes on one device. */
 import { createDevice } from '../../../src/device/device.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { AnyValues, Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
 import { designedShapes } from '../../../src/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
@@ -79,7 +79,7 @@ export async function changeKnobs(values: Values): Promise<{ changed: number; as
   const [stage, made] = [await stageOf(), await stageOf(values)];
   for (const each of [stage, made]) each.step(80);
   const before = await pixelsOf(stage);
-  const base = stage.get();
+  const base: AnyValues = stage.get();
   stage.set(values);
   const after = await pixelsOf(stage);
   stage.set(Object.fromEntries(Object.keys(values).map((key) => [key, base[key]])));

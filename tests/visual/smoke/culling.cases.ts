@@ -30,7 +30,7 @@ const [WIDTH, HEIGHT] = [320, 240];
 
 /** A moment of a preset's scene as its stage draws it, from several viewpoints. The default preset where absent. */
 export async function compareScene(
-  { preset, ...values }: Values,
+  { preset, ...values }: Values & { readonly preset?: string },
   seconds: number,
   places: readonly Viewpoint[],
 ): Promise<Comparison[]> {

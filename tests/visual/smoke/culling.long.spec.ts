@@ -20,7 +20,7 @@ const STYLES = {
   'wide ink': { outlineWidth: 5, innerLine: 0 },
 } as const;
 
-for (const form of ['lobes', 'billboards']) {
+for (const form of ['lobes', 'billboards'] as const) {
   for (const [seconds, light] of [
     [3, 'sun'],
     [6, 'sun'],

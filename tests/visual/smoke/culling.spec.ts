@@ -1,5 +1,6 @@
 import { expect, test } from '../../support/fixtures.ts';
 import { expectSame } from './sameness.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 type Cases = typeof import('./culling.cases.ts');
 const CASES = '/tests/visual/smoke/culling.cases.ts';
@@ -7,7 +8,7 @@ const CASES = '/tests/visual/smoke/culling.cases.ts';
 test('culling changes no pixel of the lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   // Denser than the lamp preset, so that many particles are hidden.
-  const values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
+  const values: Values = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
   const comparisons = await cases.evaluate(
     (module, input) => module.compareScene(input, 4, ['scene', 'above', 'inside']),
     values,
@@ -18,7 +19,7 @@ test('culling changes no pixel of the lamp', async ({ load }) => {
 
 test('culling changes no pixel of smoke in the light of a lamp', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const values = {
+  const values: Values = {
     'simulation.maxParticles': 800,
     'emission.rate': 150,
     'light.kind': 'lamp',
@@ -34,7 +35,7 @@ test('culling changes no pixel of smoke in the light of a lamp', async ({ load }
 
 test('culling changes no pixel of puffs that turn, stretch and unfold', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const values = {
+  const values: Values = {
     'simulation.maxParticles': 800,
     'emission.rate': 150,
     'puff.turn': 1,
@@ -50,7 +51,7 @@ test('culling changes no pixel of puffs that turn, stretch and unfold', async ({
 
 test('culling changes no pixel of puffs that are eroded', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'erode' };
+  const values: Values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'erode' };
   const comparisons = await cases.evaluate(
     (module, input) => module.compareScene(input, 5, ['scene', 'above', 'inside', 'behind']),
     values,

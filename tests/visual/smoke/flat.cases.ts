@@ -1,6 +1,7 @@
 /** Pictures of the fallback without fragment depth, compared with the regular renderer. */
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { createDevice } from '../../../src/device/device.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { PLAIN_STYLE, Lab, type LabPicture, type LabPuff, type LabScene } from '../lab.ts';
@@ -194,8 +195,8 @@ export function coincident(count: number): { shadowed: number; lit: number } {
 /** A stage that fails the self test: its `writesDepth`, and pixels of smoke, ink and shadow in its picture. */
 export async function flatStage(): Promise<{ writesDepth: boolean; ink: number; smoke: number; shadowed: number }> {
   const pictures = await Promise.all(
-    [1, 0].map(async (shadows) => {
-      const values = {
+    ([1, 0] as const).map(async (shadows) => {
+      const values: Values = {
         ...presetValues(defaultPreset),
         ...PLAIN_LOOK,
         'style.shadows': shadows,

@@ -1,5 +1,6 @@
 /** Smoke on ones to fours beside a ball that moves in every step: the steps in which each of them changes. */
 import { SceneLab } from '../sceneLab.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 const SIZE = 160;
 const BALL = 0;
@@ -16,7 +17,7 @@ export interface HoldReport {
 
 /** @param hold how long puffs keep a drawing, in 24ths of a second */
 export async function changes(hold: number, puffs: number, steps: number): Promise<HoldReport> {
-  const values = { 'style.hold': hold, 'style.shadows': 0, 'simulation.maxParticles': puffs };
+  const values: Values = { 'style.hold': hold, 'style.shadows': 0, 'simulation.maxParticles': puffs };
   const lab = await SceneLab.create('lamp', { width: SIZE, height: SIZE, values });
   lab.step(FIRST_STEP);
   const report: HoldReport = { smoke: [], ball: [] };

@@ -1,6 +1,7 @@
 /** Stages that change to a renderer before its code is loaded. */
 import { createStage } from '../../../src/stage/stage.ts';
 import { differing, HEIGHT, lampStage, shown, SMALL, visibleCanvas, WIDTH } from './stage.cases.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 /**
  * Pixels that change immediately when the renderer changes, pixels that change after its code is loaded, and pixels
@@ -15,7 +16,7 @@ export async function lateRenderer(): Promise<{ atOnce: number; later: number; f
   const atOnce = differing(before, shown(canvas));
   await stage.complete();
   const after = shown(canvas);
-  const values = { ...SMALL, 'style.renderer': 'selle' };
+  const values: Values = { ...SMALL, 'style.renderer': 'selle' };
   const other = await createStage(visibleCanvas(), { values, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
   other.step(90);
   const fromStart = differing(after, shown(other.canvas as HTMLCanvasElement));

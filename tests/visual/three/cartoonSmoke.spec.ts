@@ -36,7 +36,7 @@ for (const { antialias, toneMapped, reversedDepthBuffer } of [
   });
 }
 
-for (const steps of [1, 2]) {
+for (const steps of [1, 2] as const) {
   test(`smoke has the shadow on itself that it has in a stage, with ${steps} steps of shadow`, async ({ load }) => {
     const cases = await load<Shadow>(SHADOW);
     const { shadowed, different } = await cases.evaluate(

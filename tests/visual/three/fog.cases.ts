@@ -2,6 +2,7 @@
 import { Color, Fog, FogExp2 } from 'three';
 import { dispose, draw, emptyHost, HANGING, HEIGHT, smokeIn, WIDTH } from './scene.ts';
 import { composed } from './targets.cases.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 const FOG = '#406080';
 const SMOKE = '#ffe0a0';
@@ -46,7 +47,7 @@ export async function inFog(kind: 'linear' | 'exponential', isComposed: boolean)
   return counts;
 }
 
-const FLAT = { 'style.shading': 0, 'style.outlines': 0, 'style.shadows': 0 };
+const FLAT: Values = { 'style.shading': 0, 'style.outlines': 0, 'style.shadows': 0 };
 
 function smoothstep(share: number): number {
   const x = Math.min(1, Math.max(0, share));

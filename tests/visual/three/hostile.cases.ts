@@ -96,7 +96,7 @@ const CALLS: readonly ((smoke: CartoonSmoke, value: never) => unknown)[] = [
   (smoke, value) => smoke.cast(new Mesh(new SphereGeometry()), { proxies: [value] }),
   (smoke, value) => smoke.attach('vortices.0', value),
   (smoke, value) => smoke.attach(value, new Group()),
-  (smoke, value) => smoke.set({ 'emission.rate': value, 'emission.rat': 1 }),
+  (smoke, value) => smoke.set({ 'emission.rate': value, 'emission.rat': 1 } as object),
   (smoke) => smoke.step(-1),
   (smoke) => smoke.collide(new Group()),
 ];

@@ -13,6 +13,7 @@ import {
   WIDTH,
   type Pixels,
 } from './scene.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 /** There is ink within this distance of the border, pixels. */
 const REACH = 2;
@@ -34,7 +35,13 @@ export async function contactLine(antialias: boolean, origin: number): Promise<{
   host.scene.add(floor);
   host.renderer.setViewport(origin, origin, WIDTH, HEIGHT);
   const before = draw(host);
-  const values = { ...HANGING, ...RED, 'emitters.0.position.y': 0.05, 'emitters.0.radius': 0.4, 'style.shadows': 0 };
+  const values: Values = {
+    ...HANGING,
+    ...RED,
+    'emitters.0.position.y': 0.05,
+    'emitters.0.radius': 0.4,
+    'style.shadows': 0,
+  };
   const smoke = await smokeIn(host, values);
   const picture = draw(host);
   const size = host.renderer.getDrawingBufferSize(new Vector2());

@@ -15,6 +15,7 @@ import {
   type Host,
   type Pixels,
 } from './scene.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 
 const PARAMETERS = [
   'VIEWPORT SCISSOR_BOX SCISSOR_TEST DEPTH_TEST DEPTH_FUNC DEPTH_WRITEMASK DEPTH_CLEAR_VALUE',
@@ -138,7 +139,7 @@ export async function twoSmokes(): Promise<TwoSmokes> {
   // The lights and the floor: no object is in front of smoke.
   host.scene.remove(...host.scene.children.slice(3));
   // Outlines close where the smokes touch.
-  const plain = { ...HANGING, 'style.outlines': 0 };
+  const plain: Values = { ...HANGING, 'style.outlines': 0 };
   const lower = await smokeIn(host, plain);
   const towardsLight = { 'emitters.0.position.x': 0.7, 'emitters.0.position.y': 1.95, 'emitters.0.position.z': 0.45 };
   const upper = await smokeIn(host, { ...plain, ...towardsLight });

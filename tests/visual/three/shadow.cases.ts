@@ -224,7 +224,7 @@ function gapOf(origin: Vector3, direction: Vector3, point: Vector3): number {
 
 /** The factor of the second shadow step. */
 const DEEP = [128, 64, 255];
-const TWO_STEPS = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
+const TWO_STEPS: Values = { 'style.shadowSteps': 2, 'style.shadowDepth': 2, 'style.deepShadow': '#8040ff' };
 /** Few puffs, so that some shadow pixels have a single caster. */
 const SPREAD = { ...HANGING, 'emission.rate': 60, 'emitters.0.radius': 0.6, 'emitters.0.position.x': 0.3 };
 

@@ -30,7 +30,7 @@ export interface Change {
  * How values of the style change the picture of smoke, a part of which is in the shadow of a ball.
  * @param steps of shadow
  */
-export async function changedBy(values: Values, steps: number): Promise<Change> {
+export async function changedBy(values: Values, steps: 1 | 2): Promise<Change> {
   const host = furnishedHost();
   const smoke = await smokeIn(host, { ...TWO_TONES, 'style.shadowSteps': steps });
   const ball = new Mesh(new SphereGeometry(0.4, 32, 24), new MeshBasicMaterial());

@@ -3,7 +3,7 @@ import { expect, test } from '../../support/fixtures.ts';
 type Cases = typeof import('./simplify.cases.ts');
 const CASES = '/tests/visual/three/simplify.cases.ts';
 
-for (const steps of [1, 2]) {
+for (const steps of [1, 2] as const) {
   test(`light is simplified on smoke alone, with ${steps} steps of shadow`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { beside, inside, changed, border } = await cases.evaluate(

@@ -1,6 +1,6 @@
 /** Every row of the table at both ends of the range that links accept, applied to the stage of the page. */
 import type { Page } from '@playwright/test';
-import type { Parameter, Value, Values } from '../../../../src/preset/parameter.ts';
+import type { AnyValues, Parameter, Value, Values } from '../../../../src/preset/parameter.ts';
 import { table } from '../../../../src/preset/table.ts';
 
 /** One row, or all rows of a list item. */
@@ -80,7 +80,7 @@ export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Prom
       stage.restore(start);
       stage.set(values);
       stage.step(1);
-      const now = stage.get();
+      const now: AnyValues = stage.get();
       const lost = Object.keys(values).filter((key) => now[key] !== values[key]);
       if (lost.length > 0) throw new Error(`The stage did not keep ${lost.join()}`);
       const state = stage.save();

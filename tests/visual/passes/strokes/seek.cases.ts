@@ -1,4 +1,5 @@
 /** Strokes of a moment that a stage plays to, and of the same moment that it seeks. */
+import type { Values } from '../../../../src/preset/parameter.ts';
 import { findPreset, presetValues } from '../../../../src/preset/presets.ts';
 import { createStage } from '../../../../src/stage/stage.ts';
 import { PLAIN_LOOK } from '../../../support/plainLook.ts';
@@ -34,7 +35,7 @@ export async function seekToStrokes(): Promise<{ ink: number; back: number; dire
 }
 
 function strokesStage() {
-  const own = {
+  const own: Values = {
     'style.strokes': 1,
     'style.outlineWidth': 5,
     'style.boil': 1,
