@@ -1,5 +1,5 @@
 import { WebGLRenderer } from 'three';
-import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { ContextError, ParameterError, requireOptions, UnsupportedError } from '../preset/errors.ts';
 import { ProgramsAhead } from './programsAhead.ts';
 import { PuffLibrary } from './puffTextures.ts';
 import { keepsWrittenDepth } from './selfTest.ts';
@@ -146,12 +146,20 @@ export function missingContext(): ContextError {
   return new ContextError('The graphics context is lost. Reload the page, or use another canvas.');
 }
 
+/** @throws ParameterError unless it is a canvas, of any window */
+export function requireCanvas(canvas: unknown): void {
+  if (typeof (canvas as DeviceCanvas | undefined)?.getContext !== 'function')
+    throw new ParameterError('canvas', canvas, 'a canvas');
+}
+
 /**
  * Creates the WebGL2 context of a canvas that has no context yet, and a device on it.
  * @throws UnsupportedError if WebGL2 is not available
  * @throws ContextError if the canvas has had a device before: its context was released and cannot be created again
  */
 export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}): Device {
+  requireCanvas(canvas);
+  requireOptions('createDevice', options, ['failsSelfTest']);
   const context = canvas.getContext('webgl2', {
     alpha: true,
     antialias: false,

@@ -1,5 +1,5 @@
 /** URLs of the files that the library fetches, for pages whose bundler does not copy them. */
-import { ParameterError } from './errors.ts';
+import { ParameterError, requireOptions } from './errors.ts';
 
 /** URLs by file. Relative URLs are resolved against the document. */
 export interface AssetUrls {
@@ -11,7 +11,7 @@ export interface AssetUrls {
   readonly worker?: string | URL;
 }
 
-const NAMES = ['core', 'physics', 'worker'] as const;
+const NAMES = ['core', 'physics', 'worker'];
 /** Shared by the builds of the package, such as those of the element and of three.js scenes, and by copies of it. */
 const KEY = Symbol.for('cartoon-smoke.assetUrls');
 const shared = globalThis as { [KEY]?: Map<string, string> };
@@ -23,12 +23,8 @@ const urls = (shared[KEY] ??= new Map());
  * @throws ParameterError if a name is unknown or a value is no URL. Nothing is changed then
  */
 export function setAssetUrls(given: AssetUrls): void {
-  const resolved = Object.entries(given).map(([name, url]: [string, unknown]) => {
-    if (!NAMES.some((known) => known === name)) {
-      throw new ParameterError(`setAssetUrls.${name}`, url, `no value: the files are ${NAMES.join(', ')}`);
-    }
-    return [name, resolve(name, url)] as const;
-  });
+  requireOptions('setAssetUrls', given, NAMES);
+  const resolved = Object.entries(given).map(([name, url]) => [name, resolve(name, url)] as const);
   for (const [name, url] of resolved) urls.set(name, url);
 }
 

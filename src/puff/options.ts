@@ -62,6 +62,8 @@ const isColor = (color: unknown) => typeof color === 'string' && CSS.supports('c
 
 /** @throws ParameterError for an unknown option or a value that is out of range */
 export function demandOptions(options: PuffOptions): void {
+  if (typeof options !== 'object' || (options as unknown) === null)
+    throw new ParameterError('options', options, `an object with ${OPTIONS.join(', ')}`);
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined) continue;
     const accepted = acceptedBy(name, value);

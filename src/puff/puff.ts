@@ -1,5 +1,5 @@
 /** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
-import { LoadError } from '../preset/errors.ts';
+import { LoadError, ParameterError } from '../preset/errors.ts';
 import type { Engine } from './engine.ts';
 import { demandOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
 import { sourceOf, type PuffTarget } from './target.ts';
@@ -88,7 +88,11 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
       await (await open()).warmUp();
     },
     clear: () => end((engine) => engine.clear()),
-    create: (own: HTMLCanvasElement) => makePuff(own),
+    create(own: HTMLCanvasElement) {
+      if ((own as HTMLCanvasElement | undefined)?.localName !== 'canvas')
+        throw new ParameterError('canvas', own, 'a canvas of the page');
+      return makePuff(own);
+    },
     dispose: () => end((engine) => engine.dispose()),
   });
 }

@@ -1,4 +1,4 @@
-import { ParameterError, SimulatorError } from '../preset/errors.ts';
+import { ParameterError, requireOptions, SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from './contract.ts';
 import { isHandshake, handshake } from './handshake.ts';
 import { PortStage } from './portStage.ts';
@@ -18,10 +18,11 @@ export interface ConnectOptions {
  * @throws the errors of createStage in the iframe; ParameterError for an invalid origin; the signal's reason when it
  * aborts; SimulatorError when the iframe is removed before it answers
  */
-export async function connectFrame(
-  iframe: HTMLIFrameElement,
-  { origin = '*', signal }: ConnectOptions = {},
-): Promise<RemoteStage> {
+export async function connectFrame(iframe: HTMLIFrameElement, options: ConnectOptions = {}): Promise<RemoteStage> {
+  if ((iframe as HTMLIFrameElement | undefined)?.localName !== 'iframe')
+    throw new ParameterError('iframe', iframe, 'an iframe element');
+  requireOptions('connectFrame', options, ['origin', 'signal']);
+  const { origin = '*', signal } = options;
   signal?.throwIfAborted();
   demandOrigin(origin);
   const hearing = new AbortController();

@@ -21,7 +21,7 @@ export function demandDrawing(): void {
  */
 export async function openHere(
   canvas: DeviceCanvas,
-  { signal, ...options }: RemoteStageOptions & Pick<StageOptions, 'onStep'>,
+  { signal, thread: _thread, graceMs: _grace, ...options }: RemoteStageOptions & Pick<StageOptions, 'onStep'>,
   thread: Thread = 'main',
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();

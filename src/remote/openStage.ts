@@ -1,5 +1,6 @@
-import { ContextError, UnsupportedError } from '../preset/errors.ts';
+import { ContextError, ParameterError, requireOptions, UnsupportedError } from '../preset/errors.ts';
 import { fetched } from '../preset/timeout.ts';
+import { STAGE_OPTIONS } from '../stage/contract.ts';
 import type { RemoteStage, RemoteStageOptions } from './contract.ts';
 import type { WorkerSlot } from './openInWorker.ts';
 
@@ -15,6 +16,9 @@ export async function openStage(
   makeCanvas: () => HTMLCanvasElement,
   options: RemoteStageOptions = {},
 ): Promise<RemoteStage> {
+  if (typeof makeCanvas !== 'function')
+    throw new ParameterError('makeCanvas', makeCanvas, 'a function that returns a canvas');
+  requireOptions('openStage', options, [...STAGE_OPTIONS, 'thread', 'signal', 'graceMs']);
   const { thread = 'auto', signal } = options;
   const place = thread === 'main' ? undefined : await slotInWorker(thread);
   if (place) {

@@ -41,6 +41,10 @@ export interface StageOptions extends DeviceOptions {
   fault?: Fault;
 }
 
+/** Names of the options that all kinds of stages have. */
+export const STAGE_OPTIONS: readonly string[] =
+  'values width height pixelRatio quality frameRate visible view background historyBytes onProgress fault'.split(' ');
+
 /** Statistics of the latest frame. */
 export interface StageStats {
   /** Simulated seconds. */

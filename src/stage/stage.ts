@@ -1,8 +1,8 @@
 import { MathUtils } from 'three';
-import { missingContext, type DeviceCanvas } from '../device/device.ts';
+import { missingContext, requireCanvas, type DeviceCanvas } from '../device/device.ts';
 import type { Fault } from '../device/faults.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
-import { ParameterError, SimulatorError } from '../preset/errors.ts';
+import { ParameterError, requireOptions, SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireFinite, requireOptional, requireWhole, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/lobes.ts';
@@ -13,7 +13,15 @@ import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
 import { styleOf } from '../smoke/style.ts';
 import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
-import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import {
+  STAGE_OPTIONS,
+  type EnterOptions,
+  type PointerInput,
+  type SeekOptions,
+  type StageEvents,
+  type StageOptions,
+  type StageStats,
+} from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
 import { firstDeviation, pixelsOf, type DrawnDepth, type Picture } from './picture.ts';
 import { createPresenter, type Presenter } from './presenter.ts';
@@ -517,6 +525,8 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
  * the graphics context is lost and not restored in time, and for a canvas whose stage was disposed
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
+  requireCanvas(canvas);
+  requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep']);
   const values = withDefaults(options.values);
   // Before the programs compile: a resize of the drawing buffer waits for the GPU.
   const { width, height, pixelRatio } = options;

@@ -1,5 +1,5 @@
 import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
-import { ParameterError } from '../preset/errors.ts';
+import { ParameterError, requireOptions } from '../preset/errors.ts';
 
 /** A ball that approximates a part of a deforming object. It follows an object, such as a bone. */
 export interface ProxyBall {
@@ -28,7 +28,11 @@ const CAPSULE_PITCH = 0.5;
  * Converts a capsule to overlapping balls for `cast` and `collide`.
  * @throws ParameterError when the radius is not above 0
  */
-export function capsule({ follows, from, to, radius }: ProxyCapsule): ProxyBall[] {
+export function capsule(given: ProxyCapsule): ProxyBall[] {
+  requireOptions('capsule', given, ['follows', 'from', 'to', 'radius']);
+  const { follows, from, to, radius } = given;
+  for (const [key, end] of Object.entries({ from, to }))
+    if (!(end as Vector3 | undefined)?.isVector3) throw new ParameterError(`capsule.${key}`, end, 'a Vector3');
   if (!(radius > 0)) throw new ParameterError('capsule.radius', radius, 'a length above 0');
   const steps = Math.ceil(from.distanceTo(to) / (CAPSULE_PITCH * radius));
   return Array.from({ length: steps + 1 }, (_, step) => ({

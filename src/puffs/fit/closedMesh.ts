@@ -24,13 +24,16 @@ const WELD = 1e-5;
 const MIN_TRIANGLES = 4;
 
 /** @throws ShapeError with the fault of the mesh and what is accepted */
-export function closedMesh({ positions, indices }: PlainMesh): ClosedMesh {
+export function closedMesh(mesh: PlainMesh): ClosedMesh {
+  if (typeof (mesh as PlainMesh | undefined)?.positions?.length !== 'number')
+    throw new ShapeError('This is no mesh: it needs an array of positions, x, y, z per vertex.');
+  const { positions, indices } = mesh;
   const corners = indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   demandNumbers(positions, corners);
   const unit = inUnitBall(positions, corners);
-  const mesh = welded(unit, corners);
-  demandClosed(mesh);
-  return mesh;
+  const closed = welded(unit, corners);
+  demandClosed(closed);
+  return closed;
 }
 
 function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>): void {

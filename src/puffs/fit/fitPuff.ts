@@ -1,5 +1,5 @@
 /** Fits a puff to any closed mesh: a few lobes whose union approximates it. */
-import { ShapeError } from '../../preset/errors.ts';
+import { requireOptions, ShapeError } from '../../preset/errors.ts';
 import { BallCover } from './ballCover.ts';
 import { closedMesh, type PlainMesh } from './closedMesh.ts';
 import { fittingBalls } from './fitBalls.ts';
@@ -35,10 +35,9 @@ export interface FitOptions {
  * Fits lobes to a closed mesh, in slices of 8 ms so that the page stays responsive. Deterministic in every browser.
  * @throws ShapeError if the mesh is empty, open, too thin, not finite or has too many triangles, or `lobes` is invalid
  */
-export async function fitPuff(
-  mesh: PlainMesh,
-  { name = 'own', lobes = MAX_LOBES, signal }: FitOptions = {},
-): Promise<FittedPuff> {
+export async function fitPuff(mesh: PlainMesh, options: FitOptions = {}): Promise<FittedPuff> {
+  requireOptions('fitPuff', options, ['name', 'lobes', 'signal']);
+  const { name = 'own', lobes = MAX_LOBES, signal } = options;
   if (!Number.isInteger(lobes) || lobes < 1 || lobes > MAX_LOBES) {
     throw new ShapeError(`A puff cannot have ${lobes} lobes: use a whole number from 1 to ${MAX_LOBES}.`);
   }
