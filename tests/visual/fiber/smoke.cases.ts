@@ -254,7 +254,6 @@ export async function recreated() {
     isNew: first !== second,
     alive: alive(),
     puffs: second.stats.alive,
-    seed: second.get().seed,
   };
   await tree.end();
   return result;
@@ -338,4 +337,36 @@ export async function mistakes() {
 
 async function until(isDone: () => boolean): Promise<void> {
   while (!isDone()) await new Promise((resolve) => setTimeout(resolve, 5));
+}
+
+/** The names of the key lights that `<Smoke>` without one uses, and what it says where it finds none. */
+export async function lights() {
+  const { create } = CartoonSmoke;
+  const used: string[] = [];
+  CartoonSmoke.create = (options) => {
+    used.push(options.keyLight.name);
+    return create.call(CartoonSmoke, options);
+  };
+  const said: string[] = [];
+  const open = async (props: Partial<SmokeProps>, ...others: ReactNode[]) => {
+    const tree = await Tree.open();
+    await new Promise<void>((resolve) => {
+      const onError = (error: Error) => resolve(void said.push(error.message));
+      const all = { values: VALUES, onReady: () => resolve(), onError, ...props };
+      void tree.show(h(Fragment, null, h(Smoke, all), ...others));
+    });
+    await tree.end();
+  };
+  const point = h('pointLight', { key: 'point', name: 'point' });
+  const sun = (name: string) => h('group', { key: name }, h('directionalLight', { name }));
+  try {
+    await open({}, point, sun('first'), sun('second'));
+    await open({ keyLight }, sun('first'));
+    await open({}, point);
+    await open({ keylight: keyLight } as Partial<SmokeProps>, sun('first'));
+    await open({ renderOrder: 3 } as Partial<SmokeProps>, sun('first'));
+  } finally {
+    CartoonSmoke.create = create;
+  }
+  return { used, said };
 }

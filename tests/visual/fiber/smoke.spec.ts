@@ -52,7 +52,7 @@ test('a smoke that is unmounted while it is created is disposed, and a fixed opt
   const cases = await load<Smoke>(SMOKE);
   const { abandoned, puffs, ...second } = await cases.evaluate((module) => module.recreated());
   expect(abandoned).toEqual([1, 0]);
-  expect(second).toEqual({ isNew: true, alive: 1, seed: 6 });
+  expect(second).toEqual({ isNew: true, alive: 1 });
   expect(puffs).toBe(43);
 });
 
@@ -61,6 +61,19 @@ test('smoke sees where objects are in the same frame, also those of components t
   const [, ...seen] = await cases.evaluate((module) => module.order());
   expect(seen).toHaveLength(3);
   for (const [moved, placed] of seen) expect(placed).toBe(moved);
+});
+
+test('smoke without a key light uses the first directional light, and names props that it does not know', async ({
+  load,
+}) => {
+  const cases = await load<Smoke>(SMOKE);
+  const { used, said } = await cases.evaluate((module) => module.lights());
+  expect(used).toEqual(['first', '']);
+  expect(said).toEqual([
+    expect.stringMatching(/^keyLight cannot be undefined: it takes a light .* no directional light/),
+    expect.stringMatching(/^Smoke.keylight cannot be .*: it takes no value: its options are keyLight, /),
+    expect.stringMatching(/^Smoke.renderOrder cannot be 3: /),
+  ]);
 });
 
 test.describe('errors', () => {

@@ -214,7 +214,7 @@ test.describe('errors', () => {
     expect(said.stencil).toMatch(/^UnsupportedError: .*stencil: true/);
     expect(said.logarithmic).toMatch(/^UnsupportedError: .*without logarithmicDepthBuffer/);
     expect(said.light).toMatch(/^ParameterError: keyLight cannot be “HemisphereLight”: .*DirectionalLight/);
-    expect(said.preset).toMatch(/^ParameterError: preset cannot be “lampp”: it takes lamp, /);
+    expect(said.preset).toMatch(/^ParameterError: preset cannot be “lampp”: it takes the name of a preset/);
     expect(said.value).toMatch(/^ParameterError: emission.rate cannot be -1: it takes a number from 0 to/);
     expect(said.fixed).toMatch(/^ParameterError: seed cannot be 2: .*creation/);
     expect(said.given).toMatch(/^ParameterError: light.azimuth cannot be 20: .*your scene/);
