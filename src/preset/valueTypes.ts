@@ -43,7 +43,7 @@ export type SingleValues = {
   /** Lifetime: Lifetime of a puff. */ 'emission.lifetime': number;
   /** Growth time: Time in which a new puff grows to full size; 0 starts at full size, as in the paper. */ 'emission.growthTime': number;
   /** Density: Size of a puff over its life, from birth to death; it always ends at 0. */ 'emission.density': string;
-  /** Dissolving: How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the comparison renderers have no holes. */ 'emission.dissolve':
+  /** Dissolving: How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the renderer selle have no holes. */ 'emission.dissolve':
     'shrink' | 'erode';
   /** Entrainment: How much puffs grow with the distance they travel through the air. */ 'emission.entrainment': number;
   /** Puff size: Makes every puff larger or smaller. */ 'puff.size': number;
@@ -98,8 +98,7 @@ export type SingleValues = {
   /** Second colour: Second colour of the gradient. */ 'style.gradientColor': string;
   /** Gradient from: Height at which a gradient by height has the second colour. */ 'style.gradientBottom': number;
   /** Gradient to: Height at which a gradient by height has the colour of the smoke. */ 'style.gradientTop': number;
-  /** Renderer: The rendering method; all but nailboards are for comparison. */ 'style.renderer':
-    'nailboards' | 'selle' | 'sprites' | 'shadowMap';
+  /** Renderer: The rendering method; selle is for comparison. */ 'style.renderer': 'nailboards' | 'selle';
   /** Light: The sun is a directional light; a lamp is a point light, and shadows spread away from it. */ 'light.kind':
     'sun' | 'lamp';
   /** Direction: Azimuth of the light: 0 is the front, 90 the right. */ 'light.azimuth': number;

@@ -134,7 +134,7 @@ export const situations: Record<string, (given: Given) => unknown> = {
   'puff with reduced motion': ({ puff }) => calmly(() => puff()),
   'puff of an unknown effect': ({ puff }) => puff(undefined, { effect: 'poofs' as never }).catch(() => undefined),
   'puff of a selector': ({ puff }) => puff('.none' as never).catch(() => undefined),
-  'puff of an unknown preset': ({ puff }) => puff(undefined, { preset: 'lampp' }).catch(() => undefined),
+  'puff of an unknown preset': ({ puff }) => puff(undefined, { preset: 'lampp' as never }).catch(() => undefined),
 };
 
 export const correct: typeof situations = {
