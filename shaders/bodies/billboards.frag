@@ -48,6 +48,7 @@ layout(location = 2) out vec4 shading;
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
+#include ../lib/clipping.glsl
 
 // Bodies avoid both ends of the depth range: a volume that contains the camera is clamped to exactly 0 and must be
 // nearer.
@@ -90,4 +91,6 @@ void main() {
   float depth = windowDepth(clipFromView, viewZ);
   if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5));
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+  // With a surface, its line is cut off, which is deeper.
+  if (isCutOff(clipFromView, viewport, depth) || isCutOff(clipFromView, viewport, windowDepth(clipFromView, viewZ))) discard;
 }

@@ -44,6 +44,7 @@ layout(location = 2) out vec4 shading;
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
+#include ../lib/clipping.glsl
 #ifdef DEFORMED
 uniform float innerLine;
 #include ../lib/attributes.glsl
@@ -210,11 +211,15 @@ void main() {
   shading = packShading(Shading(shades.facing, depthsAndRamp.w, shades.isFilled, shades.isRim, ink > 0.0, radius));
 #endif
 
-#ifndef FLAT
+#ifdef FLAT
+  float depth = gl_FragCoord.z;
+#else
   float outside = line.w * pixels;
   vec2 inward = normalize(viewGradient(line.xy - point)) * (outside + 0.5);
   float depth = windowDepth(clipFromView, viewZ);
   if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - lineDrop * sinking(outside, linePixels, innerTaper), line.w * radius, inward);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
+  // With a surface, its line is cut off, which is deeper.
+  if (isCutOff(clipFromView, viewport, depth) || isCutOff(clipFromView, viewport, windowDepth(clipFromView, viewZ))) discard;
 }

@@ -12,6 +12,7 @@ uniform mat4 clipFromView;
 // The projection of the smoke's depth, if that of the host has an oblique near plane.
 uniform mat4 smokeProjection;
 uniform bool isOblique;
+uniform bool isMirrored;
 // The host's fog: its colour in the colour space of the framebuffer, and (near, far) or (density, 0), as three.js has them.
 uniform int fogKind;
 uniform vec3 fogColor;
@@ -50,6 +51,7 @@ float fogAt(float depth) {
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - viewportOrigin);
+  if (isMirrored) at.x = textureSize(picture, 0).x - 1 - at.x;
   vec4 color = texelFetch(picture, at, 0);
   if (color.a == 0.0) discard;
   pixel = isLinear ? vec4(linearFromDisplay(color.rgb / color.a) * color.a, color.a) : color;

@@ -18,8 +18,8 @@ float windowDepth(mat4 clipFromView, float viewZ) {
   return depthOrder(clipFromView) < 0.0 ? ndc : 0.5 * ndc + 0.5;
 }
 
-// The view-space z of a window depth: the inverse of windowDepth.
+// The view-space z of a window depth: the inverse of windowDepth. That of an infinite far plane is finite.
 float viewZOf(mat4 clipFromView, float depth) {
-  float ndc = depthOrder(clipFromView) < 0.0 ? depth : 2.0 * depth - 1.0;
+  float ndc = depthOrder(clipFromView) < 0.0 ? depth : min(2.0 * depth - 1.0, 0.9999999);
   return (ndc * clipFromView[3][3] - clipFromView[3][2]) / (clipFromView[2][2] - ndc * clipFromView[2][3]);
 }

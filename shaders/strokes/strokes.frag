@@ -3,6 +3,7 @@ precision highp int;
 
 // The opacity of the strokes of an arc, which taper to both ends, where no smoke is before its lobe.
 uniform mat4 clipFromView;
+uniform vec2 viewport;
 uniform float inkSwell;
 uniform float boil;
 // See strokeRanges.frag.
@@ -19,6 +20,8 @@ out vec4 coverage;
 #include ../lib/depth.glsl
 #include smokeDepth.glsl
 #include ../lib/ink.glsl
+#include ../lib/pixel.glsl
+#include ../lib/clipping.glsl
 #ifdef DEFORMED
 #include ../lib/stretch.glsl
 #endif
@@ -63,5 +66,6 @@ void main() {
   float z = smokeZ(clipFromView, gl_FragCoord.xy);
   float top = besideAndZ.z + bulgeAndSqueeze.x * (sqrt(max(0.0, 1.0 - reach * reach)) + COVER);
   if (z < NO_SMOKE || z > top) discard;
+  if (isCutOff(clipFromView, viewport, windowDepth(clipFromView, besideAndZ.z))) discard;
   coverage = vec4(min(1.0, covered));
 }

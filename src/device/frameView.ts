@@ -1,5 +1,8 @@
-import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform } from 'three';
+import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform, type Plane } from 'three';
 import { rowUniforms, type RowUniforms } from './drawnRows.ts';
+
+/** Maximum number of planes that cut off puffs. */
+export const MAX_PLANES = 8;
 
 /** Uniforms of the parameters of the style, by their names. */
 export interface StyleUniforms extends Record<string, IUniform> {
@@ -23,6 +26,9 @@ export interface ViewUniforms extends StyleUniforms, RowUniforms {
   /** World-space box of everything that receives shadow. Shadow volumes end where they leave it. */
   receiversMin: IUniform<Vector3>;
   receiversMax: IUniform<Vector3>;
+  /** Planes in view space that cut off puffs, and how many there are. */
+  clippingPlanes: IUniform<Float32Array>;
+  planeCount: IUniform<number>;
 }
 
 /** The style, the camera and the light of one frame, as the passes use them. */
@@ -50,6 +56,8 @@ export class FrameView {
       lightInView: { value: new Vector4(0, 1, 0, 0) },
       receiversMin: { value: new Vector3() },
       receiversMax: { value: new Vector3() },
+      clippingPlanes: { value: new Float32Array(4 * MAX_PLANES) },
+      planeCount: { value: 0 },
     };
   }
 
@@ -94,6 +102,16 @@ export class FrameView {
     this.uniforms.receiversMax.value.copy(box.max);
   }
 
+  /** @param planes planes in world space that cut off puffs, at most {@link MAX_PLANES} */
+  clip(planes: readonly Plane[]): void {
+    const { clippingPlanes, planeCount, viewFromWorld } = this.uniforms;
+    planeCount.value = planes.length;
+    planes.forEach((plane, index) => {
+      const { normal, constant } = plane.clone().applyMatrix4(viewFromWorld.value);
+      clippingPlanes.value.set([...normal.toArray(), constant], 4 * index);
+    });
+  }
+
   /** Depths of the near and the far plane along {@link forward}, measured from the world origin. */
   get range(): [number, number] {
     return [this.depth + this.uniforms.near.value, this.depth + farOf(this.uniforms.clipFromView.value)];
@@ -131,5 +149,5 @@ function farOf(clipFromView: Matrix4): number {
   const BOUNDLESS = 1e9;
   const e = clipFromView.elements;
   const far = e[14] > 0 ? e[14] / e[10] : (e[14] - e[15]) / (e[10] - e[11]);
-  return far < BOUNDLESS ? far : BOUNDLESS;
+  return far > 0 && far < BOUNDLESS ? far : BOUNDLESS;
 }

@@ -41,6 +41,7 @@ export class InsertPass {
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },
     isOblique: { value: false },
+    isMirrored: { value: false },
     smokeProjection: { value: new Matrix4() },
     fogKind: { value: NO_FOG },
     fogColor: { value: new ThreeColor() },
@@ -92,8 +93,12 @@ export class InsertPass {
     else fogRange.value.set(fog.near / scale, fog.far / scale);
   }
 
-  /** @param projection projection of the smoke's depth, if that of the view has an oblique near plane */
-  setOblique(projection: Matrix4 | undefined): void {
+  /**
+   * @param projection projection of the smoke's depth, if that of the view may have an oblique near plane
+   * @param isMirrored whether the picture is inserted from right to left
+   */
+  setHost(projection: Matrix4 | undefined, isMirrored: boolean): void {
+    this.uniforms.isMirrored.value = isMirrored;
     this.uniforms.isOblique.value = projection !== undefined;
     if (projection) this.uniforms.smokeProjection.value.copy(projection);
   }

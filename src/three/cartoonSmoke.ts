@@ -132,8 +132,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     try {
       const [factory] = await Promise.all([
         loadSimulators({ physics: options.physics ?? true }),
-        // Casters that are balls do not deform. Volumes are counted where the host's buffer is multisampled.
-        fetchExtras({ ...hostStyle(values), isDeformed: false, volumes: 'counted' }),
+        // Casters that are balls are lobes and do not deform. Volumes are counted where the host's buffer is multisampled.
+        fetchExtras({ ...hostStyle(values), form: 'lobes', isDeformed: false, volumes: 'counted' }),
+        fetchExtras(hostStyle(values)),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,
@@ -392,9 +393,16 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       requireDrawable(renderer, camera);
       const { origin, ...input } = this.lookFrom(renderer);
       const { keyLight, onRelight } = this;
-      const { boxes, ...placed } = this.frame.view(this, camera, lightFrom(keyLight), receiversIn(scene));
+      const { clippingPlanes } = renderer;
+      const { boxes, planes, ...placed } = this.frame.view(
+        this,
+        camera,
+        lightFrom(keyLight),
+        receiversIn(scene),
+        clippingPlanes,
+      );
       const { scale } = this.frame.drawn;
-      const view = { renderer, scene, camera, keyLight, scale, origin, onRelight };
+      const view = { renderer, scene, camera, keyLight, scale, planes, origin, onRelight };
       this.drawn = drawIntoHost(this.passes, view, boxes, { ...input, ...placed });
       this.hasDrawn = true;
     } catch (failure) {
@@ -423,7 +431,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       height,
       pixelRatio: renderer.getPixelRatio(),
       rigids: [],
-      cull: true,
+      // What is cut off hides nothing.
+      cull: renderer.clippingPlanes.length === 0,
       output: null,
     };
   }

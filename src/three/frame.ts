@@ -1,8 +1,8 @@
-import { Matrix4, Quaternion, Vector3, type Box3, type Camera, type Object3D, type PerspectiveCamera } from 'three';
-import { PassCamera } from '../device/passCamera.ts';
+import { Matrix4, Quaternion, Vector3, type Box3, type Camera, type Object3D, type Plane } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import type { Light } from '../smoke/light.ts';
 import { newPose, poseOf, type Pose } from './shapes.ts';
+import { FactoredCamera, isFactored } from './target/straightCamera.ts';
 
 /** Whether puffs stay in the world when the smoke object moves, or travel with it. */
 export type SmokeSpace = 'world' | 'local';
@@ -40,7 +40,7 @@ export class SmokeFrame {
   /** Whether the object has had a transform. */
   isMoved = false;
   private readonly before = unplaced();
-  private readonly camera = new FrameCamera();
+  private readonly camera = new FactoredCamera();
 
   constructor(space: SmokeSpace) {
     this.space = space;
@@ -110,47 +110,19 @@ export class SmokeFrame {
    * What a frame is drawn from, in the space of the smoke. Picture and window depths are those of the host's camera.
    * @param object the smoke object. Local smoke is drawn where it is now, since the host may move it after `update`
    */
-  view(object: Object3D, camera: Camera, light: Light, boxes: Box3[]) {
+  view(object: Object3D, camera: Camera, light: Light, boxes: Box3[], planes: readonly Plane[]) {
     const placement = copy(this.drawn, this.space === 'local' ? shownAt(object, this.now) : this.now);
-    if (isWorld(placement)) return { camera, light, boxes };
+    if (isWorld(placement) && isFactored(camera)) return { camera, light, boxes, planes };
     const { position, rotation, scale } = placement;
     const world = new Matrix4().compose(position, rotation, new Vector3(scale, scale, scale));
     const shown = this.camera.follow(camera, world, scale);
     world.invert();
-    return { camera: shown, light: lightIn(light, placement), boxes: boxes.map((box) => box.applyMatrix4(world)) };
-  }
-}
-
-/** The host's camera in the space of the smoke. Its view is rigid, as the shaders require: the projection has the scale. */
-class FrameCamera extends PassCamera {
-  /** As a mirror's projection needs them, which has an oblique plane in place of the near one. */
-  near = 0;
-  far = 0;
-  private isReversed = false;
-
-  constructor() {
-    super();
-    this.matrixAutoUpdate = false;
-  }
-
-  override get reversedDepth(): boolean {
-    return this.isReversed;
-  }
-
-  follow(host: Camera, world: Matrix4, scale: number): this {
-    host.updateMatrixWorld();
-    const view = this.matrixWorldInverse.multiplyMatrices(host.matrixWorldInverse, world).elements;
-    for (let element = 0; element < 15; element++) view[element] /= scale;
-    this.matrixWorld.copy(this.matrixWorldInverse).invert();
-    const { elements } = this.projectionMatrix.copy(host.projectionMatrix);
-    // Clip coordinates are homogeneous: those of a perspective are divided by the scale, which leaves w a depth.
-    if (elements[11] !== 0) for (let row = 12; row < 16; row++) elements[row] /= scale;
-    else for (let element = 0; element < 12; element++) elements[element] *= scale;
-    const { near = 0, far = 0 } = host as Partial<PerspectiveCamera>;
-    this.near = near / scale;
-    this.far = far / scale;
-    this.isReversed = host.reversedDepth;
-    return this;
+    return {
+      camera: shown,
+      light: lightIn(light, placement),
+      boxes: boxes.map((box) => box.applyMatrix4(world)),
+      planes: planes.map((plane) => plane.clone().applyMatrix4(world)),
+    };
   }
 }
 

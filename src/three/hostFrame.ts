@@ -34,7 +34,7 @@ export function drawIntoHost(
   const state = new RendererState(renderer);
   state.hold();
   try {
-    const { camera: straight, oblique } = straightened(asked.camera);
+    const { camera: straight, hosts, isMirrored } = straightened(asked.camera);
     const input = smoke.prepare({ ...asked, camera: straight, output: picture });
     const { style } = input;
     const take = (rows: Rows) =>
@@ -56,19 +56,20 @@ export function drawIntoHost(
       own !== undefined || (hasStencil && (style.outlines || style.shadows)),
     );
 
+    eye.clip(view.planes);
     eye.uniforms.viewportOrigin.value.set(0, 0);
     picture.setSize(size.x, size.y);
     targets.begin(renderer, false, isSimplified(style));
-    // The depth of an oblique projection is not that of the smoke.
-    const touched = style.outlines && !oblique ? surface : undefined;
+    // The depth of an oblique projection is not that of the smoke, and a mirrored one is elsewhere.
+    const touched = style.outlines && !hosts ? surface : undefined;
     drawSmoke(smoke.passes, input, arranged, touched, () => casters.draw(renderer, scene));
 
     eye.uniforms.viewportOrigin.value.copy(origin);
-    insert.setOblique(oblique && straight.projectionMatrix);
-    if (oblique) eye.uniforms.clipFromView.value.copy(oblique);
+    insert.setHost(hosts && straight.projectionMatrix, isMirrored);
+    if (hosts) eye.uniforms.clipFromView.value.copy(hosts);
     const returnToTarget = () => state.returnToTarget();
     // One depth for each pixel.
-    const receivers = oblique || surface?.slack ? undefined : surface?.inPlace;
+    const receivers = hosts || surface?.slack ? undefined : surface?.inPlace;
     if (arranged.casters && boxes.length > 0 && !(volumes.isEmpty && casters.isEmpty)) {
       eye.receive(boxes.reduce((all, box) => all.union(box), new Box3()));
       if (own) own.insert(passes, { ...view, returnToTarget }, style, receivers, surface?.depth);

@@ -8,6 +8,7 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
+import { MAX_PLANES } from '../device/frameView.ts';
 import { ParameterError, UnsupportedError } from '../preset/errors.ts';
 
 /**
@@ -51,6 +52,11 @@ export function requireDrawable(renderer: WebGLRenderer, camera: Camera): void {
   if (Math.max(width, height) > maxTextureSize)
     throw new UnsupportedError(
       `Smoke cannot be drawn into a viewport of ${width} x ${height} pixels: this GPU allows ${maxTextureSize}.`,
+    );
+  const { length } = renderer.clippingPlanes;
+  if (length > MAX_PLANES)
+    throw new UnsupportedError(
+      `Smoke cannot be cut by ${length} clippingPlanes of the renderer: it takes ${MAX_PLANES}.`,
     );
   const { outputColorSpace } = renderer;
   if (outputColorSpace !== SRGBColorSpace && outputColorSpace !== LinearSRGBColorSpace)

@@ -1,4 +1,4 @@
-import type { Camera, DepthTexture, Scene, Vector2, WebGLRenderer } from 'three';
+import type { Camera, DepthTexture, Plane, Scene, Vector2, WebGLRenderer } from 'three';
 import type { InsertPass } from '../../passes/insert.ts';
 import { limitOf } from '../../smoke/countVolumes.ts';
 import type { SmokePasses } from '../../smoke/smokePasses.ts';
@@ -17,6 +17,8 @@ export interface HostView {
   keyLight: KeyLight;
   /** Metres of the scene in a metre of the smoke. */
   scale: number;
+  /** The renderer's clipping planes in the space of the smoke. */
+  planes: readonly Plane[];
   /** Origin of the viewport in its render target, in pixels. */
   origin: Vector2;
   /** Called before and after the scene is drawn again in shadow. */
