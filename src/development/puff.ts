@@ -32,6 +32,8 @@ function judge(target: PuffTarget | undefined, options: PuffOptions | undefined)
       'The system prefers reduced motion, so no smoke is visible. { reducedMotion: \u201cplay\u201d } shows it.',
     );
   }
+  // Simulated DOMs have no layout.
+  if (typeof WebGL2RenderingContext === 'undefined') return;
   const box = (target as Partial<Element> | null | undefined)?.getBoundingClientRect?.();
   if (box && !(box.width > 0 && box.height > 0)) {
     warnOnce(

@@ -232,7 +232,7 @@ test('keeps its box and its button on a page that unsets, rotates and blurs ever
   await expect(page.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
 });
 
-const MISTAKES = `<cartoon-smoke ${WISP} ${BOX} class="a" data-a="b" emision-rate="3" emission-lifetime="9999" collide=".none"></cartoon-smoke>`;
+const MISTAKES = `<cartoon-smoke ${WISP} ${BOX} class="a" data-a="b" emision-rate="3" emission-lifetime="9999" collide=".none"></cartoon-smoke><cartoon-smoke ${WISP.replace('wisp', 'wips')} ${BOX}></cartoon-smoke>`;
 
 for (const [build, warnings] of [
   ['element', []],
@@ -240,6 +240,7 @@ for (const [build, warnings] of [
     'development/element',
     [
       /no attribute .emision-rate.. Did you mean .emission-rate.\?$/,
+      /no preset .wips./,
       /collide=.\.none. matches no element/,
       /emission-lifetime|emission\.lifetime|Lifetime/,
       /^element\.stage: \.set was read from a promise/,

@@ -7,6 +7,7 @@ const CASES = '/tests/visual/development/warnings.cases.ts';
 const UNAWAITED =
   /^CartoonSmoke\.create\(\): \.(isObject3D|update|visible) was read from a promise\. Write “await CartoonSmoke\.create\(\)”/;
 const SINCE_START = /^CartoonSmoke: update\([\d.]+\) looks like the time since the start\./;
+const NAN = /^CartoonSmoke: ParameterError: seconds cannot be NaN/;
 const NO_BOX = /^puff\(\): The target has no box/;
 
 /** A regular expression that several situations share is the same warning. */
@@ -18,10 +19,11 @@ const WARNINGS: Readonly<Record<string, RegExp>> = {
   'update(performance.now())': SINCE_START,
   'update(clock.getElapsedTime())': SINCE_START,
   'two updates in each frame': /^CartoonSmoke: update\(\) is called twice in each frame/,
-  'update(NaN)': /^CartoonSmoke: ParameterError: seconds cannot be NaN/,
+  'update(NaN)': NAN,
   'update() without a number': /^CartoonSmoke: ParameterError: seconds cannot be undefined/,
   'an object at NaN': /^CartoonSmoke: ParameterError: emitFrom\.object cannot be .*NaN/,
   'update after dispose': /^CartoonSmoke: SimulatorError: This smoke was disposed/,
+  'update(NaN) of <Smoke>': NAN,
   'scene.add(promise)': UNAWAITED,
   'promise.update()': UNAWAITED,
   'promise.visible = false': UNAWAITED,
