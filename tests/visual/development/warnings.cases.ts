@@ -215,7 +215,7 @@ export async function written(build: 'development' | 'production', names: readon
   for (const name of names) {
     const list: string[] = (lines[name] = []);
     // Fiber uses what three.js calls deprecated.
-    console.warn = (...said: unknown[]) => void (/^THREE\./.test(String(said[0])) || list.push(said.join(' ')));
+    console.warn = (...said: unknown[]) => void (String(said[0]).startsWith('THREE.') || list.push(said.join(' ')));
     for (let time = 0; time < 2; ++time) {
       const host = emptyHost(renderer);
       const options = { renderer, keyLight: host.keyLight, values: VALUES };
