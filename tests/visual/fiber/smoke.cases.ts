@@ -357,12 +357,12 @@ export async function lights() {
     });
     await tree.end();
   };
-  const point = h('pointLight', { key: 'point', name: 'point' });
+  const ambient = h('ambientLight', { key: 'ambient' });
   const sun = (name: string) => h('group', { key: name }, h('directionalLight', { name }));
   try {
-    await open({}, point, sun('first'), sun('second'));
+    await open({}, ambient, sun('first'), sun('second'));
     await open({ keyLight }, sun('first'));
-    await open({}, point);
+    await open({}, ambient);
     await open({ keylight: keyLight } as Partial<SmokeProps>, sun('first'));
     await open({ renderOrder: 3 } as Partial<SmokeProps>, sun('first'));
   } finally {
