@@ -1,4 +1,5 @@
 import { fileURLToPath } from 'node:url';
+import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { smallThree } from './scripts/package/smallThree.mjs';
@@ -45,7 +46,7 @@ export default defineConfig({
   // The simulator's module imports its bindings dynamically, which the IIFE worker format does not support.
   worker: { format: 'es', plugins: () => [glsl(), ...smallThree()] },
   build: {
-    target: 'es2023',
+    target: browserslistToEsbuild(),
     sourcemap: true,
     chunkSizeWarningLimit: 800,
     rolldownOptions: {

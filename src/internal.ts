@@ -2,7 +2,7 @@
  * Exports of inner modules for the demo page. Not published: the package has no entry for it, and users must not import
  * it. No module of the library imports this file.
  */
-export { ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.ts';
+export { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.ts';
 export { linkCapacity, lookOf } from './page/moment.ts';
 export { sizeOf, watchSize } from './page/size.ts';
 export { restWhileHidden } from './page/visibility.ts';

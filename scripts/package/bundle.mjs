@@ -2,6 +2,7 @@
 
 import { copyFileSync, mkdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { rolldown } from 'rolldown';
 import { inRoot, root } from '../lib/paths.mjs';
 import { shortMembers } from './shortMembers.mjs';
@@ -163,6 +164,7 @@ export const SMALL = {
   tsconfig: false,
   // Removes fault injection, and class fields that are only type declarations.
   transform: {
+    target: browserslistToEsbuild(),
     define: { 'import.meta.env.DEV': 'false' },
     typescript: { removeClassFieldsWithoutInitializer: true },
   },

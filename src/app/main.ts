@@ -1,5 +1,5 @@
 /** The demo page, built on the public API. Parses the address, creates the stage and then adds the controls. */
-import { createStage, LoadError, type Stage } from '../index.ts';
+import { ContextError, createStage, LoadError, type Stage } from '../index.ts';
 import { nextTask, readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
 import { decode, type Values } from '../preset.ts';
 import { fadePoster, linkOf, removePoster } from './poster.ts';
@@ -44,7 +44,11 @@ async function start(): Promise<void> {
   notifyAll(notices, environment);
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.notify(strings.notices.flat);
-  stage.on('error', (error) => (error instanceof LoadError ? notices.notify(error.message) : showError(error)));
+  stage.on('error', (error) => {
+    if (error instanceof LoadError) notices.notify(error.message);
+    else if (error instanceof ContextError) showUntilRestored(stage, error);
+    else showError(error);
+  });
   // Before anything follows the stage, so that the address keeps the moment until the first edit.
   if (moment) await goToMoment(stage, moment, notices, container);
   watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
@@ -108,6 +112,18 @@ function offerToPlay(stage: Stage): void {
     end();
   });
   container.append(button);
+}
+
+/** The browser may restore a lost context later. */
+function showUntilRestored(stage: Stage, error: ContextError): void {
+  const screen = createErrorScreen(error);
+  for (const child of container.children) (child as HTMLElement).inert = true;
+  container.append(screen);
+  const end = stage.on('frame', () => {
+    end();
+    screen.remove();
+    for (const child of container.children) (child as HTMLElement).inert = false;
+  });
 }
 
 function showError(error: unknown): void {

@@ -24,9 +24,10 @@ const LATE_MS = 250;
 
 let poster: HTMLImageElement | undefined;
 
-/** The link in the hash of an address, or the first look if there is none. */
+/** The link in the hash of an address without what hosts append, or the first look if there is none. */
 export function linkOf(hash: string): string {
-  return hash.length > 1 ? hash : `#v=${VERSION}&preset=${FIRST_LOOK}`;
+  const [, link] = hash.split(/[#?]|:~:/, 2);
+  return link ? `#${link}` : `#v=${VERSION}&preset=${FIRST_LOOK}`;
 }
 
 /**

@@ -12,7 +12,7 @@ import { fetchAhead, part } from './parts.ts';
 import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
-import { Shell } from './shell/shell.ts';
+import { isInert, Shell } from './shell/shell.ts';
 
 /** Importing this module must not fail on a server, where HTMLElement is undefined. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
@@ -32,6 +32,7 @@ export interface CartoonSmokeElement extends StageMethods {
   alt: string | undefined;
   labelPlay: string | undefined;
   labelPause: string | undefined;
+  labelRestart: string | undefined;
   thread: string | undefined;
   loading: string | undefined;
   collide: string | undefined;
@@ -78,6 +79,12 @@ export class CartoonSmokeElement extends Base {
   #start: AbortController | undefined;
   /** Attributes that changed between the start and the first frame. */
   readonly #changed = new Set<string>();
+  /** Whether the user has paused with the button. Kept apart from the attribute, which belongs to the page. */
+  #isHeld = false;
+  /** Whether the button set the attribute `paused`. */
+  #setsPaused = false;
+  /** Whether the context is lost. The session stays, because the browser may restore it. */
+  #isLost = false;
   /** Whether a user started playback on this element despite reduced motion. */
   #isConsented = false;
   /** Set once the first frame is rendered. */
@@ -91,14 +98,16 @@ export class CartoonSmokeElement extends Base {
     this.#shell.button.addEventListener('click', (event) => {
       // The element may be inside a link.
       event.preventDefault();
-      if (this.playing) return this.pause();
-      this.paused = false;
-      this.#consent();
+      if (this.#isLost) {
+        this.#end();
+        this.#begin();
+      } else this.#hold(this.playing);
     });
   }
 
   /** Resolves with the first frame. Rejects with the error of the `error` event. */
   get ready(): Promise<void> {
+    if (isInert()) return Promise.resolve();
     const ready = this.#awaited.promise.then(() => undefined);
     ignoreRejection(ready);
     return ready;
@@ -116,12 +125,12 @@ export class CartoonSmokeElement extends Base {
 
   /** Whether the smoke plays. Out of view it pauses and still counts as playing. */
   get playing(): boolean {
-    return this.#session?.isPlaying ?? false;
+    return !this.#isLost && (this.#session?.isPlaying ?? false);
   }
 
   play(): void {
     this.paused = false;
-    if (navigator.userActivation?.isActive) this.#consent();
+    if (navigator.userActivation?.isActive) this.#hold(false);
   }
 
   pause(): void {
@@ -146,7 +155,8 @@ export class CartoonSmokeElement extends Base {
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
-    if (before === after) return;
+    if (name === 'paused') this.#setsPaused = false;
+    else if (before === after) return;
     if (name === 'loading') this.#waitOrStart();
     else if (this.#hasFailed) this.#tryAnew(name);
     else if (!this.#session) this.#changed.add(name);
@@ -158,7 +168,7 @@ export class CartoonSmokeElement extends Base {
    * The smoke failed to start or stopped. Retry only when the page selects other smoke or inserts the element again.
    */
   get #hasFailed(): boolean {
-    return this.#start?.signal.aborted ?? false;
+    return this.#isLost || (this.#start?.signal.aborted ?? false);
   }
 
   /** @param name of the changed attribute */
@@ -170,12 +180,12 @@ export class CartoonSmokeElement extends Base {
 
   /** Starts the smoke if necessary. Resolves when it is ready. */
   #demand(): Promise<Session> {
-    if (this.isConnected) this.#begin();
+    if (this.isConnected && !isInert()) this.#begin();
     return this.#awaited.promise;
   }
 
   #waitOrStart(): void {
-    if (!this.isConnected || this.#start) return;
+    if (!this.isConnected || this.#start || isInert()) return;
     if (this.loading === 'eager') this.#begin();
     else this.#stopWaiting ??= whenNear(this.#shell.container, () => this.#begin());
   }
@@ -200,6 +210,7 @@ export class CartoonSmokeElement extends Base {
       {
         element: this,
         shell: this.#shell,
+        isHeld: this.#isHeld,
         notify: (name, detail) => this.#notify(name, detail),
         fail: (error) => this.#fail(error),
         fault: this.#fault,
@@ -212,7 +223,7 @@ export class CartoonSmokeElement extends Base {
     if (signal.aborted) return;
     this.#session = session;
     if (this.#changed.size > 0) session.catchUp();
-    if (this.#isConsented) session.consent();
+    if (this.#isConsented && !this.paused) session.hold(false);
     this.#shell.show('smoke');
     this.#awaited.resolve(session);
     this.#notify('ready', { thread: session.stage.thread });
@@ -221,15 +232,34 @@ export class CartoonSmokeElement extends Base {
   #fail(error: SmokeError): void {
     // The page may have selected other smoke while this one failed to start.
     const isPast = !this.#session && PARSED_TOGETHER.some((name) => this.#changed.has(name));
-    this.#start?.abort();
-    this.#session = undefined;
+    const isContext = error instanceof ContextError;
+    if (this.#session && isContext) this.#awaitContext(this.#session);
+    else {
+      this.#start?.abort();
+      this.#session = undefined;
+      this.#isLost = isContext;
+    }
     if (isPast) {
       this.#start = undefined;
+      this.#isLost = false;
       return this.#begin();
     }
-    this.#shell.show('failure');
+    this.#shell.show(isContext ? 'lost' : 'failure');
     this.#awaited.reject(error);
     this.#notify('error', { error });
+  }
+
+  /** Shows the smoke again if the browser restores the context. */
+  #awaitContext(session: Session): void {
+    this.#isLost = true;
+    const end = session.stage.on('frame', () => {
+      end();
+      if (this.#session !== session) return;
+      this.#isLost = false;
+      session.catchUp();
+      this.#shell.show('smoke');
+      this.#notify('ready', { thread: session.stage.thread });
+    });
   }
 
   #end(): void {
@@ -237,15 +267,21 @@ export class CartoonSmokeElement extends Base {
     this.#stopWaiting = undefined;
     this.#start?.abort();
     this.#start = this.#session = undefined;
-    this.#isConsented = false;
+    this.#isConsented = this.#isLost = false;
     this.#shell.show('poster');
     this.#awaited.reject(new ContextError('The element was removed. It restarts when it is inserted again.'));
     this.#awaited = new Deferred();
   }
 
-  #consent(): void {
-    this.#isConsented = true;
-    this.#session?.consent();
+  /** Pauses or plays for the user. An attribute of the page stays, so that a morph of the page changes nothing. */
+  #hold(isHeld: boolean): void {
+    this.#isHeld = isHeld;
+    this.#isConsented ||= !isHeld;
+    if (isHeld && !this.paused) {
+      this.paused = true;
+      this.#setsPaused = true;
+    } else if (!isHeld && this.#setsPaused) this.paused = false;
+    this.#session?.hold(isHeld);
   }
 
   #notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {
@@ -259,6 +295,7 @@ export class CartoonSmokeElement extends Base {
         configurable: true,
         writable: true,
         value: async function (this: CartoonSmokeElement, ...given: unknown[]) {
+          if (isInert()) return undefined;
           const { stage } = await this.#demand();
           return (stage[name] as (...given: unknown[]) => Promise<unknown>)(...given);
         },

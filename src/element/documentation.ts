@@ -22,7 +22,8 @@ export const attributes = [
   {
     name: 'paused',
     type: flag,
-    description: 'Pauses the smoke. The button in the corner sets and removes this attribute.',
+    description:
+      'Pauses the smoke. The button sets this attribute when the user pauses. If the page then removes it, the smoke stays paused.',
   },
   {
     name: 'transparent',
@@ -56,6 +57,12 @@ export const attributes = [
     type: string,
     default: 'Pause smoke',
     description: 'Accessible name of the button while the smoke plays.',
+  },
+  {
+    name: 'label-restart',
+    type: string,
+    default: 'Restart smoke',
+    description: 'Accessible name of the button after the WebGL context was lost.',
   },
   {
     name: 'collide',
@@ -95,7 +102,8 @@ export const events = [
   {
     name: 'ready',
     type: { text: "SmokeEvent<'ready'>" },
-    description: 'The first frame is drawn. `detail.thread` is `main` or `worker`.',
+    description:
+      'The first frame is drawn, or the first one after a restored context. `detail.thread` is `main` or `worker`.',
   },
   {
     name: 'error',
@@ -143,7 +151,7 @@ export const cssParts = [
   },
   { name: 'poster', description: 'The container of the poster.' },
   { name: 'fallback', description: 'The container of the fallback.' },
-  { name: 'button', description: 'The pause and play button.' },
+  { name: 'button', description: 'The button that pauses, plays and restarts.' },
 ];
 
 export const cssProperties = [

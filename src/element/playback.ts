@@ -13,13 +13,19 @@ export class Playback {
   private readonly notify: (state: { isPlaying: boolean; isStill: boolean }) => void;
   private readonly calm = calm();
   private isPaused: boolean;
+  private isHeld: boolean;
   private isConsented = false;
 
-  /** @param notify called at the start and whenever playback starts or stops; pausing out of view does not count */
-  constructor(stage: RemoteStage, isPaused: boolean, notify: Playback['notify']) {
+  /**
+   * @param isPaused by the page
+   * @param isHeld by the user
+   * @param notify called at the start and whenever playback starts or stops; pausing out of view does not count
+   */
+  constructor(stage: RemoteStage, isPaused: boolean, isHeld: boolean, notify: Playback['notify']) {
     this.stage = stage;
     this.notify = notify;
     this.isPaused = isPaused;
+    this.isHeld = isHeld;
   }
 
   begin(): void {
@@ -29,7 +35,7 @@ export class Playback {
 
   /** Whether the smoke plays, in view or not. */
   get isPlaying(): boolean {
-    return !this.isPaused && !this.isStill;
+    return !this.isPaused && !this.isHeld && !this.isStill;
   }
 
   set(isPaused: boolean): void {
@@ -37,11 +43,12 @@ export class Playback {
     this.update();
   }
 
-  /** Starts playback by a user action, which overrides reduced motion. */
-  consent(): void {
-    const wasStill = this.isStill;
-    this.isConsented = true;
-    if (wasStill) this.update();
+  /** Pauses by a user action, or starts playback, which overrides the page and reduced motion. */
+  hold(isHeld: boolean): void {
+    this.isHeld = isHeld;
+    this.isPaused &&= isHeld;
+    this.isConsented ||= !isHeld;
+    this.update();
   }
 
   dispose(): void {

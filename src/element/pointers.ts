@@ -1,4 +1,4 @@
-import { ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../page/gestures.ts';
+import { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../page/gestures.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Shell } from './shell/shell.ts';
@@ -135,7 +135,7 @@ export class PointerControls {
   }
 
   private key(event: KeyboardEvent): void {
-    const act = KEYS[event.key];
+    const act = KEYS[keyOf(event)];
     if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     ignoreRejection(act(this.stage));

@@ -25,6 +25,8 @@ const STILL_SECONDS = 4;
 export interface SessionOwner {
   readonly element: HTMLElement;
   readonly shell: Shell;
+  /** Whether the user has paused. */
+  readonly isHeld: boolean;
   notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void;
   /** Called when the smoke fails. */
   fail(error: SmokeError): void;
@@ -80,7 +82,9 @@ export class Session {
     this.stage = stage;
     this.attributes = attributes;
     if (attributes.isPaused) element.toggleAttribute('paused', true);
-    this.playback = new Playback(stage, element.hasAttribute('paused'), (state) => this.showPlaying(state));
+    this.playback = new Playback(stage, element.hasAttribute('paused'), owner.isHeld, (state) =>
+      this.showPlaying(state),
+    );
     this.endings = [
       watchSize(shell.container, ({ width, height, pixelRatio }) =>
         ignoreRejection(stage.resize(width, height, pixelRatio)),
@@ -119,9 +123,9 @@ export class Session {
     else if (OF_PAGE.includes(name)) this.lookAtPage().catch((error) => this.notifyMissing(error));
   }
 
-  /** Starts playback by a user action, despite reduced motion. */
-  consent(): void {
-    this.playback.consent();
+  /** Pauses by a user action, or starts playback despite reduced motion and the attribute `paused`. */
+  hold(isHeld: boolean): void {
+    this.playback.hold(isHeld);
   }
 
   /** Applies changed parameters. Changes of the same task are merged. */

@@ -46,5 +46,9 @@ export function answerPage(stage: RemoteStage, allowed: string | undefined, star
 export function originOf(search: string): string | undefined {
   const given = new URLSearchParams(search).get('origin');
   if (given === null) return undefined;
-  return URL.canParse(given) ? new URL(given).origin : '';
+  try {
+    return new URL(given).origin;
+  } catch {
+    return '';
+  }
 }

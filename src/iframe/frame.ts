@@ -57,8 +57,19 @@ function elementStage(element: CartoonSmokeElement): RemoteStage {
     ready: element.ready,
     thread: 'frame',
     on(event, listener) {
-      const end = element.stage.then((stage) => stage.on(event, listener));
-      return () => void end.then((stop) => stop());
+      let end = () => {};
+      // A restart after a lost context has another stage.
+      const attach = async () => {
+        const stage = await element.stage;
+        end();
+        end = stage.on(event, listener);
+      };
+      attach().catch(() => undefined);
+      element.addEventListener('ready', attach);
+      return () => {
+        element.removeEventListener('ready', attach);
+        end();
+      };
     },
     dispose: async () => element.remove(),
   };

@@ -5,6 +5,27 @@ export const ORBIT_PER_PIXEL = 0.006;
 /** Radians per press of an arrow key. */
 export const ORBIT_PER_KEY = Math.PI / 24;
 
+/** Characters of keys without a letter or digit on the US layout, without and with Shift. */
+const US: Readonly<Record<string, string>> = {
+  Comma: ',<',
+  Period: '.>',
+  Slash: '/?',
+  BracketLeft: '[{',
+  BracketRight: ']}',
+  Minus: '-_',
+  Equal: '=+',
+};
+
+/**
+ * The key of an event, letters in lower case. A character that is neither ASCII nor a Latin letter, as on Cyrillic and
+ * Greek layouts, is replaced by the one at this place on the US layout.
+ */
+export function keyOf({ key, code, shiftKey }: KeyboardEvent): string {
+  if (/^[ -~\p{Script=Latin}]/u.test(key)) return key.length === 1 ? key.toLowerCase() : key;
+  const character = /^(?:Key|Digit)(.)$/.exec(code)?.[1].toLowerCase();
+  return character ?? US[code]?.[Number(shiftKey)] ?? key;
+}
+
 interface Point {
   readonly x: number;
   readonly y: number;

@@ -47,10 +47,10 @@ export async function encode(state: State, take?: Uint8Array<ArrayBuffer>): Prom
   return take ? `${shown}&take=${await packBytes(take)}` : shown;
 }
 
-/** Decodes a URL hash, with or without `#`. Never rejects. */
+/** Decodes a URL hash, with or without `#`. What hosts append, such as `#?secret=` or `:~:text=`, ends it. Never rejects. */
 export async function decode(hash: string): Promise<Decoded> {
   const notices: Notice[] = [];
-  const text = await expand(hash.replace(/^#/, ''), notices);
+  const text = await expand(hash.replace(/^#/, '').split(/[#?]|:~:/, 1)[0], notices);
   const pairs = firstOfEach(new URLSearchParams(text), notices);
   const state = await readState(pairs, notices, 'link');
   const take = await readTake(pairs.get('take'), notices);

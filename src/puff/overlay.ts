@@ -35,10 +35,13 @@ export class Overlay implements Sheet {
   readonly followsWindow = true;
   private readonly frame = styled(document.createElement('div'), FRAME_STYLE);
   private shifted = { x: 0, y: 0 };
+  private readonly print = matchMedia('print');
+  private readonly handlePrint = () => styled(this.frame, { display: this.print.matches ? 'none' : 'block' });
 
   constructor() {
     this.frame.setAttribute('aria-hidden', 'true');
     this.canvas = this.makeCanvas();
+    this.print.addEventListener('change', this.handlePrint);
   }
 
   makeCanvas(): HTMLCanvasElement {
@@ -72,6 +75,7 @@ export class Overlay implements Sheet {
   }
 
   remove(): void {
+    this.print.removeEventListener('change', this.handlePrint);
     this.frame.remove();
   }
 }

@@ -35,6 +35,9 @@ export interface OwnPuff extends Puff {
   dispose(): void;
 }
 
+/** Whether nothing can be drawn here, as on servers and in the simulated DOMs of unit tests: calls then do nothing. */
+const isInert = (): boolean => !('WebGL2RenderingContext' in globalThis);
+
 function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
   let opening: Promise<Engine> | undefined;
   let isKept = canvas !== undefined;
@@ -61,13 +64,14 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
 
   const puff = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
     demandOptions(options);
+    if (!globalThis.document) return;
     const source = sourceOf(target);
     const { effect = 'poof', reducedMotion = 'skip' } = options;
     const change = visibilityChange(effect, source.element);
     const { signal } = calls;
     signal.addEventListener('abort', change.end);
     try {
-      const isCalm = reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches;
+      const isCalm = isInert() || (reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches);
       if (isCalm || !source.box()) return change.end();
       const engine = await open();
       if (signal.aborted) return;
@@ -85,7 +89,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     effects: EFFECTS,
     async preload() {
       isKept = true;
-      await (await open()).warmUp();
+      if (!isInert()) await (await open()).warmUp();
     },
     clear: () => end((engine) => engine.clear()),
     create(own: HTMLCanvasElement) {

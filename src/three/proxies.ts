@@ -1,15 +1,5 @@
-import {
-  Matrix4,
-  Vector3,
-  type BatchedMesh,
-  type Bone,
-  type InstancedMesh,
-  type Mesh,
-  type Object3D,
-  type SkinnedMesh,
-} from 'three';
+import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
 import { ParameterError, requireOptions } from '../preset/errors.ts';
-import { instancesOf } from './shapes.ts';
 
 /** A ball that approximates a part of a deforming object. It follows an object, such as a bone. */
 export interface ProxyBall {
@@ -92,21 +82,15 @@ export function follow({ follows, center, radius }: ProxyBall): BallAt {
   };
 }
 
-/** One ball for each instance of a mesh, from the bounding sphere of its geometry. That of a hidden instance has no radius. */
-export function instanceBalls(mesh: InstancedMesh | BatchedMesh): BallAt[] {
-  const batch = 'isBatchedMesh' in mesh ? mesh : undefined;
+/** One ball for each instance of a mesh, from the bounding sphere of its geometry. */
+export function instanceBalls(mesh: InstancedMesh): BallAt[] {
   if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
-  const sphere = mesh.geometry.boundingSphere!.clone();
+  const sphere = mesh.geometry.boundingSphere!;
   const world = new Matrix4();
-  const ids = batch ? instancesOf(batch) : Array.from({ length: (mesh as InstancedMesh).count }, (_, index) => index);
-  return ids.map((id) => {
+  return Array.from({ length: mesh.count }, (_, index) => {
     const ball = { center: new Vector3(), radius: 0 };
     return () => {
-      ball.radius = 0;
-      if (batch ? !instancesOf(batch).includes(id) || !batch.getVisibleAt(id) : id >= (mesh as InstancedMesh).count)
-        return ball;
-      if (batch) batch.getBoundingSphereAt(batch.getGeometryIdAt(id), sphere);
-      mesh.getMatrixAt(id, world);
+      mesh.getMatrixAt(index, world);
       world.premultiply(mesh.matrixWorld);
       ball.center.copy(sphere.center).applyMatrix4(world);
       ball.radius = sphere.radius * world.getMaxScaleOnAxis();
@@ -138,7 +122,7 @@ export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
 /** The proxy balls of a skinned or instanced mesh; empty for a rigid mesh. */
 export function ballsOf(mesh: Mesh): BallAt[] {
   if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(follow);
-  if ('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh) return instanceBalls(mesh as InstancedMesh | BatchedMesh);
+  if ('isInstancedMesh' in mesh) return instanceBalls(mesh as InstancedMesh);
   return [];
 }
 

@@ -45,6 +45,11 @@ if (lacksWorkers) {
   });
 }
 
+test('a morph of the page changes nothing that the user has paused or started', async ({ load }) => {
+  const page = await load<Page>(ELEMENT);
+  expect(await page.changesOverUser()).toEqual([]);
+});
+
 test('embed.html plays in a sandbox that allows only scripts', async ({ load }) => {
   const page = await load<Page>(ELEMENT);
   const address = `${inject('site')}/embed.html#v=1&preset=wisp&simulation.maxParticles=300&puff.variations=1`;

@@ -24,6 +24,8 @@ export default mergeConfig(site, {
   cacheDir: '.cache/vite-tests',
   optimizeDeps: {
     include: [
+      'idiomorph',
+      'morphdom',
       'react',
       '@react-three/fiber',
       'three/examples/jsm/objects/Reflector.js',

@@ -1,3 +1,4 @@
+import { keyOf } from '../../internal.ts';
 import { DIRECTIONS } from './directions.ts';
 
 /** Actions of the page's shortcut keys. */
@@ -57,17 +58,18 @@ export function listenToKeys(actions: KeyActions, hasShortcuts: () => boolean): 
   addEventListener('keydown', (event) => {
     if (isUndo(event)) return undoOrRedo(event, actions);
     if (event.ctrlKey || event.metaKey || event.altKey || belongsToFocus(event)) return;
-    const direction = DIRECTIONS[event.key];
-    const action = simple[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const key = keyOf(event);
+    const direction = DIRECTIONS[key];
+    const action = simple[key];
     if (!direction && !action) return;
-    if (/^\S$/u.test(event.key) && !hasShortcuts()) return;
+    if (/^\S$/u.test(key) && !hasShortcuts()) return;
     event.preventDefault();
-    if (action) return event.repeat && !REPEATING.has(event.key) ? undefined : action();
+    if (action) return event.repeat && !REPEATING.has(key) ? undefined : action();
     if (event.shiftKey) return actions.orbit(direction[0], direction[1]);
-    held.add(event.key);
+    held.add(key);
     push();
   });
-  addEventListener('keyup', (event) => release(event.key));
+  addEventListener('keyup', (event) => release(keyOf(event)));
   // A key that is released while another window has the focus fires no keyup event.
   addEventListener('blur', () => [...held].forEach(release));
 }
@@ -102,17 +104,19 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
 }
 
 function isUndo(event: KeyboardEvent): boolean {
-  return (event.ctrlKey || event.metaKey) && !event.altKey && ['z', 'y'].includes(event.key.toLowerCase());
+  return (event.ctrlKey || event.metaKey) && !event.altKey && ['z', 'y'].includes(keyOf(event));
 }
 
 function undoOrRedo(event: KeyboardEvent, actions: KeyActions): void {
   event.preventDefault();
-  if (event.shiftKey || event.key.toLowerCase() === 'y') actions.redo();
+  if (event.shiftKey || keyOf(event) === 'y') actions.redo();
   else actions.undo();
 }
 
 /** Typing belongs to text fields, arrow keys to sliders and radio buttons, the space bar to buttons. */
-function belongsToFocus({ target, key }: KeyboardEvent): boolean {
+function belongsToFocus(event: KeyboardEvent): boolean {
+  const { target } = event;
+  const key = keyOf(event);
   if (!(target instanceof Element)) return false;
   // The focus is not reliable: a button loses it when it is disabled.
   if (document.querySelector('dialog:modal')) return key !== '?';

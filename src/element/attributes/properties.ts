@@ -7,7 +7,7 @@ export const OF_PAGE: readonly string[] = ['collide', 'emit-from', 'emit-on'];
 /** When an element of the page emits smoke. */
 export const EMIT_ON = ['always', 'hover', 'click'] as const;
 /** Accessible names of the button. */
-export const LABELS: readonly string[] = ['label-play', 'label-pause'];
+export const LABELS: readonly string[] = ['label-play', 'label-pause', 'label-restart'];
 export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];
 
 /** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
@@ -45,7 +45,9 @@ function flag(name: string): PropertyDescriptor {
       return this.hasAttribute(name);
     },
     set(this: HTMLElement, isOn: unknown) {
-      this.toggleAttribute(name, Boolean(isOn));
+      // Also notifies of an attribute that is there: the page pauses smoke that the user has started.
+      if (isOn) this.setAttribute(name, '');
+      else this.removeAttribute(name);
     },
   };
 }

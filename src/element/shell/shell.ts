@@ -1,8 +1,15 @@
 const SVG = 'http://www.w3.org/2000/svg';
-const ICONS = { pause: 'M5 3h4v14H5zM11 3h4v14h-4z', play: 'M5 2.5 17 10 5 17.5z' } as const;
+const BUTTONS = {
+  pause: ['Pause smoke', 'M5 3h4v14H5zM11 3h4v14h-4z'],
+  play: ['Play smoke', 'M5 2.5 17 10 5 17.5z'],
+  restart: ['Restart smoke', 'M10 3.5a7 7 0 1 0 7 7h-3a4 4 0 1 1-4-4v3.3L16 5 10 .2z'],
+} as const;
 
-/** What the shell shows: the poster, the smoke or the failure state. */
-export type Showing = 'poster' | 'smoke' | 'failure';
+/** Whether nothing can be drawn here, as in the simulated DOMs of unit tests: the element then shows its poster. */
+export const isInert = (): boolean => !('WebGL2RenderingContext' in globalThis);
+
+/** What the shell shows: the poster, the smoke, the failure state, or that with a button to restart. */
+export type Showing = 'poster' | 'smoke' | 'failure' | 'lost';
 
 /**
  * Styles of the element. Everything inside the shadow tree is independent of the element's own box, so that smoke has a
@@ -34,12 +41,13 @@ button {
   border: 2px solid currentColor; border-radius: 50%; color: inherit; pointer-events: auto;
   background: var(--cartoon-smoke-button-background, #fff8ecd9); opacity: .55; transition: opacity .15s;
 }
-.shown button { display: grid; }
-button:hover, button:focus-visible, .still button { opacity: 1; }
+.shown button, .lost button { display: grid; }
+button:hover, button:focus-visible, .still button, .lost button { opacity: 1; }
 button:focus-visible { outline: 3px solid var(--cartoon-smoke-focus-color, #2f6fde); outline-offset: 2px; }
 button svg { inline-size: 50%; block-size: 50%; fill: currentColor; }
 @media (forced-colors: active) { button { background: ButtonFace; color: ButtonText; opacity: 1; } }
 @media (prefers-reduced-motion: reduce) { button { transition: none; } }
+@media print { .frame > button { display: none; } }
 `;
 
 /** One style sheet per document. A constructed style sheet cannot be shared between documents. */
@@ -59,18 +67,18 @@ export class Shell {
     this.root = root;
     this.dress();
     this.container.className = 'frame';
-    this.container.part.add('frame');
+    this.container.setAttribute('part', 'frame');
     this.container.append(sizer(), layer('poster', 'poster'), layer('fallback'), this.buildButton());
     root.append(this.container);
   }
 
   /**
    * Adopts the style sheet; called again for each new document. Documents of templates have no window and are never
-   * rendered.
+   * rendered. Simulated DOMs have no style sheets.
    */
   dress(): void {
     const { ownerDocument } = this.root;
-    if (ownerDocument.defaultView) this.root.adoptedStyleSheets = [sheetOf(ownerDocument)];
+    if (ownerDocument.defaultView && !isInert()) this.root.adoptedStyleSheets = [sheetOf(ownerDocument)];
   }
 
   /** The canvas; undefined before the smoke starts and after it ends. */
@@ -82,7 +90,7 @@ export class Shell {
   makeCanvas(description: string | null): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
     canvas.className = 'layer';
-    canvas.part.add('canvas');
+    canvas.setAttribute('part', 'canvas');
     this.shown?.remove();
     this.shown = canvas;
     this.describe(description);
@@ -94,13 +102,15 @@ export class Shell {
   describe(description: string | null): void {
     const { canvas } = this;
     if (!canvas) return;
-    canvas.role = description === '' ? 'presentation' : 'img';
-    canvas.ariaLabel = description === '' ? null : (description ?? 'Cartoon smoke');
+    canvas.setAttribute('role', description === '' ? 'presentation' : 'img');
+    canvas.setAttribute('aria-label', description ?? 'Cartoon smoke');
   }
 
   show(what: Showing): void {
     this.container.classList.toggle('shown', what === 'smoke');
-    this.container.classList.toggle('failed', what === 'failure');
+    this.container.classList.toggle('failed', what === 'failure' || what === 'lost');
+    this.container.classList.toggle('lost', what === 'lost');
+    this.nameButton();
     if (what !== 'poster') return;
     this.shown?.remove();
     this.shown = undefined;
@@ -110,25 +120,24 @@ export class Shell {
   showPlaying(isPlaying: boolean, isStill: boolean): void {
     this.isPlaying = isPlaying;
     this.nameButton();
-    this.icon.setAttribute('d', isPlaying ? ICONS.pause : ICONS.play);
     this.container.classList.toggle('still', isStill);
   }
 
-  /** Sets the button's accessible name, which the page can localize. */
+  /** Sets the button's icon and its accessible name, which the page can localize. */
   nameButton(): void {
-    const { host } = this.root;
-    this.button.ariaLabel = this.isPlaying
-      ? (host.getAttribute('label-pause') ?? 'Pause smoke')
-      : (host.getAttribute('label-play') ?? 'Play smoke');
+    const action = this.container.classList.contains('lost') ? 'restart' : this.isPlaying ? 'pause' : 'play';
+    const [name, path] = BUTTONS[action];
+    this.button.setAttribute('aria-label', this.root.host.getAttribute(`label-${action}`) ?? name);
+    this.icon.setAttribute('d', path);
   }
 
   private buildButton(): HTMLButtonElement {
     const svg = document.createElementNS(SVG, 'svg');
     svg.setAttribute('viewBox', '0 0 20 20');
-    svg.ariaHidden = 'true';
+    svg.setAttribute('aria-hidden', 'true');
     svg.append(this.icon);
     this.button.type = 'button';
-    this.button.part.add('button');
+    this.button.setAttribute('part', 'button');
     this.button.append(svg);
     return this.button;
   }
@@ -139,14 +148,14 @@ function sizer(): SVGElement {
   const svg = document.createElementNS(SVG, 'svg');
   svg.setAttribute('viewBox', '0 0 16 9');
   svg.classList.add('sizer');
-  svg.ariaHidden = 'true';
+  svg.setAttribute('aria-hidden', 'true');
   return svg;
 }
 
 function layer(name: string, slot?: string): HTMLElement {
   const element = document.createElement('div');
   element.className = `layer ${name}`;
-  element.part.add(name);
+  element.setAttribute('part', name);
   const inner = document.createElement('slot');
   if (slot) inner.name = slot;
   element.append(inner);

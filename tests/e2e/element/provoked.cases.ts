@@ -43,10 +43,13 @@ export async function allDraw(shown: readonly Shown[]): Promise<void> {
   );
 }
 
-/** Whether poster and fallback replace the smoke, and playback is disabled. */
-export function isGivenUp({ element }: Shown): boolean {
+/** Whether poster and fallback replace the smoke, and the button is hidden or, after a lost context, restarts. */
+export function isGivenUp({ element, notified }: Shown): boolean {
   const [poster, fallback] = [...element.children].map((child) => child.checkVisibility());
-  return poster && fallback && !element.shadowRoot!.querySelector('button')!.checkVisibility();
+  const button = element.shadowRoot!.querySelector('button')!;
+  const isLost = notified.at(-1) === 'ContextError';
+  const isRestart = button.checkVisibility() && button.ariaLabel === 'Restart smoke';
+  return poster && fallback && !element.playing && (isLost ? isRestart : !button.checkVisibility());
 }
 
 /** Number of colours on the element's canvas. */

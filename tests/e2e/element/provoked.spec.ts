@@ -3,7 +3,7 @@ import type { JSHandle, Page } from '@playwright/test';
 import { expect, test } from '../../support/fixtures.ts';
 import type { LoadModule } from '../../support/modules.ts';
 import type { Shown } from './provoked.cases.ts';
-import { setTimeouts, changeContext } from '../remote/context.ts';
+import { changeContext, restoreLate, setTimeouts } from '../remote/context.ts';
 import { expectBack } from '../remote/many.ts';
 
 type Cases = typeof import('./provoked.cases.ts');
@@ -57,6 +57,32 @@ for (const thread of ['main', 'worker'] as const) {
     await expect.poll(() => late.evaluate((one) => one.notified.at(-1))).toBe('ContextError');
     expect(await cases.evaluate((module, one) => module.isGivenUp(one), late)).toBe(true);
     await expectGivenUp(load, shown, [ready, 'ContextError', ready, 'ContextError']);
+  });
+}
+
+for (const thread of ['main', 'worker'] as const) {
+  test(`smoke of a context that is lost for good restarts by its button or by a late restoration: ${thread}`, async ({
+    load,
+    blank,
+  }) => {
+    const cases = await load<Cases>(CASES);
+    const shown = await cases.evaluateHandle((module, where) => module.show(where), thread);
+    const notified = () => shown.evaluate((one) => one.notified);
+    const ready = `ready on ${thread}`;
+    await expect.poll(notified).toEqual([ready]);
+    const drawing = () => (thread === 'main' ? blank : blank.workers().at(-1)!);
+    await setTimeouts(drawing(), 'none');
+    await changeContext(drawing(), 'loseContext');
+    await expectGivenUp(load, shown, [ready, 'ContextError']);
+    await restoreLate(drawing());
+    await expect.poll(notified).toEqual([ready, 'ContextError', ready]);
+    await cases.evaluate((module, one) => module.allDraw([one]), shown);
+    await changeContext(drawing(), 'loseContext');
+    await expectGivenUp(load, shown, [ready, 'ContextError', ready, 'ContextError']);
+    await blank.getByRole('button', { name: 'Restart smoke' }).click();
+    await expect.poll(notified).toEqual([ready, 'ContextError', ready, 'ContextError', ready]);
+    await cases.evaluate((module, one) => module.allDraw([one]), shown);
+    await expect(blank.getByRole('button', { name: 'Pause smoke' })).toBeVisible();
   });
 }
 

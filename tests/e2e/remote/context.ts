@@ -42,3 +42,8 @@ export async function setTimeouts(thread: Thread, timeout: 'endless' | 'none'): 
     Object.assign(globalThis, { setTimeout: wait });
   }, timeout);
 }
+
+/** Restores a context that its device has given up. */
+export async function restoreLate(thread: Thread): Promise<void> {
+  await thread.evaluate(() => (globalThis as { losing?: WEBGL_lose_context | null }).losing!.restoreContext());
+}

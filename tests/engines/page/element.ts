@@ -1,6 +1,8 @@
 /** Runs in a page: the element, and a sandboxed frame. */
 // oxlint-disable-next-line import/no-unassigned-import -- it defines the element
 import '../../../src/element/define.ts';
+import { Idiomorph } from 'idiomorph';
+import morphdom from 'morphdom';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
 import { connectFrame } from '../../../src/remote/connectFrame.ts';
 import type { RemoteStage } from '../../../src/remote/contract.ts';
@@ -76,4 +78,65 @@ export async function playFrame(address: string): Promise<Played> {
   } finally {
     frame.remove();
   }
+}
+
+type Change = (element: CartoonSmokeElement, html: string) => unknown;
+
+/** What pages do to elements that a user has paused or started. `html` is the element as the server sends it. */
+const CHANGES: Record<string, Change> = {
+  idiomorph: (element, html) => Idiomorph.morph(element, html),
+  'idiomorph of the body': (_, html) => Idiomorph.morph(document.body, html, { morphStyle: 'innerHTML' }),
+  morphdom: (element, html) => morphdom(element, html),
+  'morphdom of the body': (_, html) => morphdom(document.body, `<body>${html}</body>`),
+  'attributes in turn': (element, html) => {
+    const next = fragment(html).firstElementChild!;
+    for (const name of element.getAttributeNames()) if (!next.hasAttribute(name)) element.removeAttribute(name);
+    for (const { name, value } of next.attributes)
+      if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  },
+  'insertion elsewhere': (element) => document.body.append(document.createElement('div'), element),
+  moveBefore: (element) => {
+    const { body } = document as { body: { moveBefore?(node: Node, child: null): void } };
+    body.moveBefore?.(element, null);
+  },
+  'adoption and return': (element) =>
+    document.body.append(document.implementation.createHTMLDocument().adoptNode(element)),
+};
+/** What frameworks set while a state of theirs says that the smoke plays. */
+const PLAYS: Record<string, Change> = {
+  'the property paused': (element) => (element.paused = false),
+  'the attribute paused': (element) => element.removeAttribute('paused'),
+  'play() without a user gesture': (element) => element.play(),
+};
+
+const fragment = (html: string) => document.createRange().createContextualFragment(html);
+
+/** The changes of the page that undo a click on the button. */
+async function overUser(changes: Record<string, Change>, attributes: Record<string, string>): Promise<string[]> {
+  const wrong: string[] = [];
+  for (const [name, change] of Object.entries(changes)) {
+    const element = put({ preset: 'wisp', thread: 'main', ...attributes });
+    const html = element.outerHTML;
+    try {
+      await element.ready;
+      element.shadowRoot!.querySelector('button')!.click();
+      await change(element, html);
+      await element.ready;
+      const [one] = document.querySelectorAll('cartoon-smoke');
+      if (one !== element) throw new Error(`${name} replaced the element.`);
+      if (element.playing !== 'paused' in attributes) wrong.push(name);
+    } finally {
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+  return wrong;
+}
+
+/** The changes that start smoke that the user has paused, and that pause smoke that the user has started. */
+export async function changesOverUser(): Promise<string[]> {
+  return [
+    ...(await overUser({ ...CHANGES, ...PLAYS }, {})),
+    ...(await overUser(CHANGES, { paused: '' })).map((name) => `${name}, started`),
+  ];
 }

@@ -19,6 +19,12 @@ test('a link shows the poster of its preset', () => {
   expect(posterOf('', '#v=3&preset=train&seed=4&emission.rate=40&simulation.maxParticles=500')).toBe('train');
 });
 
+test('what a host appends does not change the poster', () => {
+  for (const suffix of ['#?secret=1', '?utm_source=mail', ':~:text=smoke'])
+    expect(posterOf('', `#v=3&preset=wisp${suffix}`), suffix).toBe('wisp');
+  expect(posterOf('', '#?secret=1')).toBe(posterOf('', ''));
+});
+
 test('an address without a link shows the first look, which is a preset', async () => {
   for (const hash of ['', '#']) {
     const { state, notices } = await decode(linkOf(hash));

@@ -233,3 +233,29 @@ describe('decode', () => {
     );
   }, 60_000);
 });
+
+it.each([
+  '#?secret=abc123',
+  '#secret',
+  '##',
+  ':~:text=smoke',
+  '#:~:text=smoke',
+  '?utm_source=mail&utm_medium=link',
+  '?fbclid=1#anchor',
+])('what a host appends ends the link: %s', async (suffix) => {
+  for (const link of ['#v=3&preset=wisp', '#v=3&preset=wisp&emission.rate=40', await packedWisp()]) {
+    expect(await decode(link + suffix), link).toEqual(await decode(link));
+  }
+});
+
+it.each(['&utm_source=mail', '&fbclid=1', '&preset=lamp'])(
+  'a pair that a host adds loses nothing: %s',
+  async (suffix) => {
+    const { state } = await decode(`#v=3&preset=wisp&emission.rate=40${suffix}`);
+    expect(state).toEqual((await decode('#v=3&preset=wisp&emission.rate=40')).state);
+  },
+);
+
+async function packedWisp(): Promise<string> {
+  return `#v=3&z=${await pack('v=3&preset=wisp&emission.rate=40')}`;
+}
