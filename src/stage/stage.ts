@@ -532,7 +532,7 @@ export async function createStage(canvas: DeviceCanvas, options: StageOptions = 
   const { width, height, pixelRatio } = options;
   if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
   const size = [width ?? canvas.width, height ?? canvas.height] as const;
-  const presenter = createPresenter(canvas, options.device, options);
+  const presenter = createPresenter(canvas, options.device, { failsSelfTest: options.failsSelfTest });
   try {
     const [opened] = await Promise.all([
       openScene(values.scene as string, {

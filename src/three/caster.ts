@@ -1,4 +1,4 @@
-import type { Object3D } from 'three';
+import type { InstancedMesh, Object3D } from 'three';
 import type { HostCaster, HostCasters } from './casters.ts';
 import { requireOptions } from '../preset/errors.ts';
 import type { SmokeFrame } from './frame.ts';
@@ -6,7 +6,7 @@ import { Handle } from './handle.ts';
 import type { CastOptions } from './options.ts';
 import { requireProxies } from './proxies.ts';
 import { worldPose } from './riders.ts';
-import { newPose } from './shapes.ts';
+import { meshesIn, newPose } from './shapes.ts';
 
 /** An object of the host's scene that casts shadow volumes. */
 export class Caster extends Handle {
@@ -16,6 +16,8 @@ export class Caster extends Handle {
   private added: readonly HostCaster[] = [];
   /** Scale of the smoke for which its volumes were made. */
   private scale = 1;
+  /** What its shapes were made for, besides. */
+  private drawn = '';
 
   /** @throws ParameterError for an unknown option or a proxy without a radius */
   constructor(casters: HostCasters, frame: SmokeFrame, object: Object3D, options: CastOptions) {
@@ -30,12 +32,13 @@ export class Caster extends Handle {
   protected start(): void {
     this.requireSound(worldPose(this.object, pose));
     this.scale = this.frame.now.scale;
+    this.drawn = drawnOf(this.object);
     this.added = this.casters.add(this.object, this.options.proxies);
   }
 
   protected override follow(): void {
     this.requireSound(worldPose(this.object, pose));
-    if (this.frame.now.scale === this.scale) return;
+    if (this.frame.now.scale === this.scale && drawnOf(this.object) === this.drawn) return;
     this.stop();
     this.start();
   }
@@ -46,3 +49,9 @@ export class Caster extends Handle {
 }
 
 const pose = newPose();
+
+/** What changes the shapes of meshes: morph targets and numbers of instances. */
+function drawnOf(object: Object3D): string {
+  const numbers = meshesIn(object).map((mesh) => [mesh.morphTargetInfluences, (mesh as InstancedMesh).count]);
+  return JSON.stringify(numbers);
+}

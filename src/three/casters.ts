@@ -16,7 +16,7 @@ import { ParameterError } from '../preset/errors.ts';
 import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
 import { toSmoke, type SmokeFrame } from './frame.ts';
 import { ballsOf, follow, type ProxyBall } from './proxies.ts';
-import { newPose, poseOf, requireGeometry, scaleOf, trianglesOf } from './shapes.ts';
+import { newPose, poseOf, partsOf, scaleOf, trianglesOf } from './shapes.ts';
 import { isBlended, materialsOf } from './materials.ts';
 
 /** A closed rigid mesh and its shadow volume. */
@@ -109,11 +109,11 @@ export class HostCasters {
   }
 
   private addMesh(mesh: Mesh): HostCaster {
-    requireGeometry('cast', mesh);
+    const [{ geometry }] = partsOf('cast', mesh);
     const balls = ballsOf(mesh);
     if (balls.length > 0) return this.balls.add(balls, mesh);
     const { scale } = this.frame.now;
-    const triangles = trianglesOf(mesh.geometry, scaleOf(mesh.matrixWorld).divideScalar(scale));
+    const triangles = trianglesOf(geometry, scaleOf(mesh.matrixWorld).divideScalar(scale));
     try {
       const surface = { name: mesh.name, mesh: triangles, color: [0, 0, 0], casts: true, inked: false } as const;
       const transforms = new SurfaceTransforms(1);

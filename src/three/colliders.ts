@@ -1,12 +1,11 @@
-import { Matrix4, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh, type Vector3 } from 'three';
+import type { Matrix4, Mesh, Object3D, SkinnedMesh, Vector3 } from 'three';
 import { ParameterError, requireOptions } from '../preset/errors.ts';
 import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import { boneBalls, follow, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
-import { worldPose } from './riders.ts';
-import { newPose, poseOf, requireGeometry, scaleOf, shapeOf, type Pose } from './shapes.ts';
+import { meshesIn, newPose, partsOf, poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Options for collisions with an object. */
 export interface CollideOptions extends RigidSurface {
@@ -72,7 +71,7 @@ export class Collider extends Handle {
     this.scale = this.frame.now.scale;
     try {
       if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
-      else object.traverse((part) => ('isMesh' in part ? this.addMesh(part as Mesh, surface) : undefined));
+      else for (const mesh of meshesIn(object)) this.addMesh(mesh, surface);
     } catch (error) {
       this.stop();
       throw errorOfOption(error);
@@ -99,28 +98,13 @@ export class Collider extends Handle {
   }
 
   private addMesh(mesh: Mesh, surface: RigidSurface): void {
-    requireGeometry('collide', mesh);
+    const parts = partsOf('collide', mesh);
     if ('isSkinnedMesh' in mesh) {
       for (const proxy of boneBalls(mesh as SkinnedMesh)) this.addBall(follow(proxy), proxy.follows, surface);
-    } else if ('isInstancedMesh' in mesh) {
-      this.addInstances(mesh as InstancedMesh, surface);
-    } else {
-      const shape = shapeOf(mesh.geometry, this.scaleIn(mesh.matrixWorld));
-      this.addRigid(shape, (into) => worldPose(mesh, into), surface);
+      return;
     }
-  }
-
-  private addInstances(mesh: InstancedMesh, surface: RigidSurface): void {
-    const world = new Matrix4();
-    const worldOf = (index: number) => {
-      mesh.updateWorldMatrix(true, false);
-      mesh.getMatrixAt(index, world);
-      return world.premultiply(mesh.matrixWorld);
-    };
-    for (let index = 0; index < mesh.count; ++index) {
-      const shape = shapeOf(mesh.geometry, this.scaleIn(worldOf(index)));
-      this.addRigid(shape, (into) => poseOf(worldOf(index), into), surface);
-    }
+    for (const { geometry, worldOf } of parts)
+      this.addRigid(shapeOf(geometry, this.scaleIn(worldOf())), (into) => poseOf(worldOf(), into), surface);
   }
 
   private addBall(ballAt: BallAt, follows: Object3D, surface: RigidSurface): void {

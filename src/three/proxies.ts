@@ -1,5 +1,15 @@
-import { Matrix4, Vector3, type Bone, type InstancedMesh, type Mesh, type Object3D, type SkinnedMesh } from 'three';
+import {
+  Matrix4,
+  Vector3,
+  type BatchedMesh,
+  type Bone,
+  type InstancedMesh,
+  type Mesh,
+  type Object3D,
+  type SkinnedMesh,
+} from 'three';
 import { ParameterError, requireOptions } from '../preset/errors.ts';
+import { instancesOf } from './shapes.ts';
 
 /** A ball that approximates a part of a deforming object. It follows an object, such as a bone. */
 export interface ProxyBall {
@@ -82,15 +92,21 @@ export function follow({ follows, center, radius }: ProxyBall): BallAt {
   };
 }
 
-/** One ball for each instance of a mesh, from the bounding sphere of its geometry. */
-export function instanceBalls(mesh: InstancedMesh): BallAt[] {
+/** One ball for each instance of a mesh, from the bounding sphere of its geometry. That of a hidden instance has no radius. */
+export function instanceBalls(mesh: InstancedMesh | BatchedMesh): BallAt[] {
+  const batch = 'isBatchedMesh' in mesh ? mesh : undefined;
   if (!mesh.geometry.boundingSphere) mesh.geometry.computeBoundingSphere();
-  const sphere = mesh.geometry.boundingSphere!;
+  const sphere = mesh.geometry.boundingSphere!.clone();
   const world = new Matrix4();
-  return Array.from({ length: mesh.count }, (_, index) => {
+  const ids = batch ? instancesOf(batch) : Array.from({ length: (mesh as InstancedMesh).count }, (_, index) => index);
+  return ids.map((id) => {
     const ball = { center: new Vector3(), radius: 0 };
     return () => {
-      mesh.getMatrixAt(index, world);
+      ball.radius = 0;
+      if (batch ? !instancesOf(batch).includes(id) || !batch.getVisibleAt(id) : id >= (mesh as InstancedMesh).count)
+        return ball;
+      if (batch) batch.getBoundingSphereAt(batch.getGeometryIdAt(id), sphere);
+      mesh.getMatrixAt(id, world);
       world.premultiply(mesh.matrixWorld);
       ball.center.copy(sphere.center).applyMatrix4(world);
       ball.radius = sphere.radius * world.getMaxScaleOnAxis();
@@ -122,7 +138,7 @@ export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
 /** The proxy balls of a skinned or instanced mesh; empty for a rigid mesh. */
 export function ballsOf(mesh: Mesh): BallAt[] {
   if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(follow);
-  if ('isInstancedMesh' in mesh) return instanceBalls(mesh as InstancedMesh);
+  if ('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh) return instanceBalls(mesh as InstancedMesh | BatchedMesh);
   return [];
 }
 

@@ -1,4 +1,4 @@
-import { Matrix4, Vector3, type Mesh, type Object3D } from 'three';
+import { Matrix4, Vector3, type Object3D } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { POSE_FLOATS } from '../sim/layout.ts';
 import type { RigidPart, SingleShape } from '../sim/rigid.ts';
@@ -7,7 +7,7 @@ import { errorOfOption, type CollideOptions } from './colliders.ts';
 import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
 import { worldPose } from './riders.ts';
-import { newPose, poseOf, requireGeometry, shapeOf, type Pose } from './shapes.ts';
+import { meshesIn, newPose, partsOf, poseOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Density of light things such as paper lanterns, kg/m3. */
 const LIGHT = 3;
@@ -105,14 +105,15 @@ export class PushedObject extends Handle {
     const sizes = new Vector3(size, size, size);
     const inverse = new Matrix4().compose(written.position, written.rotation, sizes).invert();
     const parts: RigidPart[] = [];
-    object.traverse((part) => {
-      if (!('isMesh' in part)) return;
-      const mesh = part as Mesh;
-      requireGeometry('collide', mesh);
-      poseOf(world.multiplyMatrices(inverse, mesh.matrixWorld), place, scale);
-      const shape = solidOf(shapeOf(mesh.geometry, scale.clone()));
-      parts.push({ shape, position: place.position.toArray(), rotation: place.rotation.toArray() });
-    });
+    for (const mesh of meshesIn(object)) {
+      if ('isSkinnedMesh' in mesh)
+        throw new ParameterError('collide.feelsSmoke', mesh.name || mesh.type, 'an object without skinned meshes');
+      for (const { geometry, worldOf } of partsOf('collide', mesh)) {
+        poseOf(world.multiplyMatrices(inverse, worldOf()), place, scale);
+        const shape = solidOf(shapeOf(geometry, scale.clone()));
+        parts.push({ shape, position: place.position.toArray(), rotation: place.rotation.toArray() });
+      }
+    }
     if (parts.length > 0) return parts;
     throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
   }

@@ -1,7 +1,22 @@
-import { BoxGeometry, Quaternion, SphereGeometry, Vector3, type BufferGeometry, type Matrix4, type Mesh } from 'three';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  Float32BufferAttribute,
+  Matrix4,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+  type BatchedMesh,
+  type InstancedMesh,
+  type LOD,
+  type Mesh,
+  type MeshStandardMaterial,
+  type Object3D,
+} from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import type { TriangleMesh } from '../passes/extrusion.ts';
 import type { SingleShape } from '../sim/rigid.ts';
+import { materialsOf } from './materials.ts';
 
 /** World position and rotation. The shape includes the scale. */
 export interface Pose {
@@ -32,10 +47,94 @@ export function scaleOf(world: Matrix4): Vector3 {
   return scale;
 }
 
-/** @throws ParameterError for a mesh without vertices */
-export function requireGeometry(call: string, { geometry, name, type }: Mesh): void {
-  if (((geometry as BufferGeometry | null)?.attributes.position?.count ?? 0) > 0) return;
-  throw new ParameterError(`${call}.geometry`, name || type, 'a mesh whose geometry has positions');
+/** What a mesh draws at one place: itself or one of its instances. */
+export interface DrawnPart {
+  geometry: BufferGeometry;
+  worldOf: () => Matrix4;
+}
+
+/**
+ * What a mesh draws now.
+ * @throws ParameterError for a mesh without triangles, or one whose shape only its shaders know
+ */
+export function partsOf(call: string, mesh: Mesh): DrawnPart[] {
+  const { geometry, name, type } = mesh;
+  const refuse = (accepted: string) => new ParameterError(`${call}.geometry`, name || type, accepted);
+  if (((geometry as BufferGeometry | null)?.attributes.position?.count ?? 0) === 0)
+    throw refuse('a mesh whose geometry has positions');
+  const isMoved = materialsOf(mesh).some((material) => (material as MeshStandardMaterial).displacementMap);
+  if ('isInstancedBufferGeometry' in geometry || (mesh as InstancedMesh).morphTexture || isMoved)
+    throw refuse('proxies, or a mesh without InstancedBufferGeometry, displacementMap and setMorphAt()');
+  const world = new Matrix4();
+  const part = (drawn: BufferGeometry, place?: () => void): DrawnPart => ({
+    geometry: drawn,
+    worldOf: () => {
+      mesh.updateWorldMatrix(true, false);
+      world.identity();
+      place?.();
+      return world.premultiply(mesh.matrixWorld);
+    },
+  });
+  let parts = [];
+  if ('isBatchedMesh' in mesh) {
+    const batch = mesh as BatchedMesh;
+    parts = instancesOf(batch).flatMap((id) => {
+      if (!batch.getVisibleAt(id)) return [];
+      const { start, count } = batch.getGeometryRangeAt(batch.getGeometryIdAt(id));
+      return part(drawnGeometry(mesh, start, start + count), () => void batch.getMatrixAt(id, world));
+    });
+  } else if ('isInstancedMesh' in mesh) {
+    const drawn = drawnGeometry(mesh);
+    const { count } = mesh as InstancedMesh;
+    const each = (index: number) => part(drawn, () => (mesh as InstancedMesh).getMatrixAt(index, world));
+    parts = Array.from({ length: count }, (_, index) => each(index));
+  } else parts = [part(drawnGeometry(mesh))];
+  // Instances are hidden by a scale of 0.
+  const isShown = ({ worldOf }: DrawnPart) =>
+    !('count' in mesh || 'isBatchedMesh' in mesh) || worldOf().determinant() !== 0;
+  parts = parts.filter((each) => each.geometry.attributes.position.count > 0 && isShown(each));
+  if (parts.length === 0) throw refuse('a mesh that draws triangles, with a scale above 0');
+  return parts;
+}
+
+/** Identifiers of the instances of a batch. Those of deleted instances are left out. */
+export function instancesOf(batch: BatchedMesh): number[] {
+  const ids = [];
+  for (let id = 0; ids.length < batch.instanceCount; id++) {
+    try {
+      batch.getVisibleAt(id);
+      ids.push(id);
+    } catch {
+      continue;
+    }
+  }
+  return ids;
+}
+
+/** The meshes of an object; of several levels of detail, the finest. */
+export function meshesIn(object: Object3D): Mesh[] {
+  const meshes = 'isMesh' in object ? [object as Mesh] : [];
+  const coarse = 'isLOD' in object ? (object as LOD).levels.slice(1).map((level) => level.object) : [];
+  return meshes.concat(object.children.flatMap((child) => (coarse.includes(child) ? [] : meshesIn(child))));
+}
+
+/** The geometry of a mesh if it is drawn as it is, otherwise the triangles between two corners that are drawn, morphed. */
+function drawnGeometry(mesh: Mesh, from = 0, to = Infinity): BufferGeometry {
+  const { geometry, material, morphTargetInfluences } = mesh;
+  const { index, groups, drawRange, attributes, morphAttributes } = geometry;
+  const total = index?.count ?? attributes.position.count;
+  const ranges = Array.isArray(material)
+    ? groups.filter(({ materialIndex }) => material[materialIndex ?? 0]?.visible)
+    : [{ start: 0, count: total }];
+  const corners = ranges.flatMap(({ start, count }) => {
+    const first = Math.max(start, from, drawRange.start);
+    const length = Math.min(start + count, to, drawRange.start + drawRange.count, total) - first;
+    return Array.from({ length: Math.max(0, length) }, (_, at) => (index ? index.getX(first + at) : first + at));
+  });
+  const isMorphed = morphAttributes.position && morphTargetInfluences?.some((influence) => influence !== 0);
+  if (corners.length === total && !isMorphed) return geometry;
+  const positions = corners.flatMap((corner) => mesh.getVertexPosition(corner, scratch).toArray());
+  return new BufferGeometry().setAttribute('position', new Float32BufferAttribute(positions, 3));
 }
 
 /** The collision shape of a geometry: exact for complete spheres and boxes, a triangle mesh for everything else. */
