@@ -33,7 +33,7 @@ export function withoutPresetWords() {
   return {
     name: 'without-preset-words',
     transform: {
-      filter: { id: /src\/preset\/byScene\/(?!fetchPreset|preset)\w+\.ts$/ },
+      filter: { id: /src\/preset\/byScene\/(?!fetch|preset)\w+\.ts$/ },
       handler(code) {
         const found = code.match(WORDS)?.length;
         if (found !== 2 * (code.match(/^ {4}name: /gm)?.length ?? 0)) throw new Error('A preset has other words.');

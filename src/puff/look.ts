@@ -1,5 +1,5 @@
 /** Colours, ink and light of the smoke. */
-import { fetchValues } from '../preset/byScene/fetchPreset.ts';
+import { fetchValues } from '../preset/byScene/fetchValues.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { isOfLook } from './ofLook.ts';
 import { defaults } from '../preset/values.ts';

@@ -1,5 +1,5 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
-import { fetchValues } from '../preset/byScene/fetchPreset.ts';
+import { fetchValues } from '../preset/byScene/fetchValues.ts';
 import { ParameterError, requireOptions, type SmokeError } from '../preset/errors.ts';
 import type { ShareLink, Values } from '../preset/parameter.ts';
 import { defaults, validate } from '../preset/values.ts';

@@ -1,8 +1,5 @@
 /** Loads the presets of one scene on demand. */
-import { ParameterError } from '../errors.ts';
-import type { Values } from '../parameter.ts';
 import { fetched } from '../timeout.ts';
-import { presetValues } from '../values.ts';
 import type { Preset } from './preset.ts';
 
 const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
@@ -30,22 +27,4 @@ export async function fetchPreset(name: string): Promise<Preset | undefined> {
   if (!Object.hasOwn(byScene, scene)) return undefined;
   const presets = await fetched(`The preset ${name}`, byScene[scene]());
   return presets.find((preset) => preset.name === name);
-}
-
-/**
- * Loads the values of a preset or of a share link.
- * @param preset name of a preset, a share link, or its hash
- * @throws ParameterError for an unknown preset or a link with an invalid part, LoadError when it cannot be fetched
- */
-export async function fetchValues(preset: unknown): Promise<Values> {
-  const name = String(preset);
-  if (name.includes('#')) {
-    const { decode } = await fetched('The link', import('../codec.ts'));
-    const { state, notices } = await decode(name.slice(name.indexOf('#')));
-    if (notices.length > 0) throw new ParameterError('preset', preset, `a share link: ${notices[0].message}`);
-    return state.values;
-  }
-  const found = await fetchPreset(name);
-  if (!found) throw new ParameterError('preset', preset, 'the name of a preset, such as lamp-noir, or a share link');
-  return presetValues(found);
 }
