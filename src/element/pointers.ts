@@ -1,4 +1,5 @@
 import { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../page/gestures.ts';
+import { zoomOf } from '../page/zoom.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Shell } from './shell/shell.ts';
@@ -143,6 +144,7 @@ export class PointerControls {
 }
 
 /** Offset from the top left of the canvas in CSS pixels, before any transforms of the page. */
-function placeOf({ offsetX, offsetY }: PointerEvent): { x: number; y: number } {
-  return { x: offsetX, y: offsetY };
+function placeOf({ offsetX, offsetY, target }: PointerEvent): { x: number; y: number } {
+  const zoom = zoomOf(target as Element);
+  return { x: offsetX / zoom, y: offsetY / zoom };
 }

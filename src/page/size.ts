@@ -1,3 +1,5 @@
+import { zoomOf } from './zoom.ts';
+
 // Ink is drawn at device resolution. Above two device pixels per CSS pixel the difference is invisible, but the cost
 // grows.
 const LARGEST_PIXEL_RATIO = 2;
@@ -19,7 +21,8 @@ export function sizeOf(element: Element): Size {
   const { clientWidth: width, clientHeight: height } = element;
   const affordable = Math.sqrt(MAX_PIXELS / Math.max(1, width * height));
   const possible = LONGEST_SIDE / Math.max(1, width, height);
-  return { width, height, pixelRatio: Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO, affordable, possible) };
+  const wanted = devicePixelRatio * zoomOf(element);
+  return { width, height, pixelRatio: Math.min(wanted, LARGEST_PIXEL_RATIO, affordable, possible) };
 }
 
 /**
@@ -30,7 +33,9 @@ export function watchSize(element: Element, notify: (size: Size) => void): () =>
   const end = new AbortController();
   const update = () => notify(sizeOf(element));
   const observer = new ResizeObserver(update);
-  observer.observe(element);
+  // The box in device pixels also changes with CSS zoom. Safari has no such box.
+  const hasDevicePixels = 'devicePixelContentBoxSize' in ResizeObserverEntry.prototype;
+  observer.observe(element, { box: hasDevicePixels ? 'device-pixel-content-box' : 'content-box' });
   watchPixelRatio(update, end.signal);
   return () => {
     observer.disconnect();

@@ -15,6 +15,7 @@ import { Placement } from './placement.ts';
 import { Scrolling } from './scrolling.ts';
 import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
 import { sourceOf, type Source } from './target.ts';
+import { topLayerOf } from './topLayer.ts';
 
 /** Time until the engine looks for a free emitter again, milliseconds. */
 const RETRY_MS = 80;
@@ -158,7 +159,7 @@ export class Engine {
   async play(call: PuffCall): Promise<void> {
     clearTimeout(this.idle);
     const look = call.preset === undefined ? undefined : await this.lookFor(call.preset);
-    const color = call.color === undefined ? undefined : hexOf(call.color);
+    const color = call.color === undefined ? undefined : hexOf(call.color, call.source.inside);
     if (call.signal.aborted) return this.playing ? undefined : this.rest();
     if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
     await new Promise<void>((resolve, reject) => {
@@ -257,7 +258,9 @@ export class Engine {
 
   /** Moves the canvas to what is visible, and gives it the look and the layer of the latest call that asks for one. */
   private place(isFirst: boolean, taken: readonly Waiting[], changes: Changes): void {
-    if (isFirst || this.placement.isOff) this.move(isFirst);
+    const layer = taken.findLast((each) => isLayered(each))?.call.layer;
+    const host = layer === 'below' ? undefined : this.hostOf([...this.running, ...taken]);
+    if (isFirst || host !== this.sheet.host || host || this.placement.isOff) this.move(isFirst, host);
     Object.assign(changes, this.placement.values);
     const look = taken.findLast((each) => each.look)?.look ?? (isFirst ? this.usualLook : this.look);
     if (look !== this.look) Object.assign(changes, look);
@@ -266,9 +269,22 @@ export class Engine {
     if (isFirst || isLayered({ call })) this.sheet.style(call.layer, call.zIndex);
   }
 
-  private move(isEmpty: boolean): void {
+  /** The element of the top layer that the smoke of these calls leaves; that of the latest one which has one. */
+  private hostOf(calls: readonly Waiting[]): Element | undefined {
+    return this.sheet.followsWindow ? calls.map(({ call }) => topLayerOf(call.source)).findLast(Boolean) : undefined;
+  }
+
+  /** A target has entered the top layer. */
+  private rise(): void {
+    const host = this.hostOf(this.running);
+    if (!host) return;
+    this.move(false, host);
+    this.set(this.placement.values).catch(() => undefined);
+  }
+
+  private move(isEmpty: boolean, host: Element | undefined): void {
     const before = this.placement.canvasSize;
-    this.placement.move(isEmpty);
+    this.placement.move(isEmpty, host);
     const { width, height, pixelRatio } = this.placement.canvasSize;
     const isSame = width === before.width && height === before.height && pixelRatio === before.pixelRatio;
     if (!isSame) this.stage.resize(width, height, pixelRatio).catch(() => undefined);
@@ -348,13 +364,16 @@ export class Engine {
     this.stage.play().catch((error) => this.fail(error));
     addEventListener('keydown', ({ key }) => key === 'Escape' && this.clear(), { signal, capture: true });
     addEventListener('resize', () => this.moveVisible(), { signal });
+    for (const type of ['toggle', 'fullscreenchange']) {
+      document.addEventListener(type, () => this.rise(), { signal, capture: true });
+    }
     this.watch(signal).catch((error) => this.fail(error));
   }
 
   private moveVisible(): void {
     if (!this.placement.isOff) return;
     if (this.placement.isFar) return this.clear();
-    this.move(false);
+    this.move(false, this.sheet.host);
     this.set(this.placement.values).catch(() => undefined);
   }
 

@@ -48,14 +48,15 @@ export function follow(placement: Placement, source: Source, { from, isOwn, move
 
 /** @returns a function for the place of the pointer; undefined if neither the pointer nor the page has moved since */
 function pointerPlace(source: Source, signal: AbortSignal): () => TargetBox | undefined {
-  let pointer: { left: number; top: number } | undefined;
+  let pointer: TargetBox | undefined;
   // Places are not read in every frame, because that can cost a layout.
   let hasMoved = false;
   const given = { signal, capture: true, passive: true };
-  addEventListener(
+  const view = source.inside?.ownerDocument.defaultView ?? window;
+  view.addEventListener(
     'pointermove',
     ({ clientX, clientY }) => {
-      pointer = { left: clientX, top: clientY };
+      pointer = source.fromView({ left: clientX, top: clientY, width: 0, height: 0 });
       hasMoved = true;
     },
     given,
@@ -64,6 +65,6 @@ function pointerPlace(source: Source, signal: AbortSignal): () => TargetBox | un
   return () => {
     if (!hasMoved) return undefined;
     hasMoved = false;
-    return pointer ? { ...pointer, width: 0, height: 0 } : source.box();
+    return pointer ?? source.box();
   };
 }

@@ -56,11 +56,30 @@ export class Tints {
   }
 }
 
-/** `#rrggbb` of a CSS colour, without its opacity. */
-export function hexOf(color: string): string {
-  const context = document.createElement('canvas').getContext('2d')!;
-  context.fillStyle = color;
-  context.fillRect(0, 0, 1, 1);
-  const [red, green, blue] = context.getImageData(0, 0, 1, 1).data;
-  return `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}`;
+/**
+ * `#rrggbb` of a CSS colour, without its opacity. The CSS parser computes it: browsers falsify the pixels of canvases
+ * against fingerprinting.
+ * @param element whose `currentColor` and custom properties apply
+ */
+export function hexOf(color: string, element: Element = document.documentElement): string {
+  const probe = document.createElement('i');
+  const given = getComputedStyle(element);
+  const { style } = probe;
+  style.cssText = 'all: initial; display: none; forced-color-adjust: none';
+  for (const [name] of color.matchAll(/--[\w-]+/g)) style.setProperty(name, given.getPropertyValue(name));
+  style.color = given.color;
+  style.colorScheme = given.colorScheme;
+  style.backgroundColor = color;
+  // Browsers without color-mix() ignore this line, and compute rgb() for all colours that they know.
+  style.backgroundColor = `color-mix(in srgb, ${color}, ${color})`;
+  document.documentElement.append(probe);
+  const computed = getComputedStyle(probe).backgroundColor;
+  probe.remove();
+  const bytes = computed.startsWith('rgb') ? 1 : 255;
+  const channels = computed.replace('srgb', '').match(/none|-?[\d.]+(e-?\d+)?/g) ?? [];
+  const hex = (channel = '0') => {
+    const byte = Math.min(Math.max(Math.round(bytes * (Number.parseFloat(channel) || 0)), 0), 255);
+    return byte.toString(16).padStart(2, '0');
+  };
+  return `#${hex(channels[0])}${hex(channels[1])}${hex(channels[2])}`;
 }

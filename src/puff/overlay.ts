@@ -1,20 +1,26 @@
 /** The canvas over the page, or a canvas of the page. */
+import { clientBox } from '../page/zoom.ts';
+import { boxOf, type TargetBox } from './target.ts';
 
 /** What an engine draws on. */
 export interface Sheet {
   readonly canvas: HTMLCanvasElement;
-  /** CSS pixels of the canvas for each CSS pixel of the page: not 1 where the page is transformed. */
+  /** CSS pixels of the canvas for each client pixel: not 1 where the page is zoomed or transformed. */
   readonly scale: number;
   /** Whether the canvas has the size of the window. */
   readonly followsWindow: boolean;
+  /** Whether the window has another size than at the latest `place`. */
+  readonly hasOtherSize: boolean;
+  /** The element of the top layer that the canvas is in front of. */
+  readonly host: Element | undefined;
   /** Creates the canvas, or another one in its place. */
   makeCanvas(): HTMLCanvasElement;
-  /** Moves the canvas to what is visible now. */
-  place(): void;
+  /** Moves the canvas to what is visible now, and in front of an element of the top layer, if any. */
+  place(host?: Element): void;
   /** Moves the picture, until the next `place`, in client pixels. */
   shift(x: number, y: number): void;
   /** The canvas in client pixels. */
-  rectangle(): DOMRect;
+  rectangle(): TargetBox;
   style(layer: 'above' | 'below' | undefined, zIndex: number | undefined): void;
   remove(): void;
 }
@@ -22,62 +28,109 @@ export interface Sheet {
 const Z_INDEX = { above: 9999, below: -1 };
 
 const STYLE = { all: 'initial', display: 'block', 'pointer-events': 'none' };
-const FRAME_STYLE = { ...STYLE, position: 'absolute', contain: 'strict' };
-const CANVAS_STYLE = { ...STYLE, width: '100%', height: '100%' };
+/** Layout containment keeps the canvas out of the size of the document. */
+const FRAME_STYLE = { ...STYLE, left: '0', top: '0', width: '0', height: '0', contain: 'layout' };
+const CANVAS_STYLE = { ...STYLE, position: 'absolute' };
 
 /**
- * A canvas over the visible part of the page. It scrolls with the page and does not change its layout. The element
- * around it clips a shifted canvas, which would make the page longer.
+ * A canvas over the visible part of the page. It scrolls with the page and changes neither its layout nor its size. The
+ * popover around it is in a shadow tree, where rules of the page for `::backdrop` do not apply.
  */
 export class Overlay implements Sheet {
   canvas: HTMLCanvasElement;
-  readonly scale = 1;
+  host: Element | undefined;
   readonly followsWindow = true;
+  private readonly outer = styled(document.createElement('div'), { ...FRAME_STYLE, position: 'absolute' });
   private readonly frame = styled(document.createElement('div'), FRAME_STYLE);
+  private window = '';
   private shifted = { x: 0, y: 0 };
   private readonly print = matchMedia('print');
   private readonly handlePrint = () => styled(this.frame, { display: this.print.matches ? 'none' : 'block' });
 
   constructor() {
-    this.frame.setAttribute('aria-hidden', 'true');
+    this.outer.setAttribute('aria-hidden', 'true');
+    this.frame.append(document.createElement('slot'));
+    this.outer.attachShadow({ mode: 'open' }).append(this.frame);
     this.canvas = this.makeCanvas();
     this.print.addEventListener('change', this.handlePrint);
   }
 
+  get scale(): number {
+    return scaleOf(this);
+  }
+
+  get hasOtherSize(): boolean {
+    return this.window !== visible().join();
+  }
+
   makeCanvas(): HTMLCanvasElement {
     this.canvas = styled(document.createElement('canvas'), CANVAS_STYLE);
-    this.frame.replaceChildren(this.canvas);
-    this.place();
+    this.outer.replaceChildren(this.canvas);
+    this.place(this.host);
     return this.canvas;
   }
 
-  place(): void {
-    const { frame } = this;
+  place(host?: Element): void {
+    this.enter(host);
+    const [width, height] = visible();
+    this.window = visible().join();
+    this.shifted = { x: 0, y: 0 };
+    // First as if the root were neither moved nor zoomed, and then as measured.
+    this.lay(0, 0, width, height);
+    const { left, top, width: drawn } = this.rectangle();
+    const pixel = drawn / Math.max(width, 1) || 1;
+    this.lay(-left / pixel, -top / pixel, width / pixel, height / pixel);
+  }
+
+  /** Enters the top layer as its last element, or leaves it. The order of its elements is that of their entry. */
+  private enter(host: Element | undefined): void {
+    const { outer, frame } = this;
     // Not in the body, whose children the page may count, replace or lay out.
-    if (!frame.isConnected) document.documentElement.append(frame);
-    const { clientWidth, clientHeight } = document.documentElement;
-    const box = { left: scrollX, top: scrollY, width: clientWidth, height: Math.min(innerHeight, clientHeight) };
-    styled(frame, Object.fromEntries(Object.entries(box).map(([name, pixels]) => [name, `${pixels}px`])));
-    this.shift(-this.shifted.x, -this.shifted.y);
+    const parent = host && !('showPopover' in frame) ? host : document.documentElement;
+    if (outer.parentNode !== parent) parent.append(outer);
+    frame.removeAttribute('popover');
+    if (host && parent !== host) {
+      frame.popover = 'manual';
+      frame.showPopover();
+    }
+    this.host = host;
+    const isFixed = host && getComputedStyle(host).position === 'fixed';
+    styled(frame, { position: isFixed ? 'fixed' : 'absolute' });
+  }
+
+  private lay(left: number, top: number, width: number, height: number): void {
+    const box = Object.entries({ left, top, width, height }).map(([name, pixels]) => [name, `${pixels}px`]);
+    styled(this.canvas, { ...Object.fromEntries(box), translate: 'none' });
   }
 
   shift(x: number, y: number): void {
-    this.shifted = { x: this.shifted.x + x, y: this.shifted.y + y };
+    const { scale } = this;
+    this.shifted = { x: this.shifted.x + scale * x, y: this.shifted.y + scale * y };
     styled(this.canvas, { translate: `${this.shifted.x}px ${this.shifted.y}px` });
   }
 
-  rectangle(): DOMRect {
-    return this.canvas.getBoundingClientRect();
+  rectangle(): TargetBox {
+    return clientBox(this.canvas);
   }
 
   style(layer: 'above' | 'below' = 'above', zIndex = Z_INDEX[layer]): void {
-    styled(this.frame, { 'z-index': String(zIndex) });
+    styled(this.outer, { 'z-index': String(zIndex) });
   }
 
   remove(): void {
     this.print.removeEventListener('change', this.handlePrint);
-    this.frame.remove();
+    this.outer.remove();
   }
+}
+
+function scaleOf(sheet: Sheet): number {
+  return sheet.canvas.clientWidth / Math.max(sheet.rectangle().width, 1);
+}
+
+/** Width and height of the visible part of the page without its scroll bars, client pixels. */
+function visible(): [width: number, height: number] {
+  const { clientWidth, clientHeight } = document.documentElement;
+  return [clientWidth, Math.min(innerHeight, clientHeight)];
 }
 
 /** Sets styles by script, so that policies without 'unsafe-inline' allow them. */
@@ -90,6 +143,8 @@ function styled<Styled extends HTMLElement>(element: Styled, style: Readonly<Rec
 export class OwnCanvas implements Sheet {
   canvas: HTMLCanvasElement;
   readonly followsWindow = false;
+  readonly hasOtherSize = false;
+  readonly host = undefined;
   private isUsed = false;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -97,7 +152,7 @@ export class OwnCanvas implements Sheet {
   }
 
   get scale(): number {
-    return this.canvas.clientWidth / Math.max(this.rectangle().width, 1);
+    return scaleOf(this);
   }
 
   makeCanvas(): HTMLCanvasElement {
@@ -115,8 +170,8 @@ export class OwnCanvas implements Sheet {
 
   shift(): void {}
 
-  rectangle(): DOMRect {
-    return this.canvas.getBoundingClientRect();
+  rectangle(): TargetBox {
+    return boxOf(this.canvas);
   }
 
   style(): void {}

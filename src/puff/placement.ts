@@ -30,37 +30,38 @@ export class Placement {
   get isFar(): boolean {
     const { left, top } = this.sheet.rectangle();
     const { x, y } = this.camera;
-    const isFar = Math.max(Math.abs(x - left / PIXELS_PER_METRE), Math.abs(y + top / PIXELS_PER_METRE)) > FARTHEST;
+    const isFar = Math.max(Math.abs(x - left * this.metres), Math.abs(y + top * this.metres)) > FARTHEST;
     return this.sheet.followsWindow && isFar;
   }
 
   /** Whether too little of the canvas is visible. */
   get isOff(): boolean {
-    const { top, bottom, height, left, right, width } = this.sheet.rectangle();
-    const visible = (from: number, to: number, end: number) => Math.min(to, end) - Math.max(from, 0);
+    const { top, height, left, width } = this.sheet.rectangle();
+    const visible = (from: number, size: number, end: number) => Math.min(from + size, end) - Math.max(from, 0);
     const isOut =
-      visible(top, bottom, innerHeight) < MIN_VISIBLE * height ||
-      visible(left, right, innerWidth) < MIN_VISIBLE * width;
-    return this.sheet.followsWindow && (isOut || this.hasOtherSize);
+      visible(top, height, innerHeight) < MIN_VISIBLE * height ||
+      visible(left, width, innerWidth) < MIN_VISIBLE * width;
+    return this.sheet.followsWindow && (isOut || this.sheet.hasOtherSize);
   }
 
-  private get hasOtherSize(): boolean {
-    const { clientWidth, clientHeight } = document.documentElement;
-    return (
-      this.sheet.followsWindow &&
-      (clientWidth !== this.size.width || Math.min(innerHeight, clientHeight) !== this.size.height)
-    );
+  /** Metres for each client pixel. */
+  private get metres(): number {
+    return this.sheet.scale / PIXELS_PER_METRE;
   }
 
-  /** Moves the canvas to what is visible. @param isEmpty whether the scene has no smoke whose place must stay */
-  move(isEmpty: boolean): void {
+  /**
+   * Moves the canvas to what is visible.
+   * @param isEmpty whether the scene has no smoke whose place must stay
+   * @param host element of the top layer that the canvas comes in front of
+   */
+  move(isEmpty: boolean, host?: Element): void {
     const before = middle(this.sheet.rectangle());
-    this.sheet.place();
+    this.sheet.place(host);
     const after = middle(this.sheet.rectangle());
     const { x, y } = this.camera;
     this.camera = isEmpty
       ? { x: 0, y: 0 }
-      : { x: x + (after.x - before.x) / PIXELS_PER_METRE, y: y - (after.y - before.y) / PIXELS_PER_METRE };
+      : { x: x + (after.x - before.x) * this.metres, y: y - (after.y - before.y) * this.metres };
     this.size = sizeOf(this.sheet.canvas);
   }
 
@@ -77,9 +78,10 @@ export class Placement {
   /** The part of a box on the canvas; all of it if it is beside the canvas. */
   clipped(box: TargetBox): TargetBox {
     const around = this.sheet.rectangle();
+    const [right, bottom] = [around.left + around.width, around.top + around.height];
     const [left, top] = [Math.max(box.left, around.left), Math.max(box.top, around.top)];
-    const width = Math.min(box.left + box.width, around.right) - left;
-    const height = Math.min(box.top + box.height, around.bottom) - top;
+    const width = Math.min(box.left + box.width, right) - left;
+    const height = Math.min(box.top + box.height, bottom) - top;
     return width > 0 && height > 0 ? { left, top, width, height } : box;
   }
 
@@ -87,7 +89,7 @@ export class Placement {
   pointOf(box: TargetBox): ScenePoint {
     const around = middle(this.sheet.rectangle());
     const { x, y } = middle(box);
-    const metres = this.sheet.scale / PIXELS_PER_METRE;
+    const { metres } = this;
     return {
       x: limited(this.camera.x + (x - around.x) * metres),
       y: limited(this.camera.y - (y - around.y) * metres),
@@ -96,7 +98,7 @@ export class Placement {
 
   /** Half sides of a box in the plane of the page, metres. */
   extentOf({ width, height }: TargetBox): Extent {
-    const metres = this.sheet.scale / PIXELS_PER_METRE;
+    const { metres } = this;
     return { halfWidth: limited((width / 2) * metres), halfHeight: limited((height / 2) * metres) };
   }
 }

@@ -62,7 +62,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     opening?.then(act).catch(() => undefined);
   };
 
-  const puff = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
+  const play = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
     demandOptions(options);
     if (!globalThis.document) return;
     const source = sourceOf(target);
@@ -85,12 +85,15 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     }
   };
 
+  const preload = async () => {
+    isKept = true;
+    if (!isInert()) await (await open()).warmUp();
+  };
+
+  const puff = (target?: PuffTarget, options?: PuffOptions) => handled(play(target, options));
   return Object.assign(puff, {
     effects: EFFECTS,
-    async preload() {
-      isKept = true;
-      if (!isInert()) await (await open()).warmUp();
-    },
+    preload: () => handled(preload()),
     clear: () => end((engine) => engine.clear()),
     create(own: HTMLCanvasElement) {
       if ((own as HTMLCanvasElement | undefined)?.localName !== 'canvas')
@@ -99,6 +102,12 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     },
     dispose: () => end((engine) => engine.dispose()),
   });
+}
+
+/** A page that does not await a call gets no unhandled rejection. */
+function handled(call: Promise<void>): Promise<void> {
+  call.catch(() => undefined);
+  return call;
 }
 
 /** Not by `fetched`, which would bring code of the element into the download before the first call. */

@@ -1,4 +1,5 @@
 /** The scrolling boxes around the targets of calls. */
+import { parentOf, zoomOf } from '../page/zoom.ts';
 import type { Sheet } from './overlay.ts';
 
 interface Offset {
@@ -27,7 +28,7 @@ export class Scrolling {
     this.calls.add(boxes);
     for (const box of boxes) {
       this.offsets.set(box, offsetOf(box));
-      box.addEventListener('scroll', () => this.follow(box), { passive: true, signal: end.signal });
+      scrollerOf(box).addEventListener('scroll', () => this.follow(box), { passive: true, signal: end.signal });
     }
     return () => {
       end.abort();
@@ -44,8 +45,16 @@ export class Scrolling {
   }
 }
 
-function offsetOf({ scrollLeft, scrollTop }: Element): Offset {
-  return { x: scrollLeft, y: scrollTop };
+/** In client pixels. */
+function offsetOf(box: Element): Offset {
+  const zoom = zoomOf(box);
+  return { x: zoom * box.scrollLeft, y: zoom * box.scrollTop };
+}
+
+/** The page of a frame scrolls with an event of its document. The canvas scrolls with this page by itself. */
+function scrollerOf(box: Element): EventTarget {
+  const { ownerDocument } = box;
+  return ownerDocument !== document && box === ownerDocument.documentElement ? ownerDocument : box;
 }
 
 /** The elements whose scrolling moves an element, also across shadow trees. */
@@ -57,8 +66,4 @@ function boxesAround(element: Element): Element[] {
     if (getComputedStyle(each).position === 'fixed') break;
   }
   return found;
-}
-
-function parentOf(element: Element): Element | undefined {
-  return element.assignedSlot ?? element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host;
 }

@@ -1,8 +1,30 @@
 /** Where the smoke of a call begins. */
+import { clientBox } from '../page/zoom.ts';
 import { ParameterError } from '../preset/errors.ts';
 
-/** An element, an event with coordinates, or a point in client pixels. Without a target, the middle of the window. */
-export type PuffTarget = Element | Event | { readonly x: number; readonly y: number } | null;
+/** An event of a library, such as React or jQuery, around one of the browser. */
+export interface WrappedEvent {
+  readonly type: string;
+  readonly target: unknown;
+  readonly currentTarget: unknown;
+  readonly nativeEvent?: unknown;
+  readonly originalEvent?: unknown;
+}
+
+/** A ref of React, Vue or Angular, a component of Vue, or a list: its first element counts. */
+export type ElementHolder =
+  | { readonly current: Element | null }
+  | { readonly value: Element | null }
+  | { readonly nativeElement: Element | null }
+  | { readonly $el: Element | null }
+  | ArrayLike<Element>;
+
+/**
+ * An element, an event with coordinates, or a point in client pixels. Without a target, the middle of the window. Elements
+ * and events can be those of a frame of the same origin.
+ */
+export type PuffTarget =
+  Element | Text | Event | WrappedEvent | ElementHolder | { readonly x: number; readonly y: number } | null;
 
 /** A box in client pixels; a point has no size. */
 export interface TargetBox {
@@ -12,6 +34,8 @@ export interface TargetBox {
   readonly height: number;
 }
 
+type FromView = (box: TargetBox) => TargetBox;
+
 /** The target of a call. */
 export interface Source {
   /** The element whose box the smoke leaves and flows around. */
@@ -20,6 +44,8 @@ export interface Source {
   readonly inside?: Element;
   /** Whether a trail follows the pointer. */
   readonly followsPointer: boolean;
+  /** Where a place of the target's window is in this window. */
+  readonly fromView: FromView;
   /**
    * The current box; the last known one after an element has lost its own. Undefined if there never was one: for
    * elements outside of the document, without a size, or with `display: none`.
@@ -27,24 +53,38 @@ export interface Source {
   box(): TargetBox | undefined;
 }
 
+const ACCEPTED = 'an element, an event with coordinates, or { x, y } in client pixels';
+const HOLDERS = ['current', 'value', 'nativeElement', '$el', 0] as const;
+
+type Loose = Partial<Record<PropertyKey, unknown>>;
+
 /** @throws ParameterError for anything that has no place on the page */
 export function sourceOf(target?: PuffTarget): Source {
   if (!target) return pointSource(innerWidth / 2, innerHeight / 2, true);
-  if (target instanceof Element) return elementSource(target);
-  if (target instanceof Event) return eventSource(target);
-  const { x, y } = target;
+  const element = elementOf(target) ?? HOLDERS.map((key) => elementOf((target as Loose)[key])).find(Boolean);
+  if (element) return elementSource(element);
+  if ('type' in Object(target) && 'target' in Object(target)) return eventSource(target as WrappedEvent);
+  const { x, y } = target as DOMPoint;
   if (Number.isFinite(x) && Number.isFinite(y)) return pointSource(x, y, false);
-  throw new ParameterError('target', target, 'an element, an event with coordinates, or { x, y } in client pixels');
+  throw new ParameterError('target', target, ACCEPTED);
 }
 
-function eventSource(event: Event): Source {
-  const at = placeOf(event);
+/** By shape, because an element of a frame is no instance of this window's classes. A text counts as its element. */
+function elementOf(value: unknown): Element | undefined {
+  const { nodeType, parentElement, getBoundingClientRect } = Object(value) as Element;
+  if (nodeType === 3) return parentElement ?? undefined;
+  return typeof getBoundingClientRect === 'function' && nodeType !== undefined ? (value as Element) : undefined;
+}
+
+function eventSource(event: WrappedEvent): Source {
+  const native = (event.nativeEvent ?? event.originalEvent ?? event) as Event;
+  const at = placeOf(native);
   // A click by the keyboard has no place. Its element does.
-  const element = [event.currentTarget, event.target].find((each) => each instanceof Element);
+  const element = [event.currentTarget, event.target].map(elementOf).find(Boolean);
   if (at && !(at.clientX === 0 && at.clientY === 0 && element)) {
     // Empty after the event.
-    const inside = event.composedPath().find((each) => each instanceof Element) ?? element;
-    return { ...pointSource(at.clientX, at.clientY, true), inside };
+    const inside = native.composedPath?.().map(elementOf).find(Boolean) ?? elementOf(event.target) ?? element;
+    return pointSource(at.clientX, at.clientY, true, inside);
   }
   if (element) return elementSource(element);
   throw new ParameterError('target', event.type, 'an event with coordinates, or of an element');
@@ -56,18 +96,58 @@ function placeOf(event: Event): { clientX: number; clientY: number } | undefined
 }
 
 /** A point that scrolls with the page. */
-function pointSource(x: number, y: number, followsPointer: boolean): Source {
-  const [left, top] = [x + scrollX, y + scrollY];
-  return { followsPointer, box: () => ({ left: left - scrollX, top: top - scrollY, width: 0, height: 0 }) };
+function pointSource(x: number, y: number, followsPointer: boolean, inside?: Element): Source {
+  const fromView = fromViewOf(inside);
+  const box = onPage(fromView({ left: x, top: y, width: 0, height: 0 }));
+  return { inside, followsPointer, fromView, box: () => onPage(box, -1) };
+}
+
+/** @param sign 1 from the window to the page, -1 back */
+function onPage({ left, top, width, height }: TargetBox, sign = 1): TargetBox {
+  return { left: left + sign * scrollX, top: top + sign * scrollY, width, height };
 }
 
 function elementSource(element: Element): Source {
+  const fromView = fromViewOf(element);
   let known: TargetBox | undefined;
   const box = () => {
-    const { left, top, width, height } = element.getBoundingClientRect();
-    if (width > 0 && height > 0) known = { left: left + scrollX, top: top + scrollY, width, height };
-    return known && { ...known, left: known.left - scrollX, top: known.top - scrollY };
+    const now = boxOf(element, fromView);
+    if (now.width > 0 && now.height > 0) known = onPage(now);
+    return known && onPage(known, -1);
   };
   box();
-  return { element, inside: element, followsPointer: false, box };
+  return { element, inside: element, followsPointer: false, fromView, box };
+}
+
+/** The box of an element in client pixels of this window. */
+export function boxOf(element: Element, fromView = fromViewOf(element)): TargetBox {
+  return fromView(clientBox(element));
+}
+
+/** @throws ParameterError for an element that is neither in this window nor in a frame of it */
+function fromViewOf(element: Element | undefined): FromView {
+  const frames: HTMLElement[] = [];
+  for (let view = element?.ownerDocument.defaultView; view && view !== window; view = view.parent as typeof view) {
+    const frame = view.frameElement as HTMLElement | null;
+    const accepted = 'an element of this window, or of a frame of the same origin in it';
+    if (!frame) throw new ParameterError('target', `an element of the window ${view.location.href}`, accepted);
+    frames.push(frame);
+  }
+  return (box) => frames.reduce(throughFrame, box);
+}
+
+function throughFrame({ left, top, width, height }: TargetBox, frame: HTMLElement): TargetBox {
+  const outer = clientBox(frame);
+  const { paddingLeft, paddingTop, paddingRight } = getComputedStyle(frame);
+  const [before, above, after] = [paddingLeft, paddingTop, paddingRight].map(Number.parseFloat);
+  // The page of a frame is zoomed and transformed as the frame.
+  const pixel = outer.width / Math.max(frame.offsetWidth, 1);
+  const { innerWidth: inner = 1 } = (frame as HTMLIFrameElement).contentWindow ?? {};
+  const scale = (pixel * (frame.clientWidth - before - after)) / Math.max(inner, 1);
+  return {
+    left: outer.left + pixel * (frame.clientLeft + before) + scale * left,
+    top: outer.top + pixel * (frame.clientTop + above) + scale * top,
+    width: scale * width,
+    height: scale * height,
+  };
 }

@@ -17,7 +17,7 @@ export interface VisibilityChange {
 /** @param element that the effect hides or shows, if any */
 export function visibilityChange(effect: Effect, element: Element | undefined): VisibilityChange {
   const isChange = effect === 'vanish' || effect === 'appear';
-  if (!isChange || !(element instanceof HTMLElement || element instanceof SVGElement)) {
+  if (!isChange || !isStyled(element)) {
     return { begin() {}, end() {}, finished: async () => undefined };
   }
   let fade: Animation | undefined;
@@ -29,8 +29,9 @@ export function visibilityChange(effect: Effect, element: Element | undefined): 
   };
   return {
     begin() {
-      const opacity = effect === 'vanish' ? [1, 0] : [0, 1];
-      fade = element.animate?.({ opacity }, { ...FADE[effect], fill: 'both', easing: 'ease-in-out' });
+      // The other end is the opacity that the page gives.
+      const keyframes = [{ opacity: 0, offset: effect === 'vanish' ? 1 : 0 }];
+      fade = element.animate?.(keyframes, { ...FADE[effect], fill: 'both', easing: 'ease-in-out' });
       if (effect === 'appear') show(element);
       fade?.addEventListener('finish', end, { once: true });
     },
@@ -45,13 +46,41 @@ export function visibilityChange(effect: Effect, element: Element | undefined): 
 
 type Styled = HTMLElement | SVGElement;
 
+/** By shape, because an element of a frame is no instance of this window's classes. */
+function isStyled(element: Element | undefined): element is Styled {
+  return element !== undefined && 'style' in element;
+}
+
+/** The page's own inline visibility of the elements that are hidden. */
+const hidden = new WeakMap<Styled, readonly [value: string, priority: string]>();
+
 function hide(element: Styled): void {
-  element.style.visibility = 'hidden';
+  const { style } = element;
+  if (!hidden.has(element)) {
+    hidden.set(element, [style.getPropertyValue('visibility'), style.getPropertyPriority('visibility')]);
+  }
+  style.setProperty('visibility', 'hidden', 'important');
+  skipTransitions(element);
 }
 
 function show(element: Styled): void {
-  element.style.removeProperty('visibility');
+  const { style } = element;
+  const [value, priority] = hidden.get(element) ?? [''];
+  hidden.delete(element);
+  if (style.visibility !== 'visible') style.removeProperty('visibility');
+  // A page that has hidden it inline wants it to appear.
+  if (value === 'visible') style.setProperty('visibility', value, priority);
   element.removeAttribute('hidden');
+  skipTransitions(element);
   // Hidden by a rule of the page.
-  if (element.isConnected && getComputedStyle(element).visibility !== 'visible') element.style.visibility = 'visible';
+  if (!element.isConnected || getComputedStyle(element).visibility === 'visible') return;
+  style.visibility = 'visible';
+  skipTransitions(element);
+}
+
+/** With a transition of the page, an element or its children would stay visible for a while. */
+function skipTransitions(element: Styled): void {
+  for (const each of element.getAnimations?.({ subtree: true }) ?? []) {
+    if ((each as Partial<CSSTransition>).transitionProperty === 'visibility') each.finish();
+  }
 }

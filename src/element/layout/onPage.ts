@@ -1,6 +1,7 @@
 /** Elements of the page in the smoke: obstacles (`collide`) and emitters (`emit-from`). */
 import { notice, type Notice } from '../../preset/notice.ts';
 import type { AnyValues, Values } from '../../preset/parameter.ts';
+import { clientBox } from '../../page/zoom.ts';
 import type { RemoteStage } from '../../remote/contract.ts';
 import type { ScenePlane } from '../../stage/sight.ts';
 import { change } from '../change.ts';
@@ -138,19 +139,16 @@ export class OnPage {
   }
 
   private valuesOn(plane: ScenePlane): Values {
-    const container = this.owner.container.getBoundingClientRect();
+    const container = clientBox(this.owner.container);
     const scale = this.owner.container.clientWidth / Math.max(container.width, 1);
     const place = (box: Box) => placeOnPlane(box, container, scale, plane);
     const own = this.owner.values();
     const emitters = this.emitters.attached
       .filter(isShown)
-      .map((element) => ({ box: element.getBoundingClientRect(), isOn: this.emitters.isOn(element) }))
+      .map((element) => ({ box: clientBox(element), isOn: this.emitters.isOn(element) }))
       .filter(({ box }) => hasArea(box));
     const sources = emitters.map(({ box }) => box);
-    const boxes = this.obstacles
-      .filter(isShown)
-      .map((element) => element.getBoundingClientRect())
-      .filter(hasArea);
+    const boxes = this.obstacles.filter(isShown).map(clientBox).filter(hasArea);
     const followed = nearest(boxes, MAX_FOLLOWED, container, sources);
     const firstVortex = vorticesOf(own);
     const curled = nearest(followed, maxCurled(firstVortex), container, sources);
