@@ -30,7 +30,8 @@ export function setAssetUrls(given: AssetUrls): void {
 
 function resolve(name: string, url: unknown): string {
   try {
-    if (url instanceof URL || (typeof url === 'string' && url)) return new URL(url, globalThis.document?.baseURI).href;
+    if (typeof url === 'string' ? url : (url as URL).href)
+      return new URL(String(url), globalThis.document?.baseURI).href;
   } catch {
     // The same error as for values that are no strings.
   }

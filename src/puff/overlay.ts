@@ -76,10 +76,10 @@ export class Overlay implements Sheet {
     this.window = visible().join();
     this.shifted = { x: 0, y: 0 };
     // First as if the root were neither moved nor zoomed, and then as measured.
-    this.lay(0, 0, width, height);
+    this.setBox(0, 0, width, height);
     const { left, top, width: drawn } = this.rectangle();
     const pixel = drawn / Math.max(width, 1) || 1;
-    this.lay(-left / pixel, -top / pixel, width / pixel, height / pixel);
+    this.setBox(-left / pixel, -top / pixel, width / pixel, height / pixel);
   }
 
   /** Enters the top layer as its last element, or leaves it. The order of its elements is that of their entry. */
@@ -98,7 +98,7 @@ export class Overlay implements Sheet {
     styled(frame, { position: isFixed ? 'fixed' : 'absolute' });
   }
 
-  private lay(left: number, top: number, width: number, height: number): void {
+  private setBox(left: number, top: number, width: number, height: number): void {
     const box = Object.entries({ left, top, width, height }).map(([name, pixels]) => [name, `${pixels}px`]);
     styled(this.canvas, { ...Object.fromEntries(box), translate: 'none' });
   }

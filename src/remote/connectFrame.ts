@@ -120,6 +120,7 @@ function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => 
 /** The document and each shadow root around the iframe: a MutationObserver does not see into shadow roots. */
 function rootsAround(iframe: HTMLIFrameElement): Node[] {
   const roots: Node[] = [iframe.ownerDocument];
-  for (let root = iframe.getRootNode(); root instanceof ShadowRoot; root = root.host.getRootNode()) roots.push(root);
+  for (let root = iframe.getRootNode(); 'host' in root; root = (root as ShadowRoot).host.getRootNode())
+    roots.push(root);
   return roots;
 }
