@@ -15,8 +15,8 @@ import {
   Vector3,
   WebGLRenderTarget,
 } from 'three';
-import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { CartoonSmoke } from '../../../../src/three/cartoonSmoke.ts';
+import type { Values } from '../../../../src/preset/parameter.ts';
 import {
   changedPixels,
   dispose,
@@ -28,7 +28,7 @@ import {
   WIDTH,
   type Host,
   type Pixels,
-} from './scene.ts';
+} from '../scene.ts';
 
 /** Two pixels, metres: edges extend by a pixel beyond smoke, with the depth of a neighbour. */
 const TOLERANCE = 0.06;

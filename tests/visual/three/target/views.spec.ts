@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type Views = typeof import('./views.cases.ts');
-const VIEWS = '/tests/visual/three/views.cases.ts';
+const VIEWS = '/tests/visual/three/target/views.cases.ts';
 
 for (const kind of ['views', 'mirrors'] as const) {
   test(`cameras with the same product of matrices show the same smoke: ${kind}`, async ({ load }) => {

@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type Clipping = typeof import('./clipping.cases.ts');
-const CLIPPING = '/tests/visual/three/clipping.cases.ts';
+const CLIPPING = '/tests/visual/three/target/clipping.cases.ts';
 
 for (const [look, scale] of [
   ['lobes', 1],

@@ -20,7 +20,7 @@ import {
   WIDTH,
   type Host,
   type Pixels,
-} from './scene.ts';
+} from '../scene.ts';
 
 /** A camera with the view in the projection, as map layers have it. */
 function ofProduct(camera: Camera, change: (clip: Matrix4) => Matrix4 = (clip) => clip): Camera {
