@@ -48,7 +48,7 @@ layout(location = 2) out vec4 shading;
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
-#include ../lib/clipping.glsl
+#include clipping.glsl
 
 // Bodies avoid both ends of the depth range: a volume that contains the camera is clamped to exactly 0 and must be
 // nearer.

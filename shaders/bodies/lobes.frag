@@ -44,7 +44,7 @@ layout(location = 2) out vec4 shading;
 #include ../lib/gradient.glsl
 #include ../lib/ink.glsl
 #include ../lib/contact.glsl
-#include ../lib/clipping.glsl
+#include clipping.glsl
 #ifdef DEFORMED
 uniform float innerLine;
 #include ../lib/attributes.glsl

@@ -21,7 +21,7 @@ out vec4 coverage;
 #include smokeDepth.glsl
 #include ../lib/ink.glsl
 #include ../lib/pixel.glsl
-#include ../lib/clipping.glsl
+#include ../bodies/clipping.glsl
 #ifdef DEFORMED
 #include ../lib/stretch.glsl
 #endif
