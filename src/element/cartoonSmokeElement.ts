@@ -1,6 +1,7 @@
 import { ContextError, type SmokeError } from '../preset/errors.ts';
 import type { PresetName } from '../preset/valueTypes.ts';
 import type { Fault } from '../device/faults.ts';
+import { runOnSelf } from '../preset/onSelf.ts';
 import { asSmokeError } from './asSmokeError.ts';
 import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
@@ -95,6 +96,7 @@ export class CartoonSmokeElement extends Base {
   constructor({ fault }: ElementOptions = {}) {
     super();
     this.#fault = fault;
+    runOnSelf(this, Base.prototype);
     this.#shell.button.addEventListener('click', (event) => {
       // The element may be inside a link.
       event.preventDefault();

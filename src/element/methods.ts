@@ -5,6 +5,7 @@ export const HANDED_ON = [
   'step',
   'seek',
   'advance',
+  'clear',
   'restart',
   'enter',
   'set',

@@ -32,7 +32,7 @@ export interface HandleProps<Kind extends SmokeHandle> extends PlacementProps {
 
 /** Props of `<Emitter>`. A change of an option takes effect in the next step. */
 export interface EmitterProps extends EmitterOptions, HandleProps<EmitterHandle> {
-  /** Index of an emitter of the parameter table, 0 to 7. Default: an emitter of its own. */
+  /** Index of an emitter of the parameter table, 0 to 7. Default: an emitter of its own, without options as emitter 0. */
   emitter?: number;
 }
 
@@ -46,7 +46,7 @@ export interface CasterProps extends CastOptions, HandleProps<SmokeHandle> {}
 export function Emitter({ emitter, ...props }: EmitterProps): ReactNode {
   const { options, ...parts } = useParts<EmitterHandle, EmitterOptions>(props);
   const start = (smoke: CartoonSmoke, object: Object3D) => {
-    if (emitter === undefined) return smoke.emitFrom(object, options);
+    if (emitter === undefined) return smoke.emitFrom(object, Object.keys(options).length > 0 ? options : undefined);
     const handle = smoke.emitFrom(object, emitter);
     try {
       handle.set(options);

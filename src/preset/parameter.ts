@@ -105,7 +105,8 @@ export function accepted(parameter: Parameter): string {
     default: {
       const unit = parameter.unit && ` ${parameter.unit}`;
       const noun = parameter.kind === 'integer' ? 'a whole number' : 'a number';
-      return `${noun} from ${parameter.min} to ${parameter.max}${unit}`;
+      const more = parameter.key.endsWith('.tint') ? ', of three colours that repeat' : '';
+      return `${noun} from ${parameter.min} to ${parameter.max}${unit}${more}`;
     }
   }
 }

@@ -78,9 +78,9 @@ export type SingleValues = {
   /** Rim light: Width of a bright band along edges that face away from the light. */ 'style.rim': number;
   /** Rim colour: Colour of the rim light. */ 'style.rimColor': string;
   /** Smoke: Colour of the smoke in full light. */ 'style.smokeColor': string;
-  /** Tint 1: Colour of smoke that an emitter or an obstacle has given tint 1. */ 'style.tint1': string;
-  /** Tint 2: Colour of smoke that an emitter or an obstacle has given tint 2. */ 'style.tint2': string;
-  /** Tint 3: Colour of smoke that an emitter or an obstacle has given tint 3. */ 'style.tint3': string;
+  /** Tint 1: Colour of smoke that an emitter or an obstacle has given tint 1, 4, 7, 10 or 13. */ 'style.tint1': string;
+  /** Tint 2: Colour of smoke that an emitter or an obstacle has given tint 2, 5, 8, 11 or 14. */ 'style.tint2': string;
+  /** Tint 3: Colour of smoke that an emitter or an obstacle has given tint 3, 6, 9, 12 or 15. */ 'style.tint3': string;
   /** Colour by age: Colours of the smoke over its lifetime. They replace the single colour. */ 'style.ageRamp': string;
   /** Colour by heat: Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire. */ 'style.heatRamp': string;
   /** Soft colours: Blends neighbouring colours by age and heat; off keeps them separate. */ 'style.softColors': 0 | 1;
@@ -165,7 +165,7 @@ export type ListValues = {
     /** Lifetime: Lifetime of its puffs, relative to the lifetime of all smoke. */ lifetime: number;
     /** Lifetime variation: Largest random change of the lifetime, as a fraction. */ lifetimeVariation: number;
     /** Temperature: Temperature of new puffs. Warm smoke rises. */ temperature: number;
-    /** Tint: Number of the tint of new puffs; 0 is none. */ tint: number;
+    /** Tint: Number of the tint of new puffs; 0 is none. There are three colours, which repeat: 4 is as 1. */ tint: number;
     /** Share: Share of the emission rate, relative to the other emitters. */ share: number;
     /** Burst: Number of puffs emitted at once at each start. */ 'burst.count': number;
     /** Start: Time of the first start. */ 'envelope.start': number;
@@ -190,7 +190,7 @@ export type ListValues = {
     /** Friction: Fraction of the tangential speed that smoke loses. */ friction: number;
     /** Roughness: How much the distances of puffs from the surface vary: the largest is this fraction of the size that a puff has lost. */ roughness: number;
     /** On contact: What happens to smoke on contact. */ action: 'bounce' | 'kill' | 'tint';
-    /** Tint: Number of the tint that smoke gets, if contact tints. */ tint: number;
+    /** Tint: Number of the tint that smoke gets, if contact tints. There are three colours, which repeat: 4 is as 1. */ tint: number;
   };
   shedders: {
     /** Rate: Vortex particles shed per second; 0 disables the shedder. */ rate: number;

@@ -83,6 +83,7 @@ export const calls: Readonly<Record<keyof RemoteMethods, Call>> = {
   step: { ...call([optional(integer(0, MAX_STEPS))]), demand: (n = 1) => requireWhole('n', n) },
   seek: timed,
   advance: timed,
+  clear: call([]),
   restart: call([]),
   enter: call([values]),
   set: call([values]),

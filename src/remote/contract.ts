@@ -21,6 +21,8 @@ export interface RemoteMethods {
   seek(seconds: number): Promise<void>;
   /** @param seconds simulated time, at least 0; at most 600 in a worker or an iframe */
   advance(seconds: number): Promise<void>;
+  /** Removes all puffs; emitters and values stay. */
+  clear(): Promise<void>;
   restart(): Promise<void>;
   /** Loads another scene, or restarts the current one. Omitted values get their defaults. */
   enter(values: Values): Promise<void>;

@@ -20,6 +20,7 @@ const methods = {
     await completed(stage);
     stage.advance(seconds);
   },
+  clear: (stage) => stage.clear(),
   restart: (stage) => stage.restart(),
   enter: (stage, values) => stage.enter(values),
   set: (stage, values) => stage.set(values),

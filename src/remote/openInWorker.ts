@@ -38,7 +38,8 @@ export async function enterWorker(): Promise<WorkerSlot> {
       const { port1, port2 } = new MessageChannel();
       const moved = canvas.transferControlToOffscreen();
       stage = new PortStage(port1, 'worker', () => leave(graceMs), onProgress);
-      const request: OpenRequest = { canvas: moved, options, assets: assetUrls(), port: port2 };
+      const values = options.values && { ...options.values };
+      const request: OpenRequest = { canvas: moved, options: { ...options, values }, assets: assetUrls(), port: port2 };
       worker.postMessage(request, [moved, port2]);
       await unlessAborted(stage, signal);
       return stage.face;

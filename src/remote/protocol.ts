@@ -133,10 +133,12 @@ export function notificationOf(event: Notification['event'], detail: unknown): N
 /** Methods that return a take. A take contains a function, so it is sent as its bytes. */
 const TAKES: ReadonlySet<Method> = new Set(['take', 'readTake']);
 
-/** Converts an argument to a cloneable value: a take becomes its bytes. */
+/** Converts an argument to a cloneable value: a take becomes its bytes, and a Proxy of values or keys a copy. */
 export function packArgument(argument: unknown): unknown {
   const { toBytes } = (argument ?? {}) as Partial<Take>;
-  return typeof toBytes === 'function' ? toBytes() : argument;
+  if (typeof toBytes === 'function') return toBytes();
+  if (Array.isArray(argument)) return [...argument];
+  return Object.prototype.toString.call(argument) === '[object Object]' ? { ...(argument as object) } : argument;
 }
 
 /** Converts a result to a cloneable value, with the objects to transfer instead of copying. */

@@ -8,8 +8,8 @@ import { requireIndices } from './indices.ts';
 import { blendPose, poseNumbers } from './pose.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { rigidArguments, RigidDescription } from './rigid.ts';
-import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
-import { viewLength, writeView, type View } from './view.ts';
+import { ATTRIBUTE_WORDS, POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
+import { ALL_THAT_LIVES, viewLength, writeView, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
@@ -108,6 +108,19 @@ export class Simulator {
     this.#attempt(() => this.#handle.removeRigid(index));
   }
 
+  /** Removes all rigids. */
+  removeRigids(): void {
+    this.#attempt(() => {
+      // Indices of removed rigids are rejected.
+      for (let index = this.#handle.rigidCount; index-- > 0;)
+        try {
+          this.#handle.removeRigid(index);
+        } catch (error) {
+          if (!isSimulatorRejection(error)) throw error;
+        }
+    });
+  }
+
   /**
    * Moves a kinematic rigid to a pose. It arrives in the next step, or later if that would need more than 120 m/s. A
    * dynamic rigid is placed there at rest.
@@ -174,6 +187,17 @@ export class Simulator {
     return this.#attempt(() => this.#arranged.read(this.#handle.arrange(numbers)));
   }
 
+  /** One more than the highest variation of a living particle; 0 without particles. */
+  variationsAlive(): number {
+    const { count, attributes } = this.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
+    let variations = 0;
+    for (let row = 0; row < count; row++) {
+      // The lowest byte of the second word, without the table of all fields, which the core does not need.
+      variations = Math.max(variations, 1 + (attributes[ATTRIBUTE_WORDS * row + 1] & 0xff));
+    }
+    return variations;
+  }
+
   /**
    * Poses of all rigids, interpolated between the previous step (0) and the latest (1), in the order they were added.
    *
@@ -233,8 +257,8 @@ export class Simulator {
 
   /**
    * Starts recording a take. It logs every {@link inputValues}, {@link inputCapacity}, {@link inputPose},
-   * {@link inputDrag}, {@link inputRelease}, {@link inputSteer} and {@link inputBlow} with its step. Inputs take effect
-   * in the next step, quantised as in the log.
+   * {@link inputDrag}, {@link inputRelease}, {@link inputSteer}, {@link inputBlow} and {@link inputClear} with its step. Inputs
+   * take effect in the next step, quantised as in the log.
    */
   record(): void {
     this.#attempt(() => this.#handle.record());
@@ -284,6 +308,11 @@ export class Simulator {
    */
   inputBlow(blow: Blow): void {
     this.#attempt(() => this.#handle.inputBlow(blowNumbers(blow)));
+  }
+
+  /** Removes all particles and the births that wait, as a recorded input. Emitters, rigids and parameters stay. */
+  inputClear(): void {
+    this.#attempt(() => this.#handle.inputClear());
   }
 
   /** Value of a steering channel, -1 to 1. Returns 0 for an unset or unknown channel. */

@@ -1,4 +1,5 @@
 import { MathUtils, Vector3, type Matrix4 } from 'three';
+import { runOnSelf } from '../preset/onSelf.ts';
 import type { Vector } from '../scenes/scene.ts';
 import type { Picture } from './picture.ts';
 
@@ -34,6 +35,7 @@ export class Sight {
   constructor(picture: Picture, transformOf: (carrier: number) => Matrix4) {
     this.picture = picture;
     this.transformOf = transformOf;
+    runOnSelf(this);
   }
 
   /** The camera target, in world space. */

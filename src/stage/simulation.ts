@@ -5,9 +5,8 @@ import type { Dropped } from '../scenes/dropped.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
-import { ATTRIBUTE_WORDS, POSE_FLOATS } from '../sim/layout.ts';
+import { POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import { ALL_THAT_LIVES } from '../sim/view.ts';
 import { Drag } from './drag.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { SavedStates } from './states.ts';
@@ -210,17 +209,6 @@ export class Simulation {
     if (steps <= goal && (state?.step ?? 0) <= steps) return;
     this.current.rewind(state?.bytes);
     this.resetDrag();
-  }
-
-  /** One more than the highest variation of a living particle; 0 without particles. */
-  variationsAlive(): number {
-    const { count, attributes } = this.current.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
-    let variations = 0;
-    for (let row = 0; row < count; row++) {
-      // The lowest byte of the second word, without the table of all fields, which the core does not need.
-      variations = Math.max(variations, 1 + (attributes[ATTRIBUTE_WORDS * row + 1] & 0xff));
-    }
-    return variations;
   }
 
   /** World transforms of the rigids by index, interpolated between the previous step (0) and the latest (1). */

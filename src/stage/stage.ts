@@ -3,6 +3,7 @@ import { missingContext, requireCanvas, type DeviceCanvas } from '../device/devi
 import type { Fault } from '../device/faults.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
 import { ParameterError, requireOptions, SimulatorError } from '../preset/errors.ts';
+import { runOnSelf } from '../preset/onSelf.ts';
 import type { Values } from '../preset/parameter.ts';
 import { defaults, requireFinite, requireOptional, requireWhole, validate } from '../preset/values.ts';
 import { demandShapes } from '../puffs/lobes.ts';
@@ -36,7 +37,7 @@ import { noteOf, takeOf, type Take } from './take.ts';
  * runs in a worker. `docs/three.md` describes the members in the same groups:
  *
  * - life cycle: `ready`, `canvas`, `on`, `complete`, `copy`, `dispose`
- * - time: `play`, `pause`, `playing`, `speed`, `step`, `advance`, `seek`, `restart`
+ * - time: `play`, `pause`, `playing`, `speed`, `step`, `advance`, `seek`, `clear`, `restart`
  * - values: `set`, `get`, `unset`, `enter`, `rig`, `rigidNames`, `partNames`, `setPuffs`
  * - state: `save`, `restore`, `hash`, `take`, `playTake`, `readTake`
  * - picture: `picture`, `resize`, `visible`, `background`, `quality`, `view`, `camera`, `sight`
@@ -73,6 +74,7 @@ export class Stage {
     this.visible = options.visible ?? true;
     this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
     this.ready = Promise.resolve();
+    runOnSelf(this);
   }
 
   get playing(): boolean {
@@ -208,6 +210,12 @@ export class Stage {
     // The error was already reported; the seek works without the missing code.
     await this.#running.completion.wait().catch(() => undefined);
     await this.#running.seek(Math.round(seconds / STEP_SECONDS), options);
+  }
+
+  /** Removes all puffs. Emitters, objects and values stay. Takes record it. */
+  clear(): void {
+    this.#running.requireAlive();
+    this.#running.show(() => this.#simulation.input((simulator) => simulator.inputClear()));
   }
 
   /** Restarts from the first step with the current values and starts a new take. */
@@ -387,8 +395,8 @@ export class Stage {
   }
 
   /**
-   * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering and
-   * blows. A take records up to 20,000 inputs. Later inputs still take effect but are not recorded; `isTruncated` is
+   * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering,
+   * blows and clears. A take records up to 20,000 inputs. Later inputs still take effect but are not recorded; `isTruncated` is
    * true then.
    */
   take(): Take {

@@ -15,12 +15,14 @@ import {
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
+import { runOnSelf } from '../preset/onSelf.ts';
+import type { AnyValues, Values } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import { simulatorValues } from '../sim/simulatorValues.ts';
+import { simulatorValues, valuesIn } from '../sim/simulatorValues.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { fetchExtras, hasStrokes, isSimplified } from '../smoke/extraPasses.ts';
 import { LivePuffs } from '../smoke/livePuffs.ts';
@@ -30,7 +32,7 @@ import { Carrier } from './carrier.ts';
 import { Caster } from './caster.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
 import type { BurstOptions, EmitterOptions } from './emitterOptions.ts';
-import { EmitterPool, PooledEmitter, TableEmitter, type EmitterHandle } from './emitters.ts';
+import { EmitterPool, PooledEmitter, TableEmitter, TableNumbers, type EmitterHandle } from './emitters.ts';
 import { SmokeFrame, type SmokeSpace } from './frame.ts';
 import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
@@ -89,11 +91,14 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private readonly keyLight: KeyLight;
   private readonly onRelight: (isInShadow: boolean) => void;
   private readonly simulator: Simulator;
+  /** The state before the first step, without handles. */
+  private readonly start: Uint8Array;
   private readonly passes: HostPasses;
   private readonly handles: Handles;
   private readonly riders: Riders;
   private readonly emitters: EmitterPool;
   private readonly overrides: Overrides;
+  private readonly table: TableNumbers;
   private readonly frame: SmokeFrame;
   private readonly carrier: Carrier;
   private readonly attached = new Set<string>();
@@ -159,6 +164,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.onRelight = options.onRelight ?? (() => {});
     this.hasPhysics = options.physics ?? true;
     this.simulator = simulator;
+    this.start = simulator.save();
     this.values = values;
     this.style = hostStyle(values);
     this.space = options.space ?? 'world';
@@ -166,6 +172,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.riders = new Riders(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.riders);
     this.overrides = new Overrides(simulator, (key) => this.carrier.numberOf(key));
+    this.table = new TableNumbers(simulator, this.overrides, () => this.values);
     const { riders, overrides, frame } = this;
     this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
     this.handles = new Handles(this.owner());
@@ -186,6 +193,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.material = this.passes.insert.placeholder;
     this.material.onBeforeRender = (renderer, scene, camera) => this.draw(renderer, scene, camera);
     Object.defineProperty(this, 'frustumCulled', { get: () => false, set: () => {} });
+    runOnSelf(this, Object3D.prototype);
   }
 
   /**
@@ -217,16 +225,19 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /**
    * Emits puffs from an object: they spawn at its origin and leave along its y axis. At most 128 objects at a time.
    * @param emitter options of an emitter of its own, or the index of an emitter of the parameter table from 0 to 7, as
-   * in `emitters.0.speed`. An emitter of the table is silent while its handles are paused and after they are removed
+   * in `emitters.0.speed`, which then moves. Without it, an emitter of its own has the values of emitter 0, also after
+   * `set`, and its rate. From that call on, emitter 0 itself is silent. An emitter of the table is silent while its handles
+   * are paused and after they are removed
    * @throws ParameterError for any other index, an unknown option or an invalid value
    */
-  emitFrom(object: Object3D, emitter: EmitterOptions | number = 0): EmitterHandle {
+  emitFrom(object: Object3D, emitter?: EmitterOptions | number): EmitterHandle {
     this.requirePlaced();
-    if (typeof emitter === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, emitter));
+    const own = emitter === undefined ? this.table : emitter;
+    if (typeof own === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, own));
     const { simulator, overrides, frame } = this;
     const release = (item: string) => this.carrier.release(item);
     const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
-    return this.handles.add(new TableEmitter(context, object, emitter));
+    return this.handles.add(new TableEmitter(context, object, own));
   }
 
   /**
@@ -301,12 +312,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   set(values: Values): void {
     this.requireAlive();
     requireChangeable(values);
-    const before = codeFor(this.style);
     this.simulator.set(this.overrides.over(simulatorValues(values)));
-    this.values = { ...this.values, ...values };
-    this.style = hostStyle(this.values);
-    this.puffs.follow(this.values);
-    if (codeFor(this.style) !== before) this.completion.begin();
+    this.change({ ...this.values, ...values });
   }
 
   /**
@@ -324,6 +331,50 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     return changeable(this.values);
   }
 
+  /** Removes all puffs, and those that wait. Handles, emitters, values and the children of this object stay. */
+  override clear(): this {
+    this.requireAlive();
+    this.simulator.inputClear();
+    this.markVisible();
+    return this;
+  }
+
+  /** Restarts from the first step with the current values. Handles stay and act from where their objects are. */
+  restart(): void {
+    this.requireAlive();
+    const { values } = this;
+    this.takeState(this.start);
+    this.useValues(values);
+  }
+
+  /** Serializes the simulator's state and the values that it reads, without the effects of handles on them. */
+  save(): Uint8Array {
+    this.requireAlive();
+    const { simulator } = this;
+    const values: AnyValues = this.values;
+    const numbers = simulator.parameters();
+    const plain = [...numbers.keys()].flatMap((key) => {
+      const value = values[key] ?? findParameter(key)?.default;
+      return value === undefined ? [] : [[key, value] as const];
+    });
+    simulator.set(simulatorValues(Object.fromEntries(plain)));
+    const bytes = simulator.save();
+    simulator.set(Object.fromEntries(numbers));
+    return bytes;
+  }
+
+  /**
+   * Restores a state, also of another smoke, and the values that the simulator reads. Handles stay and act from where their
+   * objects are: objects that smoke pushes start at rest. The capacity stays.
+   * @throws SimulatorError for invalid bytes, or if its particles exceed the capacity; nothing changes then
+   */
+  restore(bytes: Uint8Array): void {
+    this.requireAlive();
+    this.takeState(bytes);
+    this.useValues(valuesIn(this.simulator, this.values, {}));
+    this.puffs.follow(this.values, this.simulator.variationsAlive());
+  }
+
   get stats(): CartoonSmokeStats {
     const { steps, alive, waiting } = this.simulator;
     return { steps, alive, waiting, ...this.drawn };
@@ -332,6 +383,13 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Hash of the simulator's state, 16 hexadecimal digits. Equal states have equal hashes. */
   hash(): string {
     return this.simulator.hash();
+  }
+
+  /** Also when its parent holds a Proxy of it. */
+  override removeFromParent(): this {
+    const self = this.parent?.children.find(({ uuid }) => uuid === this.uuid);
+    if (self) this.parent!.remove(self);
+    return this;
   }
 
   /** @throws UnsupportedError always: a copy needs a simulator of its own, which takes time to create */
@@ -367,6 +425,39 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.stopListening();
     this.passes.dispose();
     releaseDevice(this.device);
+  }
+
+  /** Takes over values that the simulator has. */
+  private change(values: Values): void {
+    const before = codeFor(this.style);
+    this.values = values;
+    this.style = hostStyle(values);
+    this.puffs.follow(values);
+    if (codeFor(this.style) !== before) this.completion.begin();
+  }
+
+  /** Puts the simulator into a state without handles. */
+  private takeState(bytes: Uint8Array): void {
+    const { simulator, hasPhysics } = this;
+    const before = simulator.save();
+    // The handles end in the state that has what they own, after the new one has proved valid.
+    simulator.restore(bytes);
+    simulator.restore(before);
+    this.handles.pause();
+    simulator.restore(bytes);
+    if (hasPhysics) simulator.removeRigids();
+  }
+
+  /** Applies values and handles to a simulator that took another state, and shows it. */
+  private useValues(values: Values): void {
+    this.overrides.setAll(simulatorValues(values));
+    this.change(values);
+    if (this.simulator.steps === 0) this.place(1);
+    this.handles.look();
+    this.emitters.freeOthers();
+    this.clock.settle();
+    this.handles.show(this.clock.blend);
+    this.markVisible();
   }
 
   private showPuffs(puffs: BakedPuffs | undefined): void {

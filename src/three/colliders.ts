@@ -1,5 +1,7 @@
 import type { Matrix4, Mesh, Object3D, SkinnedMesh, Vector3 } from 'three';
 import { ParameterError, requireOptions } from '../preset/errors.ts';
+import { accepted as acceptedBy } from '../preset/parameter.ts';
+import { findParameter } from '../preset/table.ts';
 import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { SmokeFrame } from './frame.ts';
@@ -146,5 +148,6 @@ export function requireCollideOptions(options: CollideOptions): void {
 /** The simulator's error with the name that the caller gave: options of `collide` are those of a rigid. */
 export function errorOfOption(error: unknown): unknown {
   if (!(error instanceof ParameterError) || !error.key.startsWith('rigid.')) return error;
-  return new ParameterError(error.key.replace('rigid', 'collide'), error.value, error.accepted);
+  const accepted = error.key === 'rigid.tint' ? acceptedBy(findParameter('colliders.0.tint')!) : error.accepted;
+  return new ParameterError(error.key.replace('rigid', 'collide'), error.value, accepted);
 }

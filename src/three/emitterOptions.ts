@@ -1,8 +1,10 @@
 import { Vector3, type Vector3Like } from 'three';
 import { ParameterError } from '../preset/errors.ts';
-import { accepted, type ChoiceParameter, type NumberParameter } from '../preset/parameter.ts';
+import { LIST_LIMIT } from '../preset/lists.ts';
+import { accepted, type ChoiceParameter, type NumberParameter, type AnyValues } from '../preset/parameter.ts';
 import { table } from '../preset/table.ts';
 import { isAccepted } from '../preset/values.ts';
+import { simulatorValues } from '../sim/simulatorValues.ts';
 import type { SmokeFrame } from './frame.ts';
 import { newPose } from './shapes.ts';
 
@@ -32,7 +34,7 @@ export interface PuffOptions {
   lifetimeVariation?: number;
   /** Temperature of new puffs, 0 to 4. Warm smoke rises. Default 1. */
   temperature?: number;
-  /** Number of the tint, 1 to 15; 0 is none (default). */
+  /** Number of the tint, 1 to 15; 0 is none (default). There are three colours, which repeat. */
   tint?: number;
 }
 
@@ -66,6 +68,11 @@ const PREFIX = 'emitters.0.';
 /** Parameters of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
 // By key, since rows have no group in the package.
 const PARAMETERS = table.filter(({ key }) => key.startsWith(PREFIX)) as (NumberParameter | ChoiceParameter)[];
+/** The mesh surfaces that the shape `surface` needs are not part of this API. */
+function withoutSurface<Kind extends NumberParameter | ChoiceParameter>(parameter: Kind): Kind {
+  if (parameter.kind !== 'choice') return parameter;
+  return { ...parameter, options: parameter.options.filter(({ value }) => value !== 'surface') };
+}
 const PUFF_KEYS =
   'shape radius inner extent speed speedVariation spread size sizeVariation lifetime lifetimeVariation temperature tint'.split(
     ' ',
@@ -92,7 +99,7 @@ function fieldsOf(keys: readonly string[]): ReadonlyMap<string, Field> {
     keys.map((key) => {
       const isVector = indexOf(key) < 0 && INDICES[key] === undefined;
       const index = INDICES[key] ?? indexOf(isVector ? `${key}.x` : key);
-      return [key, { index, parameter: PARAMETERS[index], isVector }];
+      return [key, { index, parameter: withoutSurface(PARAMETERS[index]), isVector }];
     }),
   );
 }
@@ -118,6 +125,24 @@ const BURST_NUMBERS = initialNumbers({ shape: 'ball', share: 0 });
 export function emitterNumbers(call: string, options: EmitterOptions, before = OBJECT_NUMBERS): Float64Array {
   const numbers = before.slice();
   write(call, options, OBJECT_FIELDS, numbers);
+  return numbers;
+}
+
+/** Numbers that options have not set. */
+export const NOT_SET: Float64Array = Float64Array.from(PARAMETERS, () => NaN);
+
+/**
+ * Numbers of an emitter that follows an object with the values of emitter 0 of the table.
+ * @param parameters those of the simulator by key, which has the shares of all emitters of the table
+ */
+export function followerNumbers(values: AnyValues, parameters: ReadonlyMap<string, number>): Float64Array {
+  const given = Object.fromEntries(PARAMETERS.map(({ key, default: initial }) => [key, values[key] ?? initial]));
+  const numbers = Float64Array.from(Object.values(simulatorValues(given)));
+  numbers.set([0, 0, 0], indexOf('position.x'));
+  numbers.set([0, 1, 0], DIRECTION);
+  let shares = 0;
+  for (let emitter = 0; emitter < LIST_LIMIT; emitter++) shares += parameters.get(`emitters.${emitter}.share`) ?? 0;
+  numbers[SHARE] = shares > 0 ? (parameters.get('emission.rate')! * numbers[SHARE]) / shares : 0;
   return numbers;
 }
 
@@ -222,9 +247,7 @@ function scaleOfDirection(call: string, key: string, { x, y, z }: Vector3Like): 
 }
 
 function checked(call: string, key: string, value: unknown, parameter: NumberParameter | ChoiceParameter): number {
-  // The mesh surfaces that `surface` names are not part of this API.
-  if (!isAccepted(parameter, value) || value === 'surface')
-    throw new ParameterError(`${call}.${key}`, value, accepted(parameter));
+  if (!isAccepted(parameter, value)) throw new ParameterError(`${call}.${key}`, value, accepted(parameter));
   return numberOf(parameter, value as number | string);
 }
 

@@ -4,8 +4,11 @@ import { LIST_LIMIT } from '../preset/lists.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import {
+  AXES,
   burstNumbers,
   emitterNumbers,
+  followerNumbers,
+  NOT_SET,
   requireCount,
   RIGID,
   tableValues,
@@ -35,14 +38,14 @@ export interface EmitterHandle extends SmokeHandle {
 /** Emitters of the simulator's pool, which follow those of the table: those of objects come first, then bursts in turn. */
 const OBJECT_SLOTS = 128;
 const BURST_SLOTS = 256;
-/** Largest coordinate of an emitter of the table, in metres. */
-const MAX_PLACE = 1000;
 const NO_NUMBERS = new Float64Array();
 
 /** The emitters of one smoke outside the parameter table. */
 export class EmitterPool {
   readonly simulator: Simulator;
   readonly riders: Riders;
+  /** Indices of the emitters of active handles. */
+  readonly used = new Set<number>();
   private readonly isTaken: boolean[] = Array.from({ length: OBJECT_SLOTS }, () => false);
   private bursts = 0;
 
@@ -63,6 +66,12 @@ export class EmitterPool {
     this.isTaken[index - LIST_LIMIT] = false;
   }
 
+  /** After the simulator took another state: frees the emitters that no handle uses. */
+  freeOthers(): void {
+    for (let index = LIST_LIMIT; index < LIST_LIMIT + OBJECT_SLOTS; index++)
+      if (!this.used.has(index)) this.simulator.setEmitter(index, NO_NUMBERS);
+  }
+
   /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
   burst(options: BurstOptions): void {
     const numbers = burstNumbers(options, this.riders.frame);
@@ -75,12 +84,18 @@ export class EmitterPool {
 export class PooledEmitter extends Handle implements EmitterHandle {
   private readonly pool: EmitterPool;
   private readonly index: number;
-  private numbers: Float64Array;
+  private readonly table: TableNumbers | undefined;
+  /** The numbers that options have set; NaN for those of the table. */
+  private own: Float64Array;
+  /** The numbers of the table that it has. */
+  private base: Float64Array | undefined;
   private rider: Rider | undefined;
 
-  constructor(pool: EmitterPool, object: Object3D, options: EmitterOptions) {
+  /** @param options or the table, whose emitter 0 it follows */
+  constructor(pool: EmitterPool, object: Object3D, options: EmitterOptions | TableNumbers) {
     super('emitFrom', object);
-    this.numbers = emitterNumbers('emitFrom', options);
+    this.table = options instanceof TableNumbers ? options : undefined;
+    this.own = options instanceof TableNumbers ? NOT_SET : emitterNumbers('emitFrom', options);
     this.requireSound(pool.riders.frame.toSmoke(worldPose(object, pose)));
     this.pool = pool;
     this.index = pool.take();
@@ -88,7 +103,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
 
   set(values: EmitterOptions): void {
     this.requireUsable('set');
-    this.numbers = emitterNumbers('emitFrom', values, this.numbers);
+    this.own = emitterNumbers('emitFrom', values, this.own);
     if (this.rider) this.write();
   }
 
@@ -102,7 +117,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
     const { riders } = this.pool;
     this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
     this.rider = riders.add(pose);
-    this.numbers[RIGID] = this.rider.number;
+    this.table?.overrides.reserve('emitters.0');
     this.write();
   }
 
@@ -110,11 +125,13 @@ export class PooledEmitter extends Handle implements EmitterHandle {
     const { riders } = this.pool;
     this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
     riders.follow(this.rider!, pose);
+    if (this.table && this.table.read() !== this.base) this.write();
   }
 
   protected stop(): void {
     this.pool.riders.remove(this.rider!);
     this.rider = undefined;
+    this.pool.used.delete(this.index);
     this.pool.simulator.setEmitter(this.index, NO_NUMBERS);
   }
 
@@ -123,7 +140,35 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   }
 
   private write(): void {
-    this.pool.simulator.setEmitter(this.index, this.numbers);
+    const base = (this.base = this.table?.read() ?? this.own);
+    const numbers = this.own.map((number, index) => (Number.isNaN(number) ? base[index] : number));
+    numbers[RIGID] = this.rider!.number;
+    this.pool.used.add(this.index);
+    this.pool.simulator.setEmitter(this.index, numbers);
+  }
+}
+
+/** Emitter 0 of the parameter table as numbers of an emitter of the pool. */
+export class TableNumbers {
+  readonly overrides: Overrides;
+  private readonly simulator: Simulator;
+  private readonly values: () => Values;
+  private seen: Values | undefined;
+  private numbers: Float64Array = NO_NUMBERS;
+
+  /** @param values the current ones, another object after each change */
+  constructor(simulator: Simulator, overrides: Overrides, values: () => Values) {
+    this.simulator = simulator;
+    this.overrides = overrides;
+    this.values = values;
+  }
+
+  /** Another array after each change of values. */
+  read(): Float64Array {
+    const values = this.values();
+    if (values !== this.seen) this.numbers = followerNumbers(values, this.simulator.parameters());
+    this.seen = values;
+    return this.numbers;
   }
 }
 
@@ -171,16 +216,27 @@ export class TableEmitter extends Handle implements EmitterHandle {
 
   protected start(): void {
     this.follow();
+    this.context.overrides.reserve(`emitters.${this.emitter}`);
     this.context.release(`emitters.${this.emitter}`);
     this.context.overrides.unmute(`emitters.${this.emitter}`);
   }
 
   protected override follow(): void {
-    this.requireSound(this.context.frame.toSmoke(worldPose(this.object, pose)), MAX_PLACE);
+    this.requireSound(this.context.frame.toSmoke(worldPose(this.object, pose)));
   }
 
   protected stop(): void {
     this.context.overrides.mute(`emitters.${this.emitter}`);
+  }
+
+  /** Gives the emitter the place that its values describe. */
+  protected override release(): void {
+    for (const vector of ['position', 'direction'])
+      for (const axis of AXES) {
+        const key = `emitters.${this.emitter}.${vector}.${axis}`;
+        this.context.overrides.put(key, 0);
+        this.context.overrides.drop(key);
+      }
   }
 
   private write(): void {

@@ -1,5 +1,6 @@
 import type { Object3D } from 'three';
 import { ParameterError, SimulatorError } from '../preset/errors.ts';
+import { runOnSelf } from '../preset/onSelf.ts';
 import type { Pose } from './shapes.ts';
 
 /**
@@ -23,8 +24,8 @@ export interface HandleOwner {
   readonly isAlive: boolean;
 }
 
-/** Maximum distance of an object from the origin along an axis, in metres. */
-const MAX_COORDINATE = 5000;
+/** Largest coordinate of objects, bursts and positions of the parameter table, in metres. */
+export const MAX_COORDINATE = 5000;
 
 /** Starts and stops an effect as its object appears and disappears. */
 export abstract class Handle implements SmokeHandle {
@@ -44,6 +45,7 @@ export abstract class Handle implements SmokeHandle {
     this.object = object;
     if (!(object as Object3D | undefined)?.isObject3D)
       throw new ParameterError(`${call}.object`, object, 'an Object3D of three.js');
+    runOnSelf(this);
   }
 
   get enabled(): boolean {
@@ -116,18 +118,19 @@ export abstract class Handle implements SmokeHandle {
       throw new SimulatorError(`${call}.${what}: the smoke of this handle was disposed; create a new one.`);
   }
 
-  /** @throws ParameterError for a pose that is not finite or farther than `limit` metres from the origin */
-  protected requireSound({ position, rotation }: Pose, limit = MAX_COORDINATE): void {
+  /** @throws ParameterError for a pose that is not finite or beyond {@link MAX_COORDINATE} */
+  protected requireSound({ position, rotation }: Pose): void {
     const { x, y, z } = position;
     const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
     // NaN fails every comparison.
-    if (most <= limit && rotation.lengthSq() > 0) return;
+    if (most <= MAX_COORDINATE && rotation.lengthSq() > 0) return;
     const { call, object } = this;
     const where = `${object.name || object.type} at ${x}, ${y}, ${z}`;
-    throw new ParameterError(`${call}.object`, where, `an object with a finite transform within ${limit} m`);
+    throw new ParameterError(`${call}.object`, where, `an object with a finite transform within ${MAX_COORDINATE} m`);
   }
 
-  private deactivate(): void {
+  /** Turns the effect off until the next look. */
+  deactivate(): void {
     if (this.isActive) this.stop();
     this.isActive = false;
   }
@@ -135,11 +138,12 @@ export abstract class Handle implements SmokeHandle {
   /** Objects that were never in the scene count as present: they are mere anchors. */
   private isPresent(smoke: Object3D): boolean {
     const root = rootOf(smoke);
-    return this.noteScene(root) || !this.wasInScene || root === smoke;
+    return this.noteScene(root) || !this.wasInScene || root.uuid === smoke.uuid;
   }
 
   private noteScene(root: Object3D): boolean {
-    const isInScene = rootOf(this.object) === root;
+    // Not by identity: the object, or what holds the smoke, may be a Proxy.
+    const isInScene = rootOf(this.object).uuid === root.uuid;
     this.wasInScene ||= isInScene;
     return isInScene;
   }
@@ -174,6 +178,11 @@ export class Handles {
 
   show(blend: number): void {
     for (const handle of this.all) handle.show(blend);
+  }
+
+  /** Ends all effects until the next look. */
+  pause(): void {
+    for (const handle of this.all) handle.deactivate();
   }
 }
 

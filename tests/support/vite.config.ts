@@ -26,6 +26,7 @@ export default mergeConfig(site, {
     include: [
       'idiomorph',
       'morphdom',
+      '@vue/reactivity',
       'react',
       '@react-three/fiber',
       'three/examples/jsm/objects/Reflector.js',

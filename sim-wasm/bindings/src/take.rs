@@ -85,6 +85,12 @@ impl Simulator {
         self.simulator.input_blow(&blow).map_err(parameter_error)
     }
 
+    /// Input: removes all particles.
+    #[wasm_bindgen(js_name = inputClear)]
+    pub fn input_clear(&mut self) -> Result<(), JsValue> {
+        self.simulator.input_clear().map_err(parameter_error)
+    }
+
     /// Value of a channel.
     pub fn control(&self, channel: u32) -> f32 {
         self.simulator.control(channel)

@@ -107,9 +107,24 @@ export const styleRows = [
   }),
   color('rimColor', 'Rim colour', 'Colour of the rim light.', '#fff6d8'),
   color('smokeColor', 'Smoke', 'Colour of the smoke in full light.', '#f6efe2'),
-  color('tint1', 'Tint 1', 'Colour of smoke that an emitter or an obstacle has given tint 1.', '#f08a5d'),
-  color('tint2', 'Tint 2', 'Colour of smoke that an emitter or an obstacle has given tint 2.', '#7fb2e5'),
-  color('tint3', 'Tint 3', 'Colour of smoke that an emitter or an obstacle has given tint 3.', '#8fcf7a'),
+  color(
+    'tint1',
+    'Tint 1',
+    'Colour of smoke that an emitter or an obstacle has given tint 1, 4, 7, 10 or 13.',
+    '#f08a5d',
+  ),
+  color(
+    'tint2',
+    'Tint 2',
+    'Colour of smoke that an emitter or an obstacle has given tint 2, 5, 8, 11 or 14.',
+    '#7fb2e5',
+  ),
+  color(
+    'tint3',
+    'Tint 3',
+    'Colour of smoke that an emitter or an obstacle has given tint 3, 6, 9, 12 or 15.',
+    '#8fcf7a',
+  ),
   ramp('ageRamp', 'Colour by age', 'Colours of the smoke over its lifetime. They replace the single colour.'),
   ramp(
     'heatRamp',

@@ -61,10 +61,16 @@ impl Births {
         self.debts.iter().fold(0, |sum, debt| sum.saturating_add(debt.waiting))
     }
 
+    /// Drops the births that wait for capacity.
+    pub(crate) fn forget_waiting(&mut self) {
+        self.debts.iter_mut().for_each(|debt| debt.waiting = 0);
+    }
+
     /// Makes the births of one step.
     pub fn step(&mut self, around: &EmissionContext, random: &mut Random, particles: &mut Particles) {
         let emitters = around.parameters.emitters.items();
-        for (emitter, debt) in emitters.iter().zip(&mut self.debts) {
+        let (table, pool) = self.debts.split_at_mut(LIST_LIMIT);
+        for (emitter, debt) in emitters.iter().zip(table).chain(self.pool.iter().zip(pool)) {
             debt.waiting = debt.waiting.saturating_add(burst(emitter, around));
         }
         self.make_up(around, random, particles);

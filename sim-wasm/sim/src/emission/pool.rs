@@ -15,6 +15,8 @@ use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
 
 /// Numbers of an emitter: its parameters in the order of the table, three for a vector.
 pub const EMITTER_NUMBERS: usize = 30;
+/// Largest share, which is a rate here (particles/s): the range of `emission.rate`.
+const MAX_RATE: f64 = 20_000.0;
 
 impl Births {
     /// Sets an emitter of the pool and adds births to those that an emitter makes in the next step.
@@ -36,6 +38,9 @@ impl Births {
                 return Err(error_of(index));
             }
             if self.pool.is_empty() {
+                if numbers.is_empty() && count == 0 {
+                    return Ok(());
+                }
                 self.pool = vec![Emitter::default(); POOL_LIMIT];
             }
             let emitter = &mut self.pool[slot];
@@ -112,7 +117,8 @@ fn emitter_from(numbers: &[f64]) -> Result<Emitter, ParameterError> {
     for number in 0..EMITTER_NUMBERS {
         let (meta, at) = place_of(number);
         let given = numbers.get(number).copied().unwrap_or(f64::NAN);
-        *value(&mut emitter, at) = accept(meta.key, meta, given)?;
+        let max = if meta.key == "share" { MAX_RATE } else { meta.max };
+        *value(&mut emitter, at) = accept(meta.key, &Meta { max, ..*meta }, given)?;
     }
     Ok(emitter)
 }

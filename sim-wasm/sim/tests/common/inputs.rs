@@ -15,6 +15,7 @@ pub enum Act {
     Move(u32, [f64; 3]),
     Drag(u32, [f64; 3], f64),
     Release(u32),
+    Clear,
 }
 
 /// Parameters that users change, with ranges of strong effects.
@@ -39,6 +40,7 @@ pub fn act() -> impl Strategy<Value = Act> {
         2 => (0_u32..2, place()).prop_map(|(rigid, place)| Act::Move(rigid, place)),
         2 => (0_u32..2, place(), 1.0..100.0).prop_map(|(rigid, place, stiffness)| Act::Drag(rigid, place, stiffness)),
         1 => (0_u32..2).prop_map(Act::Release),
+        1 => Just(Act::Clear),
     ]
 }
 
@@ -55,6 +57,7 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
             radius: *radius,
             seconds: *seconds,
         }),
+        Act::Clear => simulator.input_clear(),
         #[cfg(feature = "rigids")]
         Act::Move(rigid, [x, y, z]) => simulator.input_pose(*rigid, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
         #[cfg(feature = "rigids")]

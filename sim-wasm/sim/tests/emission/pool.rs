@@ -216,7 +216,7 @@ fn a_state_without_a_pool_has_no_bytes_of_it() {
     let section = bytes.windows(4).position(|name| name == b"born").unwrap();
     let length = u32::from_le_bytes(bytes[section + 4..section + 8].try_into().unwrap());
     assert_eq!(length as usize, 16 * LIST_LIMIT);
-    simulator.set_emitter(index(0), &[], 0).unwrap();
+    simulator.set_emitter(index(0), &emitter(&[]), 0).unwrap();
     assert!(simulator.save().len() > bytes.len());
 }
 
@@ -243,4 +243,36 @@ fn what_is_out_of_range_is_an_error_and_changes_nothing() {
         assert_eq!(rejects(&mut simulator, missing, &[]), "emitter");
     }
     assert!(simulator.save() == before);
+}
+
+#[test]
+fn it_has_bursts_at_each_start_and_rates_up_to_that_of_all_smoke() {
+    let mut simulator = simulator(8000, 1, &[STILL, SILENT]);
+    let puffs = [
+        ("share", 0.0),
+        ("burst.count", 7.0),
+        ("envelope.period", 0.5),
+        ("envelope.duration", 0.1),
+    ];
+    simulator.set_emitter(index(2), &emitter(&puffs), 0).unwrap();
+    steps(&mut simulator, 59);
+    assert_eq!(simulator.alive(), 14);
+    simulator
+        .set_emitter(index(2), &emitter(&[("share", 20_000.0)]), 0)
+        .unwrap();
+    steps(&mut simulator, 15);
+    assert_eq!(simulator.alive(), 14 + 5000);
+    assert!(
+        simulator
+            .set_emitter(index(2), &emitter(&[("share", 20_001.0)]), 0)
+            .is_err()
+    );
+}
+
+#[test]
+fn to_free_a_slot_of_an_empty_pool_changes_nothing() {
+    let mut simulator = simulator(100, 1, &[STILL]);
+    let hash = simulator.hash();
+    simulator.set_emitter(index(2), &[], 0).unwrap();
+    assert_eq!(simulator.hash(), hash);
 }

@@ -38,7 +38,7 @@ fn play(simulator: &mut Simulator, script: &[(usize, Act)]) -> Vec<(u64, u64)> {
         steps(simulator, *wait);
         let before = simulator.hash();
         perform(simulator, act);
-        if !matches!(act, Act::Resize(_) | Act::Set("simulation.integrator", _)) {
+        if !matches!(act, Act::Clear | Act::Resize(_) | Act::Set("simulation.integrator", _)) {
             assert_eq!(simulator.hash(), before, "{act:?} acts before its step");
         }
         moments.push((simulator.steps(), simulator.hash()));
@@ -237,4 +237,30 @@ fn puff(speed: f64) -> BlowNumbers {
         radius: 0.5,
         seconds: 0.3,
     }
+}
+
+#[test]
+fn clear_removes_particles_and_waiting_births_and_nothing_else() {
+    let mut live = recording(3);
+    live.input_values(&[("emission.rate", 4000.0)]).unwrap();
+    steps(&mut live, 30);
+    assert!(live.alive() > 300 && live.waiting() > 0);
+    live.input_clear().unwrap();
+    assert_eq!((live.alive(), live.waiting(), live.steps()), (0, 0, 30));
+    live.step();
+    assert!(live.alive() > 50);
+    let hash = live.hash();
+    live.rewind(None).unwrap();
+    steps(&mut live, 31);
+    assert_eq!(live.hash(), hash);
+}
+
+#[test]
+fn several_clears_in_a_step_are_recorded_once() {
+    let mut live = recording(1);
+    for _ in 0..5 {
+        live.input_clear().unwrap();
+        live.input_steer(0, 0.5).unwrap();
+    }
+    assert_eq!(live.inputs(), (2, 2));
 }

@@ -46,6 +46,9 @@ impl Item for ColliderParameters {
             .says("On contact", "What happens to smoke on contact."),
         number("tint", "1", [1.0, 15.0], 1.0, |c: &mut Self| &mut c.tint)
             .whole()
-            .says("Tint", "Number of the tint that smoke gets, if contact tints."),
+            .says(
+                "Tint",
+                "Number of the tint that smoke gets, if contact tints. There are three colours, which repeat: 4 is as 1.",
+            ),
     ];
 }

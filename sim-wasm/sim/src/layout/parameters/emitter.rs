@@ -92,7 +92,10 @@ impl Item for Emitter {
             .says("Temperature", "Temperature of new puffs. Warm smoke rises."),
         number("tint", "1", [0.0, 15.0], 0.0, |e: &mut Self| &mut e.tint)
             .whole()
-            .says("Tint", "Number of the tint of new puffs; 0 is none."),
+            .says(
+                "Tint",
+                "Number of the tint of new puffs; 0 is none. There are three colours, which repeat: 4 is as 1.",
+            ),
         number("share", "1", [0.0, 1000.0], 1.0, |e: &mut Self| &mut e.share)
             .says("Share", "Share of the emission rate, relative to the other emitters."),
         number("burst.count", "particles", [0.0, 20_000.0], 0.0, |e: &mut Self| {

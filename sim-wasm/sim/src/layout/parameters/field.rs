@@ -154,8 +154,8 @@ pub const fn vector<Item>(
     Field::new(key, unit, range, default, Accessor::Vector(of))
 }
 
-/// Range of a world position (m).
-pub const PLACE: [f64; 2] = [-1000.0, 1000.0];
+/// Range of a world position (m), the same as for objects of a three.js scene.
+pub const PLACE: [f64; 2] = [-5000.0, 5000.0];
 /// Range of a component of a direction of any length.
 pub const DIRECTION: [f64; 2] = [-1.0, 1.0];
 /// Range of a length above 0 (m).

@@ -6,7 +6,7 @@ use crate::layout::error::RestoreError;
 use crate::simulator::take::input::Input;
 use crate::simulator::take::log::{MAX_INPUTS, Record};
 
-/// Number of input kinds; the first byte of an input is below it.
+/// Number of input kinds with numbers. Their first byte is below it; other inputs are that byte only.
 const KINDS: usize = 7;
 
 /// Inputs of one kind as bytes of equal length.
@@ -23,7 +23,9 @@ pub fn write(records: &[Record], body: &mut Writer) {
         kinds.byte(row[0]);
         waits.count(step - latest);
         latest = *step;
-        rows[usize::from(row[0])].push(row);
+        if let Some(rows) = rows.get_mut(usize::from(row[0])) {
+            rows.push(row);
+        }
     }
     body.block(&kinds.finish());
     body.block(&waits.finish());
@@ -45,10 +47,10 @@ pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     let mut records = Vec::with_capacity(kinds.len());
     let mut latest: u64 = 0;
     for kind in kinds {
-        let row = rows
-            .get_mut(usize::from(*kind))
-            .and_then(Iterator::next)
-            .ok_or_else(uneven)?;
+        let row = match rows.get_mut(usize::from(*kind)) {
+            Some(rows) => rows.next().ok_or_else(uneven)?,
+            None => vec![*kind],
+        };
         latest = latest.checked_add(waits.count()?).ok_or_else(uneven)?;
         let mut row = Reader::over(&row);
         let input = Input::read(&mut row)?;
@@ -114,9 +116,10 @@ mod tests {
             blow(-7.25),
             Input::Release { rigid: 300 },
             Input::Resize { capacity: 70_000 },
+            Input::Clear,
             blow(7.25),
         ];
-        let steps = [3, 3, 130, 131, 40_000, 1 << 38];
+        let steps = [3, 3, 130, 131, 40_000, 40_001, 1 << 38];
         steps
             .into_iter()
             .zip(inputs)

@@ -25,6 +25,8 @@ pub enum Input {
     Steer { channel: u8, value: i16 },
     /// Starts a gust.
     Blow(Blow),
+    /// Removes all particles.
+    Clear,
 }
 
 const SET: u8 = 0;
@@ -34,6 +36,7 @@ const STEER: u8 = 3;
 const BLOW: u8 = 4;
 const DRAG: u8 = 5;
 const RELEASE: u8 = 6;
+const CLEAR: u8 = 7;
 
 impl Input {
     /// Sets `channel`, below [`CHANNELS`], to `value`, -1..=1.
@@ -61,7 +64,7 @@ impl Input {
             (Self::Move { rigid: a, .. }, Self::Move { rigid: b, .. }) => a == b,
             (Self::Drag { rigid: a, .. }, Self::Drag { rigid: b, .. }) => a == b,
             (Self::Steer { channel: a, .. }, Self::Steer { channel: b, .. }) => a == b,
-            (Self::Blow(_), Self::Blow(_)) => true,
+            (Self::Blow(_), Self::Blow(_)) | (Self::Clear, Self::Clear) => true,
             _ => false,
         }
     }
@@ -108,6 +111,7 @@ impl Input {
                 body.byte(BLOW);
                 blow.write(body);
             }
+            Self::Clear => body.byte(CLEAR),
         }
     }
 
@@ -135,6 +139,7 @@ impl Input {
             },
             RELEASE => Self::Release { rigid: reader.short()? },
             BLOW => Self::Blow(Blow::read(reader)?),
+            CLEAR => Self::Clear,
             _ => return Err(impossible_input()),
         })
     }

@@ -80,6 +80,11 @@ impl Simulator {
         self.give(Input::Blow(Blow::new(numbers)?))
     }
 
+    /// Removes all particles, and the births that wait. Emitters keep the fractions that they owe.
+    pub fn input_clear(&mut self) -> Result<(), ParameterError> {
+        self.give(Input::Clear)
+    }
+
     /// Value of a channel set by `input_steer`, -1..=1. 0 initially, and for an index out of range.
     pub fn control(&self, channel: u32) -> f32 {
         self.active_inputs.control(channel as usize)
@@ -159,6 +164,11 @@ impl Simulator {
             }
             Input::Blow(blow) => {
                 self.active_inputs.blow(*blow);
+                Ok(())
+            }
+            Input::Clear => {
+                self.particles.set_alive(0);
+                self.births.forget_waiting();
                 Ok(())
             }
         }
