@@ -32,14 +32,23 @@ export default defineConfig({
       { find: /^cartoon-smoke\/(fiber|puff)$/, replacement: source('$1') },
     ],
   },
-  // Vite would discover these late, in modules that only tests import or that load on demand, and reload the page.
+  // All packages that the page and the examples import. Vite would discover those that load on demand late, and then
+  // answer 504 for the others.
   optimizeDeps: {
+    noDiscovery: true,
     include: [
       'three',
-      'three/examples/jsm/loaders/GLTFLoader.js',
-      'three/examples/jsm/loaders/OBJLoader.js',
+      'three/examples/jsm/controls/OrbitControls.js',
+      'three/examples/jsm/exporters/EXRExporter.js',
+      ...['DRACO', 'GLTF', 'OBJ'].map((name) => `three/examples/jsm/loaders/${name}Loader.js`),
+      '@pmndrs/assets/models/suzi.glb',
+      '@react-three/fiber',
+      'react',
+      'react/jsx-dev-runtime',
+      'react-dom/client',
       'fflate',
       'gifenc',
+      'lean-qr',
       'mediabunny',
     ],
   },

@@ -22,19 +22,20 @@ export default mergeConfig(site, {
   root: fileURLToPath(new URL('../..', import.meta.url)),
   plugins: [policies()],
   cacheDir: '.cache/vite-tests',
+  // Added to those of the site, which also sets `noDiscovery`.
   optimizeDeps: {
     include: [
       'idiomorph',
       'morphdom',
       '@vue/reactivity',
-      'react',
-      '@react-three/fiber',
+      'postprocessing',
       'three/examples/jsm/objects/Reflector.js',
       ...['GLTF', 'OBJ', 'PLY', 'STL', 'USDZ'].map((name) => `three/examples/jsm/exporters/${name}Exporter.js`),
       'three/examples/jsm/libs/fflate.module.js',
       'three/examples/jsm/utils/BufferGeometryUtils.js',
-      ...['EffectComposer', 'GTAOPass', 'OutputPass', 'RenderPass', 'UnrealBloomPass'].map(
-        (name) => `three/examples/jsm/postprocessing/${name}.js`,
+      'three/examples/jsm/postprocessing/EffectComposer.js',
+      ...['Bokeh', 'GTAO', 'Output', 'Render', 'SSAO', 'UnrealBloom'].map(
+        (name) => `three/examples/jsm/postprocessing/${name}Pass.js`,
       ),
     ],
   },
