@@ -3,7 +3,7 @@ import type { Values } from '../../preset.ts';
 import type { Task } from './clip.ts';
 import { shootLoop } from './loop.ts';
 import { drawMotion, MOTION_RANGE } from './motion.ts';
-import { linear, PixelReader } from './pixels.ts';
+import { linear, NOISE, PixelReader } from './pixels.ts';
 import { Archive } from './pngSequence.ts';
 import { columnsOf, frameCount, pixelSize, type CaptureSettings } from './settings.ts';
 import type { Studio } from './studio.ts';
@@ -109,7 +109,7 @@ class MapCamera {
       channels.data[at + 2] = depth.data[at];
       channels.data[at + 3] = color.data[at + 3];
       // Smoothed edges and ink cover pixels that no puff does.
-      if (normals.data[at + 3] === 0) normals.data.set(FACING, at);
+      if (normals.data[at + 3] <= NOISE) normals.data.set(FACING, at);
       normals.data[at + 3] = color.data[at + 3];
     }
     return [color, channels, normals];

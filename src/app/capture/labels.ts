@@ -1,3 +1,5 @@
+import { isSame, NOISE } from './pixels.ts';
+
 /** An image in a few flat colours, as indices. */
 export interface Labels {
   readonly width: number;
@@ -21,8 +23,13 @@ const HALF = 128;
 export function labelColors({ data, width, height }: ImageData): Labels {
   const pixels = new Uint32Array(data.buffer);
   const colors = commonestColors(pixels);
-  const numbers = new Map(colors.map((color, number) => [color, number]));
-  const found = Uint8Array.from(pixels, (pixel) => numbers.get(settled(pixel)) ?? UNKNOWN);
+  const numbers = new Map<number, number>();
+  const numberOf = (color: number) => {
+    const number = numbers.get(color) ?? colors.findIndex((other) => isSame(color, other));
+    numbers.set(color, number);
+    return number < 0 || color === EDGE ? UNKNOWN : number;
+  };
+  const found = Uint8Array.from(pixels, (pixel) => numberOf(settled(pixel)));
   const labels = { width, height, of: found.slice(), colors };
   for (let at = 0; at < found.length; ++at) {
     if (found[at] === UNKNOWN) labels.of[at] = nearestOf(beside(found, at, width), colors, pixels[at]);
@@ -31,22 +38,33 @@ export function labelColors({ data, width, height }: ImageData): Labels {
 }
 
 const UNKNOWN = 255;
+/** In place of partially transparent pixels. */
+const EDGE = 1;
+const HIGH_BITS = ~0x010101;
 
-/** Returns opaque pixels unchanged, transparent ones as 0 and partially transparent ones as 1, which marks an edge. */
+/** Returns opaque pixels with full alpha, transparent ones as 0 and partially transparent ones as an edge. */
 function settled(pixel: number): number {
   const alpha = pixel >>> 24;
-  return alpha === 0 ? 0 : alpha === 255 ? pixel : 1;
+  return alpha <= NOISE ? 0 : alpha >= 255 - NOISE ? (pixel | 0xff000000) >>> 0 : EDGE;
 }
 
 function commonestColors(pixels: Uint32Array): number[] {
   const counts = new Map<number, number>();
+  // Falsified pixels of one colour differ in their lowest bits.
+  const sums = new Map<number, number>();
   for (const pixel of pixels) {
     const color = settled(pixel);
-    if (color > 1) counts.set(color, (counts.get(color) ?? 0) + 1);
+    if (color === EDGE || color === 0) continue;
+    counts.set(color, (counts.get(color) ?? 0) + 1);
+    sums.set(color & HIGH_BITS, (sums.get(color & HIGH_BITS) ?? 0) + 1);
   }
   const least = Math.max(MIN_PIXELS, MIN_SHARE * pixels.length);
-  const common = [...counts].filter(([, count]) => count >= least).sort(([, a], [, b]) => b - a);
-  return [0, ...common.slice(0, MAX_COLORS).map(([color]) => color)];
+  const colors = [0];
+  for (const [color] of [...counts].sort(([, a], [, b]) => b - a)) {
+    if (colors.length > MAX_COLORS) break;
+    if (sums.get(color & HIGH_BITS)! >= least && !colors.some((other) => isSame(color, other))) colors.push(color);
+  }
+  return colors;
 }
 
 /** Colour indices around a pixel; all indices when there are none. */

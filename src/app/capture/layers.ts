@@ -1,6 +1,6 @@
 import type { Arranger, Rows } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
-import { linear, PixelReader } from './pixels.ts';
+import { isSame, linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 
 export const LAYERS = ['flats', 'shadow', 'ink', 'surfaces', 'depth'] as const;
@@ -52,7 +52,7 @@ export class LayerCamera {
     const shadowed = this.read({ 'style.outlines': 0 });
     const pixels = new Uint32Array(shadowed.data.buffer);
     pixels.forEach((pixel, at) => {
-      if (pixel === flats[at]) pixels[at] = 0;
+      if (isSame(pixel, flats[at])) pixels[at] = 0;
     });
     return shadowed;
   }

@@ -1,6 +1,6 @@
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
-import { PixelReader } from './pixels.ts';
+import { isSame, NOISE, PixelReader } from './pixels.ts';
 import type { Point } from './simplify.ts';
 import type { Studio } from './studio.ts';
 import { traceRegion } from './trace.ts';
@@ -17,7 +17,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const [width, height] = pixelSize(settings);
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
-  const inkColor = String(stage.get()['style.inkColor']).toLowerCase();
+  const inkColor = pixelOf(String(stage.get()['style.inkColor']));
   draw();
   const whole = reader.read(canvas);
   if (settings.hasBackground) stage.background = false;
@@ -31,7 +31,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
     group(
       'ink',
       ink,
-      ink.colors.filter((color) => hexOf(color) === inkColor),
+      ink.colors.filter((color) => isSame(color, inkColor)),
     ),
   ];
   const size = `width="${settings.width}" height="${settings.height}" viewBox="0 0 ${width} ${height}"`;
@@ -83,8 +83,14 @@ function backdrop(whole: ImageData, cut: ImageData): string {
 function emptyColor(whole: ImageData, cut: ImageData, row: number): number | undefined {
   const from = row * whole.width;
   const [colors, holes] = [whole, cut].map(({ data }) => new Uint32Array(data.buffer, 4 * from, whole.width));
-  const at = holes.indexOf(0);
+  const at = holes.findIndex((pixel) => pixel >>> 24 <= NOISE);
   return at < 0 ? undefined : colors[at];
+}
+
+/** The pixel of a colour `#rrggbb`. */
+function pixelOf(color: string): number {
+  const [red, green, blue] = [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+  return ((0xff << 24) | (blue << 16) | (green << 8) | red) >>> 0;
 }
 
 function hexOf(color: number): string {

@@ -1,15 +1,19 @@
 import { NearestFilter, WebGLRenderTarget, type IUniform } from 'three';
 import { FullScreen, type DrawnDepth } from '../../internal.ts';
 
-// The bits of a float as four bytes, because not every GPU can draw to float targets.
+/** Depths in these steps; the depth buffer has 24 bits. */
+const STEPS = 1 << 24;
+
+// Four times six bits, because not every GPU can draw to float targets, and some browsers falsify the lowest bits of what
+// is read.
 const SHADER = /* glsl */ `
 precision highp float;
 precision highp int;
 uniform highp sampler2D depth;
 out vec4 pixel;
 void main() {
-  uint bits = floatBitsToUint(texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r);
-  pixel = vec4((uvec4(bits) >> uvec4(0u, 8u, 16u, 24u)) & 0xffu) / 255.0;
+  uint steps = min(uint(texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r * 16777216.0), 0xffffffu);
+  pixel = vec4((((uvec4(steps) >> uvec4(0u, 6u, 12u, 18u)) & 0x3fu) << 2u) | 2u) / 255.0;
 }`;
 
 /** Reads the depth buffer of pictures of one size, as distances along the view axis. */
@@ -40,9 +44,11 @@ export class DepthReader {
     renderer.readRenderTargetPixels(this.target, 0, 0, width, height, bytes);
     renderer.setRenderTarget(null);
     const { near, far } = camera;
-    return new Float32Array(bytes.buffer).map((found) =>
-      found < 1 ? (near * far) / (far - found * (far - near)) : Infinity,
-    );
+    return Float32Array.from({ length: width * height }, (_, pixel) => {
+      const [a, b, c, d] = bytes.subarray(4 * pixel, 4 * pixel + 4).map((byte) => byte >> 2);
+      const steps = a | (b << 6) | (c << 12) | (d << 18);
+      return steps < STEPS - 1 ? (near * far) / (far - (steps / STEPS) * (far - near)) : Infinity;
+    });
   }
 
   dispose(): void {
