@@ -2,12 +2,14 @@ import type { Parameter } from '../../preset.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import type { Row } from './row.ts';
 import { strings } from '../strings.ts';
+import { synonyms } from './synonyms.ts';
 
 type ParameterRows = Iterable<readonly [Parameter, Row]>;
 
 /**
- * Search field that filters the panel by labels, descriptions, keys and group names. Matching groups open.
- * @param all returns the current rows, which change with the items
+ * Search field that filters the panel by labels, synonyms, keys, descriptions and group names, in both spellings.
+ * Matching groups open; the best matches come first.
+ * @param all returns the current rows in their order, which change with the items
  * @param panel contains the groups
  */
 export function createSearch(all: () => ParameterRows, panel: HTMLElement): HTMLElement {
@@ -15,54 +17,106 @@ export function createSearch(all: () => ParameterRows, panel: HTMLElement): HTML
   const field = create('input', { id, type: 'search', class: 'search-field', placeholder: strings.panel.search });
   field.setAttribute('aria-label', strings.panel.search);
   const found = create('p', { role: 'status', class: 'search-found' });
-  let wereOpen: ReadonlySet<Element> | undefined;
+  // The groups in their order before the search, and whether they were open.
+  const before = new Map<HTMLDetailsElement, boolean>();
   const filter = () => {
-    const words = wordsOf(field.value);
-    const groups = [...panel.querySelectorAll<HTMLDetailsElement>('details.group:not([hidden])')];
     const rows = all();
-    wereOpen ??= new Set(groups.filter(({ open }) => open));
-    const count = words.length > 0 ? showOnly(words, rows, groups) : showAll(rows, groups, wereOpen);
-    if (words.length === 0) wereOpen = undefined;
-    found.textContent = count === undefined ? '' : strings.panel.found(count);
+    for (const group of panel.querySelectorAll<HTMLDetailsElement>('details.group:not([hidden])')) {
+      if (!before.has(group)) before.set(group, group.open);
+    }
+    const isSearch = field.value.trim() !== '';
+    const count = showOnly(field.value, rows, [...before.keys()]);
+    if (!isSearch) {
+      for (const [group, wasOpen] of before) group.open = wasOpen;
+      before.clear();
+    }
+    found.textContent = isSearch ? strings.panel.found(count) : '';
   };
   field.addEventListener('input', filter);
   return create('div', { class: 'search', role: 'search' }, field, found);
 }
 
-function showOnly(words: readonly string[], rows: ParameterRows, groups: readonly HTMLDetailsElement[]): number {
+/** Shows the matches of a query, the best ones first; all rows in their order for an empty query. */
+function showOnly(query: string, rows: ParameterRows, groups: readonly HTMLDetailsElement[]): number {
   const titles = new Map(groups.map((group) => [group, group.querySelector('summary')!.textContent]));
-  for (const [{ key, label, text }, { element }] of rows) {
-    const title = titles.get(element.closest('details')!) ?? '';
-    element.classList.toggle('is-filtered', !speaksOf(words, `${label} ${text} ${key} ${title}`));
+  const ranked = new Map<HTMLDetailsElement, [rank: number, row: HTMLElement][]>(groups.map((group) => [group, []]));
+  for (const [parameter, { element }] of rows) {
+    const group = element.closest('details')!;
+    const rank = rankOf(query, parameter, titles.get(group) ?? '');
+    element.classList.toggle('is-filtered', rank === undefined);
+    ranked.get(group)?.push([rank ?? Infinity, element]);
   }
   let count = 0;
-  for (const group of groups) {
-    const shown = group.querySelectorAll('.row:not(.is-filtered)').length;
-    const isNamed = speaksOf(words, titles.get(group)!);
-    group.classList.toggle('is-filtered', shown === 0 && !isNamed);
-    group.open = group.open || shown > 0;
-    count += shown;
+  const order: [rank: number, group: HTMLElement][] = [];
+  for (const [group, members] of ranked) {
+    const shown = members.filter(([rank]) => rank < Infinity);
+    const isNamed = rankOf(query, NAMELESS, titles.get(group)!) !== undefined;
+    group.classList.toggle('is-filtered', shown.length === 0 && !isNamed);
+    group.open ||= shown.length > 0;
+    count += shown.length;
+    reorder(members);
+    order.push([Math.min(Infinity, ...shown.map(([rank]) => rank)), group]);
+  }
+  for (const parent of new Set(groups.map((group) => group.parentElement))) {
+    reorder(order.filter(([, group]) => group.parentElement === parent));
   }
   return count;
 }
 
-function showAll(
-  rows: ParameterRows,
-  groups: readonly HTMLDetailsElement[],
-  wereOpen: ReadonlySet<Element>,
-): undefined {
-  for (const [, { element }] of rows) element.classList.remove('is-filtered');
-  for (const group of groups) {
-    group.classList.remove('is-filtered');
-    group.open = wereOpen.has(group);
-  }
+/** Sorts elements by rank, and those of equal rank as they are given. The others of their parent stay in place. */
+function reorder(elements: [rank: number, element: HTMLElement][]): void {
+  const sorted = elements.toSorted(([a], [b]) => a - b || 0).map(([, element]) => element);
+  const siblings = [...(sorted[0]?.parentElement?.children ?? [])].filter((each) =>
+    sorted.includes(each as HTMLElement),
+  );
+  if (siblings.every((each, index) => each === sorted[index])) return;
+  const marker = new Comment();
+  siblings[0].before(marker);
+  marker.replaceWith(...sorted);
 }
 
-function wordsOf(text: string): readonly string[] {
-  return text.toLowerCase().split(/\s+/).filter(Boolean);
+const NAMELESS = { key: '', label: '', text: '' };
+/** British and American spellings of words in the panel. */
+const SPELLINGS = ['colour color', 'neighbour neighbor', 'grey gray', 'centre center', 'metre meter'];
+
+/**
+ * How well a parameter matches a query: less is better, undefined for no match. Each word of the query must begin a word
+ * of the parameter or be within its label.
+ * @param title of its group
+ */
+export function rankOf(
+  query: string,
+  { key, label, text }: Pick<Parameter, 'key' | 'label' | 'text'>,
+  title: string,
+): number | undefined {
+  const name = label.toLowerCase();
+  const isNamed = (word: string) => spellings(name).some((each) => each.includes(word));
+  const tests: ((word: string) => boolean)[] = [
+    (word) => spellings(name).includes(word),
+    (word) => begins(word, label),
+    (word) => word.length > 2 && isNamed(word),
+    (word) => begins(word, synonyms[key.replace(/\d+/, '#')] ?? ''),
+    (word) => begins(word, key.replaceAll(/[A-Z]/g, ' $&')),
+    (word) => begins(word, text),
+    (word) => begins(word, title),
+  ];
+  const ranks = query
+    .toLowerCase()
+    .split(/\s+/)
+    .filter(Boolean)
+    .map((word) => tests.findIndex((test) => test(word) || (word.length > 3 && test(word.replace(/s$/, '')))));
+  return ranks.includes(-1) ? undefined : ranks.reduce((sum, rank) => sum + rank, 0);
 }
 
-function speaksOf(words: readonly string[], text: string): boolean {
-  const lower = text.toLowerCase();
-  return words.every((word) => lower.includes(word));
+/** Whether a word of a text begins with these letters. */
+function begins(letters: string, text: string): boolean {
+  return spellings(text.toLowerCase()).some((each) =>
+    each.split(/[^\p{L}\p{N}]+/u).some((word) => word.startsWith(letters)),
+  );
+}
+
+function spellings(text: string): readonly string[] {
+  const pairs = SPELLINGS.map((pair) => pair.split(' '));
+  const british = pairs.reduce((spelt, [uk, us]) => spelt.replaceAll(us, uk), text);
+  return [british, pairs.reduce((spelt, [uk, us]) => spelt.replaceAll(uk, us), british)];
 }
