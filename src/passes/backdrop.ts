@@ -1,21 +1,26 @@
-import { Color as ThreeColor, type WebGLRenderer } from 'three';
+import type { WebGLRenderer } from 'three';
 import fragmentShader from '../../shaders/backdrop/backdrop.frag';
 import type { FrameView } from '../device/frameView.ts';
 import { FullScreen } from '../device/fullScreen.ts';
-import { writeColor, type Color } from '../device/ramps.ts';
+import type { Tone } from '../device/ramps.ts';
+import { MAX_COLORS } from '../preset/ramp.ts';
 
 /** Draws the background gradient. Reads no textures; writes the lit and the unlit colour. */
 export class BackdropPass {
-  private readonly uniforms = { topColor: { value: new ThreeColor() }, bottomColor: { value: new ThreeColor() } };
+  private readonly uniforms = { stops: { value: new Float32Array(4 * MAX_COLORS) }, stopCount: { value: 0 } };
   private readonly triangle: FullScreen;
 
   constructor(eye: FrameView) {
-    this.triangle = new FullScreen(fragmentShader, { ...eye.uniforms, ...this.uniforms });
+    const defines = { STOPS: MAX_COLORS };
+    this.triangle = new FullScreen(fragmentShader, { ...eye.uniforms, ...this.uniforms }, { defines });
   }
 
-  setColors(top: Color, bottom: Color): void {
-    writeColor(top, this.uniforms.topColor);
-    writeColor(bottom, this.uniforms.bottomColor);
+  /** @param stops colours from bottom to top, blended between their heights 0..1; at most MAX_COLORS */
+  setColors(stops: readonly Tone[]): void {
+    stops.forEach(({ from, color }, stop) =>
+      this.uniforms.stops.value.set([...color.map((channel) => channel / 255), from], 4 * stop),
+    );
+    this.uniforms.stopCount.value = stops.length;
   }
 
   draw(renderer: WebGLRenderer): void {

@@ -172,8 +172,9 @@ export class SmokeRenderer {
 
   private paintBackdrop({ backdropColors = [] }: Style): void {
     if (!this.backdrop) return;
-    const [top, bottom] = [backdropColors.at(-1)?.color, backdropColors.at(0)?.color];
-    this.passes.backdrop.setColors(top ?? this.backdrop.top, bottom ?? this.backdrop.bottom);
+    const { bottom, top } = this.backdrop;
+    const own = [bottom, top].map((color, from) => ({ from, color }));
+    this.passes.backdrop.setColors(backdropColors.length > 0 ? backdropColors : own);
   }
 
   /** Writes the ramps in the order: smoke, tints, surfaces, then smoke for each band of age and temperature. */

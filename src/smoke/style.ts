@@ -73,7 +73,7 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   heatColors: readonly Tone[];
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
-  /** Background colours from bottom to top, instead of those of the scene; the scene's if absent or empty. */
+  /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
   backdropColors?: readonly Tone[];
 }
 

@@ -1,3 +1,4 @@
+import { readRamp, type RampStop } from '../../internal.ts';
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import { isSame, NOISE, PixelReader } from './pixels.ts';
@@ -18,6 +19,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
   const inkColor = pixelOf(String(stage.get()['style.inkColor']));
+  const ramp = readRamp(String(stage.get()['style.backdrop'] ?? '')) ?? [];
   draw();
   const whole = reader.read(canvas);
   if (settings.hasBackground) stage.background = false;
@@ -26,7 +28,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const flats = labelColors(reader.read(canvas));
   const ink = labelColors(cut);
   const groups = [
-    ...(settings.hasBackground ? [backdrop(whole, cut)] : []),
+    ...(settings.hasBackground ? [backdrop(ramp, whole, cut)] : []),
     group('flats', flats, flats.colors.slice(1)),
     group(
       'ink',
@@ -64,13 +66,17 @@ function short(value: number): string {
   return String(value).replace(/^(-?)0\./, '$1.');
 }
 
-/** The backdrop as a vertical gradient, sampled where nothing covers it. */
-function backdrop(whole: ImageData, cut: ImageData): string {
-  const stops = Array.from({ length: STOPS }, (_, stop) => {
-    const share = stop / (STOPS - 1);
-    const color = emptyColor(whole, cut, Math.round(share * (whole.height - 1)));
-    return color === undefined ? '' : `<stop offset="${share}" stop-color="${hexOf(color)}"/>`;
+/** The backdrop as a vertical gradient; without colours of its own, sampled where nothing covers it. */
+function backdrop(ramp: readonly RampStop[], whole: ImageData, cut: ImageData): string {
+  const sampled = Array.from({ length: STOPS }, (_, stop) => {
+    const offset = stop / (STOPS - 1);
+    const color = emptyColor(whole, cut, Math.round(offset * (whole.height - 1)));
+    return color === undefined ? [] : [{ offset, color: hexOf(color) }];
   });
+  const own = ramp.map(({ at, color }) => ({ offset: Number((1 - at).toFixed(3)), color })).reverse();
+  const stops = (own.length > 0 ? own : sampled.flat()).map(
+    ({ offset, color }) => `<stop offset="${offset}" stop-color="${color}"/>`,
+  );
   return [
     '<g id="background">',
     `<linearGradient id="backdrop" x2="0" y2="1">${stops.join('')}</linearGradient>`,

@@ -1,5 +1,5 @@
 import { isAccepted } from '../../internal.ts';
-import type { ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset.ts';
+import type { ChoiceParameter, NumberParameter, Parameter, Value, Values } from '../../preset.ts';
 import { createCurve } from './curveControl.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import { createRamp } from './rampControl.ts';
@@ -7,8 +7,17 @@ import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from './slider.ts';
 import { strings } from '../strings.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 
-/** Creates native inputs for a parameter. @param describedBy id of the element with its description */
-export function createControl(parameter: Parameter, describedBy: string, listener: ControlListener): Control {
+/**
+ * Creates native inputs for a parameter.
+ * @param describedBy id of the element with its description
+ * @param current returns all current values
+ */
+export function createControl(
+  parameter: Parameter,
+  describedBy: string,
+  listener: ControlListener,
+  current: () => Values,
+): Control {
   switch (parameter.kind) {
     case 'toggle':
       return createToggle(describedBy, listener);
@@ -19,7 +28,7 @@ export function createControl(parameter: Parameter, describedBy: string, listene
     case 'curve':
       return createCurve(describedBy, parameter.label, listener);
     case 'ramp':
-      return createRamp(describedBy, parameter.label, listener);
+      return createRamp(parameter, describedBy, listener, current);
     default:
       return createNumber(parameter, describedBy, listener);
   }

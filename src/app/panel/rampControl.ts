@@ -1,3 +1,4 @@
+import type { RampParameter, Values } from '../../preset.ts';
 import { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from '../../internal.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, textButton, uniqueId } from '../ui/dom.ts';
@@ -5,8 +6,14 @@ import { strings } from '../strings.ts';
 
 const [WIDTH, HEIGHT, MARGIN] = [240, 28, 8];
 const STEP = 0.02;
-/** Minimum distance between stops. */
-const MIN_GAP = 0.01;
+/** Minimum distance between stops: the precision of the ramp's text format, so that two stops can make a hard step. */
+const MIN_GAP = 0.001;
+/** Toggles that blend the colours of ramps. Other ramps are always blended. */
+const BLENDED_BY: Readonly<Record<string, string>> = {
+  'style.ramp': 'style.rampBlend',
+  'style.ageRamp': 'style.softColors',
+  'style.heatRamp': 'style.softColors',
+};
 /** Initial stops after a press on the bar of an empty ramp. */
 const FIRST_STOPS: readonly RampStop[] = [
   { at: 0, color: '#6a6a8c' },
@@ -24,9 +31,15 @@ const ARROWS: Readonly<Record<string, number>> = {
  * Ramp editor: a bar of colours. Stops are dragged or moved with the arrow keys. A press on the bar adds one; Delete or
  * the button removes the selected one. With fewer than two stops the ramp is empty. The colour of the selected stop is
  * edited below.
+ * @param current returns all current values, which decide whether the bar shows steps or blended colours
  */
-export function createRamp(describedBy: string, label: string, listener: ControlListener): Control {
-  const editor = new RampEditor(label, listener);
+export function createRamp(
+  { key, label }: RampParameter,
+  describedBy: string,
+  listener: ControlListener,
+  current: () => Values,
+): Control {
+  const editor = new RampEditor(label, listener, () => (current()[BLENDED_BY[key]] ?? 1) === 1);
   editor.drawing.setAttribute('aria-describedby', describedBy);
   return { elements: [editor.element], id: editor.drawing.id, show: (text) => editor.show(String(text)) };
 }
@@ -34,24 +47,28 @@ export function createRamp(describedBy: string, label: string, listener: Control
 class RampEditor {
   readonly drawing = createSvg('svg', { id: uniqueId(), class: 'ramp', role: 'group' });
   readonly element: HTMLElement;
-  private readonly fields = createSvg('g', {});
+  private readonly gradient = createSvg('linearGradient', { id: uniqueId() });
   private readonly handles = createSvg('g', {});
   private readonly colorInput = create('input', { type: 'color', 'aria-label': strings.ramp.color });
   private readonly removeButton = textButton('quiet', strings.ramp.remove, () => this.remove());
   private readonly tools = create('div', { class: 'ramp-tools' }, this.colorInput, this.removeButton);
   private readonly listener: ControlListener;
+  private readonly isBlended: () => boolean;
   private stops: readonly RampStop[] = [];
   private chosen = 0;
   private isHeld = false;
 
-  constructor(label: string, listener: ControlListener) {
+  constructor(label: string, listener: ControlListener, isBlended: () => boolean) {
     this.listener = listener;
+    this.isBlended = isBlended;
     const box = `${-MARGIN} -2 ${WIDTH + 2 * MARGIN} ${HEIGHT + MARGIN + 4}`;
     this.drawing.setAttribute('viewBox', box);
     this.drawing.setAttribute('aria-label', label);
     const bar = createSvg('rect', { class: 'ramp-bar', x: 0, y: 0, width: WIDTH, height: HEIGHT });
     const hint = createSvg('text', { class: 'ramp-hint', x: WIDTH / 2, y: 0.65 * HEIGHT }, strings.ramp.begin);
-    this.drawing.append(this.fields, bar, hint, this.handles);
+    const fill = `url(#${this.gradient.id})`;
+    const colors = createSvg('rect', { width: WIDTH, height: HEIGHT, fill });
+    this.drawing.append(this.gradient, colors, bar, hint, this.handles);
     this.element = create('div', { class: 'ramp-holder' }, this.drawing, this.tools);
     bar.addEventListener('pointerdown', (event) => this.add(event));
     this.followPointer();
@@ -66,17 +83,17 @@ class RampEditor {
     this.tools.hidden = isEmpty;
     this.drawing.classList.toggle('is-empty', isEmpty);
     if (!isEmpty) this.colorInput.value = this.stops[this.chosen].color;
-    this.drawFields();
+    this.drawColors();
     this.drawHandles();
   }
 
-  private drawFields(): void {
-    const fields = this.stops.map(({ at, color }, index) => {
-      const start = index === 0 ? 0 : at;
-      const end = this.stops[index + 1]?.at ?? 1;
-      return createSvg('rect', { x: start * WIDTH, y: 0, width: (end - start) * WIDTH, height: HEIGHT, fill: color });
+  private drawColors(): void {
+    const isBlended = this.isBlended();
+    const colors = this.stops.flatMap(({ at, color }, index) => {
+      const before = isBlended || index === 0 ? [] : [this.stops[index - 1].color];
+      return [...before, color].map((each) => createSvg('stop', { offset: at, 'stop-color': each }));
     });
-    this.fields.replaceChildren(...fields);
+    this.gradient.replaceChildren(...colors);
   }
 
   /** Reuses handle elements, so that the focus stays. */

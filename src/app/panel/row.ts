@@ -20,6 +20,7 @@ export function createRow(parameter: Parameter, editor: Editor): Row {
     parameter,
     textId,
     connect(parameter, editor, (value) => control.show(value)),
+    () => editor.state.values,
   );
   const reset = iconButton('reset', strings.panel.reset(label), icon('reset'), () => editor.reset(key));
   const name = create('label', { for: control.id }, label, ...unitOf(parameter));

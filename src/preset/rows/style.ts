@@ -136,7 +136,7 @@ export const styleRows = [
   ramp(
     'backdrop',
     'Custom backdrop',
-    'Two colours of the backdrop, from bottom to top. They replace those of the scene.',
+    'Colours of the backdrop from bottom to top, blended between their heights. They replace those of the scene.',
   ),
   quantity('style.wash', 'style', 'style', {
     min: 0,

@@ -66,8 +66,8 @@ describe('ramps', () => {
 
   it('keep the order of their stops while one is moved', () => {
     const stops = readRamp('0:000000,.5:888888,1:ffffff')!;
-    expect(withPlace(stops, 1, 2)[1]).toEqual({ at: 0.99, color: '#888888' });
+    expect(withPlace(stops, 1, 2)[1]).toEqual({ at: 0.999, color: '#888888' });
     expect(withPlace(stops, 0, -1)[0].at).toBe(0);
-    expect(withPlace(stops, 2, 0.1)[2].at).toBe(0.51);
+    expect(withPlace(stops, 2, 0.1)[2].at).toBe(0.501);
   });
 });
