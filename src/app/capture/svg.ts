@@ -73,7 +73,7 @@ function backdrop(ramp: readonly RampStop[], whole: ImageData, cut: ImageData): 
     const color = emptyColor(whole, cut, Math.round(offset * (whole.height - 1)));
     return color === undefined ? [] : [{ offset, color: hexOf(color) }];
   });
-  const own = ramp.map(({ at, color }) => ({ offset: Number((1 - at).toFixed(3)), color })).reverse();
+  const own = ramp.map(({ at, color }) => ({ offset: Number((1 - at).toFixed(3)), color })).toReversed();
   const stops = (own.length > 0 ? own : sampled.flat()).map(
     ({ offset, color }) => `<stop offset="${offset}" stop-color="${color}"/>`,
   );

@@ -21,7 +21,7 @@ export const strings = {
   copied: 'Code copied.',
   byHand: 'The browser blocked copying. Press Ctrl + C, or \u2318 C on a Mac.',
   leftOut: 'The code has only the smoke. The objects of this scene are not in it.',
-  riding: 'Emitters and forces that move with an object act as if it stood at the origin.',
+  riding: 'Emitters and forces that move with an object stay where it is now.',
   download: 'Download poster',
   saved: (name: string) => `Saved as ${name}. Put it beside the page.`,
   failed: (reason: string) => `The poster could not be drawn. ${reason}`,

@@ -1,6 +1,7 @@
 /** Code that shows the current smoke in a three.js scene of its own. */
 import { findParameter, type AnyValues, type Value, type Values } from '../../preset.ts';
 import type { Stage } from '../../index.ts';
+import { readRamp } from '../../internal.ts';
 import { styleOf, type EmbedOptions } from './embed.ts';
 
 type Numbers = readonly [number, number, number];
@@ -16,7 +17,7 @@ export interface SceneOfCode {
   readonly fieldOfView: number;
   /** Towards the light, at a distance that lights the scene evenly. */
   readonly light: Numbers;
-  /** `#rrggbb` */
+  /** CSS of the backdrop. */
   readonly background: string;
 }
 
@@ -30,7 +31,7 @@ const LIGHT_DISTANCE = 10;
 
 /** Reads what the code needs of a stage. */
 export function sceneOf(stage: Stage): SceneOfCode {
-  const all = { ...stage.rig, ...stage.get() };
+  const all = placed(stage);
   const { plane, centre } = stage.sight;
   const canvas = stage.canvas as HTMLCanvasElement;
   const distance = all['camera.distance'] as number;
@@ -45,8 +46,21 @@ export function sceneOf(stage: Stage): SceneOfCode {
     centre: rounded([...centre]),
     fieldOfView: Math.round((Math.atan(halfHeight / distance) * 3600) / Math.PI) / 10,
     light: lightOf(all),
-    background: /^0:([0-9a-f]{6})/.exec(String(all['style.backdrop']))?.[1] ?? BACKGROUND,
+    background: gradientOf(String(all['style.backdrop'] ?? '')),
   };
+}
+
+/** All values; emitters and forces that move with an object of the page's scene are where it is now. */
+function placed(stage: Stage): Values {
+  const all = { ...stage.rig, ...stage.get() };
+  for (const key of ridingKeys(stage)) {
+    const axes = ['x', 'y', 'z'].map((axis) => `${key.replace(/rigid$/, 'position')}.${axis}`);
+    if (!findParameter(axes[0])) continue;
+    const [x, y, z] = axes.map((axis) => (all[axis] ?? findParameter(axis)!.default) as number);
+    const place = rounded([...stage.sight.change([x, y, z], all[key] as number, -1)]);
+    axes.forEach((axis, index) => (all[axis] = place[index]));
+  }
+  return all;
 }
 
 /** Keys of the emitters and forces that move with an object of the page's scene, which the code does not have. */
@@ -67,6 +81,12 @@ function isSilent(key: string, values: AnyValues): boolean {
   return emitter !== undefined && key !== 'emitters.0.share' && values[`${emitter}share`] === 0;
 }
 
+/** A backdrop as CSS, which blends its colours as the page does. */
+function gradientOf(ramp: string): string {
+  const stops = (readRamp(ramp) ?? []).map(({ at, color }) => `${color} ${Number((100 * at).toFixed(1))}%`);
+  return stops.length > 0 ? `linear-gradient(to top, ${stops.join(', ')})` : BACKGROUND;
+}
+
 function lightOf(values: Values): Numbers {
   const [azimuth, elevation] = (['azimuth', 'elevation'] as const).map(
     (key) => (values[`light.${key}`]! * Math.PI) / 180,
@@ -82,17 +102,16 @@ export function threeCode(scene: SceneOfCode, options: EmbedOptions): string {
   const lines = [
     isInteractive && `import { OrbitControls } from 'three/addons/controls/OrbitControls.js';`,
     `import { CartoonSmoke } from 'cartoon-smoke';`,
-    `import { ${isTransparent ? '' : 'Color, '}DirectionalLight, PerspectiveCamera, Scene, Timer, WebGLRenderer } from 'three';`,
+    `import { DirectionalLight, PerspectiveCamera, Scene, Timer, WebGLRenderer } from 'three';`,
     '',
-    `const renderer = new WebGLRenderer({ antialias: true, alpha: ${isTransparent}, stencil: true });`,
+    `const renderer = new WebGLRenderer({ antialias: true, alpha: true, stencil: true });`,
     `const canvas = renderer.domElement;`,
     alt ? `canvas.role = 'img';\ncanvas.ariaLabel = ${text(alt)};` : `canvas.ariaHidden = 'true';`,
-    `canvas.style.cssText = ${text(styleOf(options))};`,
+    `canvas.style.cssText = ${text(isTransparent ? styleOf(options) : `${styleOf(options)}; background: ${scene.background}`)};`,
     `document.body.append(canvas);`,
     `renderer.setPixelRatio(Math.min(devicePixelRatio, 2));`,
     '',
     `const scene = new Scene();`,
-    !isTransparent && `scene.background = new Color('${scene.background}');`,
     `const camera = new PerspectiveCamera(${scene.fieldOfView}, ${across} / ${up}, 0.1, 200);`,
     `camera.position.set(${scene.eye.join(', ')});`,
     isInteractive
@@ -118,6 +137,7 @@ export function threeCode(scene: SceneOfCode, options: EmbedOptions): string {
 export function fiberCode(scene: SceneOfCode, options: EmbedOptions): string {
   const { isTransparent, isInteractive, alt, width, ratio } = options;
   const sides = width === undefined ? `width: '100%'` : `width: ${width}, maxWidth: '100%'`;
+  const background = isTransparent ? '' : `, background: '${scene.background}'`;
   const name = alt ? ` role="img" aria-label={${text(alt)}}` : ' aria-hidden';
   const camera = `{ position: [${scene.eye.join(', ')}], fov: ${scene.fieldOfView} }`;
   const [target, light] = [scene.centre, scene.light].map((place) => `[${place.join(', ')}]`);
@@ -141,9 +161,8 @@ export function fiberCode(scene: SceneOfCode, options: EmbedOptions): string {
     '',
     `export function SmokeScene() {`,
     `  return (`,
-    `    <div style={{ ${sides}, aspectRatio: '${ratio.join(' / ')}' }}${name}>`,
+    `    <div style={{ ${sides}, aspectRatio: '${ratio.join(' / ')}'${background} }}${name}>`,
     `      <Canvas flat gl={{ stencil: true }} camera={${camera}} onCreated={({ camera }) => camera.lookAt(${scene.centre.join(', ')})}>`,
-    !isTransparent && `        <color attach="background" args={['${scene.background}']} />`,
     `        <Scene />`,
     `      </Canvas>`,
     `    </div>`,

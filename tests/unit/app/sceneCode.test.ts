@@ -6,7 +6,11 @@ import { presets, presetValues, type Values } from '../../../src/preset.ts';
 import { sceneEntries } from '../../../src/scenes/scenes.ts';
 
 const CAMERA = { 'camera.distance': 5 };
-const SIGHT = { plane: { right: [0.01, 0, 0], up: [0, 0.01, 0] }, centre: [0, 1, 0] };
+const SIGHT = {
+  plane: { right: [0.01, 0, 0], up: [0, 0.01, 0] },
+  centre: [0, 1, 0],
+  change: ([x, y, z]: number[]) => [x, y + 2, z],
+};
 
 /** What the code reads of a stage that shows a preset. */
 async function stageOf(name: string, changed: Values = {}): Promise<Stage> {
@@ -19,7 +23,9 @@ async function stageOf(name: string, changed: Values = {}): Promise<Stage> {
 test('has no emitters and forces on objects of the scene, and names those that it changes', async () => {
   const stage = await stageOf('rocket');
   expect(ridingKeys(stage)).toEqual(['emitters.0.rigid']);
-  const keys = Object.keys(sceneOf(stage).values);
+  const { values } = sceneOf(stage);
+  const keys = Object.keys(values);
+  expect(values['emitters.0.position.y']).toBe((stage.rig['emitters.0.position.y'] as number) + 2);
   expect(keys).toContain('emitters.0.speed');
   expect(keys.filter((key) => key.endsWith('.rigid'))).toEqual([]);
   expect(ridingKeys(await stageOf('wisp'))).toEqual([]);

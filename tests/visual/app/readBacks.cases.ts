@@ -24,13 +24,13 @@ async function falsified<Result>(noise: Noise, work: () => Result | Promise<Resu
   const next = random(5);
   const { readPixels } = WebGL2RenderingContext.prototype;
   const { getImageData } = OffscreenCanvasRenderingContext2D.prototype;
-  WebGL2RenderingContext.prototype.readPixels = function (...call: unknown[]) {
+  WebGL2RenderingContext.prototype.readPixels = function (this: unknown, ...call: unknown[]) {
     Reflect.apply(readPixels, this, call);
     NOISES[noise](call.at(-1) as Uint8Array, next);
-  } as typeof readPixels;
+  };
   OffscreenCanvasRenderingContext2D.prototype.getImageData = function (...call) {
     const pixels = getImageData.apply(this, call);
-    NOISES[noise](pixels.data as Uint8ClampedArray, next);
+    NOISES[noise](pixels.data, next);
     return pixels;
   };
   try {
