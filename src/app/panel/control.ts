@@ -1,5 +1,5 @@
 import { isAccepted } from '../../internal.ts';
-import type { ChoiceParameter, NumberParameter, Parameter, Value, Values } from '../../preset.ts';
+import type { AnyValues, ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset.ts';
 import { createCurve } from './curveControl.ts';
 import { create, uniqueId } from '../ui/dom.ts';
 import { createRamp } from './rampControl.ts';
@@ -16,7 +16,7 @@ export function createControl(
   parameter: Parameter,
   describedBy: string,
   listener: ControlListener,
-  current: () => Values,
+  current: () => AnyValues,
 ): Control {
   switch (parameter.kind) {
     case 'toggle':

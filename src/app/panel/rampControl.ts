@@ -1,4 +1,4 @@
-import type { RampParameter, Values } from '../../preset.ts';
+import type { AnyValues, RampParameter } from '../../preset.ts';
 import { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from '../../internal.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, textButton, uniqueId } from '../ui/dom.ts';
@@ -37,7 +37,7 @@ export function createRamp(
   { key, label }: RampParameter,
   describedBy: string,
   listener: ControlListener,
-  current: () => Values,
+  current: () => AnyValues,
 ): Control {
   const editor = new RampEditor(label, listener, () => (current()[BLENDED_BY[key]] ?? 1) === 1);
   editor.drawing.setAttribute('aria-describedby', describedBy);

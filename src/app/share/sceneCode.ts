@@ -51,8 +51,8 @@ export function sceneOf(stage: Stage): SceneOfCode {
 }
 
 /** All values; emitters and forces that move with an object of the page's scene are where it is now. */
-function placed(stage: Stage): Values {
-  const all = { ...stage.rig, ...stage.get() };
+function placed(stage: Stage): AnyValues {
+  const all: Record<string, Value> = { ...stage.rig, ...stage.get() };
   for (const key of ridingKeys(stage)) {
     const axes = ['x', 'y', 'z'].map((axis) => `${key.replace(/rigid$/, 'position')}.${axis}`);
     if (!findParameter(axes[0])) continue;

@@ -9,7 +9,7 @@ import { puffCall } from '../../../src/app/share/puffCall.ts';
 import { fiberCode, sceneOf, threeCode } from '../../../src/app/share/sceneCode.ts';
 import * as smokeInReact from '../../../src/fiber.ts';
 import * as library from '../../../src/index.ts';
-import { encode, findPreset, presetValues, type Values } from '../../../src/preset.ts';
+import { encode, findPreset, presetValues, type PresetName, type Values } from '../../../src/preset.ts';
 import * as puffs from '../../../src/puff.ts';
 
 const [WIDTH, HEIGHT] = [160, 90];
@@ -38,7 +38,7 @@ export interface Shown {
 
 /** The code of each kind for a preset. */
 export async function codesFor(
-  name: string,
+  name: PresetName,
   changed: Values = {},
   options: Partial<EmbedOptions> = {},
 ): Promise<Record<Kind, string>> {
