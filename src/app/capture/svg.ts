@@ -19,7 +19,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
   const inkColor = pixelOf(String(stage.get()['style.inkColor']));
-  const ramp = readRamp(String(stage.get()['style.backdrop'] ?? '')) ?? [];
+  const ramp = readRamp(stage.get()['style.backdrop'] ?? '') ?? [];
   draw();
   const whole = reader.read(canvas);
   if (settings.hasBackground) stage.background = false;

@@ -37,7 +37,7 @@ for (const { name, values } of presets) {
   test(`the code for ${name} shows its smoke`, async ({ load }) => {
     const [three, fiber, element, puff] = await shown(load, ['three', 'fiber', 'element', 'puff'], name);
     for (const { background, covered, alive } of [three, fiber]) {
-      expect(background).toBe(cssOf(String(values['style.backdrop'] ?? '')));
+      expect(background).toBe(cssOf(values['style.backdrop'] ?? ''));
       // Clouds are placed by their scene, which the code does not have.
       if (values['emission.rate'] === 0) continue;
       expect(alive).toBeGreaterThan(0);

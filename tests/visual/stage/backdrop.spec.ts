@@ -3,7 +3,7 @@ import { presets } from '../../../src/preset/presets.ts';
 import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./backdrop.cases.ts');
-const CASES = '/tests/visual/passes/backdrop.cases.ts';
+const CASES = '/tests/visual/stage/backdrop.cases.ts';
 const OWN = '0:c86432,1:0a141e';
 
 const many = Array.from(
@@ -19,7 +19,7 @@ const RAMPS: Readonly<Record<string, string>> = {
   stripes: '.199:ffffff,.2:c8102e,.6:c8102e,.601:ffffff,.9:012169',
   'the most colours': many.join(','),
   ...Object.fromEntries(
-    presets.flatMap(({ name, values }) => (values['style.backdrop'] ? [[name, String(values['style.backdrop'])]] : [])),
+    presets.flatMap(({ name, values }) => (values['style.backdrop'] ? [[name, values['style.backdrop']]] : [])),
   ),
 };
 
