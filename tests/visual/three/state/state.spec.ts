@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type State = typeof import('./state.cases.ts');
-const STATE = '/tests/visual/three/state.cases.ts';
+const STATE = '/tests/visual/three/state/state.cases.ts';
 
 test('emitFrom without options makes an emitter of its own for each object, with the values of emitter 0', async ({
   load,
