@@ -5,7 +5,7 @@ import { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { openStage } from '../../src/remote/openStage.ts';
 import { createStage } from '../../src/stage/stage.ts';
 import { CartoonSmoke } from '../../src/three/cartoonSmoke.ts';
-import { draw, emptyHost, HANGING } from './three/scene.ts';
+import { draw, emptyHost, HANGING, makeRenderer } from './three/scene.ts';
 
 type Wrap = <Kind extends object>(target: Kind) => Kind;
 
@@ -50,7 +50,7 @@ async function withEach(run: (wrap: Wrap) => Promise<unknown>): Promise<Record<s
 
 export function ofSmoke(): Promise<Record<string, unknown>> {
   return withEach(async (wrap) => {
-    const host = emptyHost();
+    const host = emptyHost(makeRenderer({ canvas: canvas() }));
     const { renderer, keyLight, scene } = host;
     const itself = await CartoonSmoke.create({ renderer, keyLight: wrap(keyLight), values: HANGING });
     const smoke = wrap(itself);
@@ -111,7 +111,7 @@ export function ofSmoke(): Promise<Record<string, unknown>> {
 
 export function ofStage(): Promise<Record<string, unknown>> {
   return withEach(async (wrap) => {
-    const stage = wrap(await createStage(new OffscreenCanvas(80, 60), { values: { 'emission.rate': 60 } }));
+    const stage = wrap(await createStage(canvas(), { values: { 'emission.rate': 60 } }));
     await stage.ready;
     let frames = 0;
     const end = stage.on('frame', () => ++frames);
@@ -162,8 +162,7 @@ export function ofStage(): Promise<Record<string, unknown>> {
 /** @param thread where it runs */
 export function ofRemote(thread: 'main' | 'worker'): Promise<Record<string, unknown>> {
   return withEach(async (wrap) => {
-    const canvas = document.createElement('canvas');
-    const stage = wrap(await openStage(() => canvas, { thread, width: 80, height: 60, values: wrap({ seed: 3 }) }));
+    const stage = wrap(await openStage(canvas, { thread, width: 80, height: 60, values: wrap({ seed: 3 }) }));
     await stage.ready;
     await stage.set(wrap({ 'emission.rate': 120 }));
     await stage.step(20);
@@ -210,6 +209,11 @@ export function ofElement(): Promise<Record<string, unknown>> {
     itself.remove();
     return JSON.stringify(seen);
   });
+}
+
+/** WebKit draws on the canvas of a page only. */
+function canvas(): HTMLCanvasElement {
+  return Object.assign(document.createElement('canvas'), { width: 80, height: 60 });
 }
 
 function thrown(act: () => unknown): unknown {
