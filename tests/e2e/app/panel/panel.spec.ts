@@ -42,6 +42,24 @@ test('the search finds parameters by words, and an empty search shows all', asyn
   });
 });
 
+test('the best matches come first, and an empty search restores the order', async ({ page }) => {
+  await open(page, `?paused=1${LIGHT}`);
+  await page.keyboard.press('/');
+  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
+  const order = () => keysOf(panelOf(page).locator('.row'));
+  const before = await order();
+  await field.fill('ink');
+  expect((await keysOf(rowsOf(page)))[0]).toBe('style.inkColor');
+  await field.fill('opacity');
+  expect((await keysOf(rowsOf(page)))[0]).toBe('emission.density');
+  await field.fill('colour');
+  const british = await keysOf(rowsOf(page));
+  await field.fill('color');
+  expect(await keysOf(rowsOf(page))).toEqual(british);
+  await field.fill('');
+  expect((await order()).filter((key) => before.includes(key))).toEqual(before);
+});
+
 test('the search finds items in open and closed groups', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('/');
