@@ -26,6 +26,8 @@ const OWN: AnyValues = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 /** What a scene of three.js has of its own. */
 const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
 const NEEDED = ['seed', 'simulation.maxParticles'];
+/** The shape of emitters on meshes, as scenes write it. */
+const SURFACE = 8;
 const BACKGROUND = '#9ac4d6';
 const LIGHT_DISTANCE = 10;
 
@@ -50,7 +52,10 @@ export function sceneOf(stage: Stage): SceneOfCode {
   };
 }
 
-/** All values; emitters and forces that move with an object of the page's scene are where it is now. */
+/**
+ * All values; emitters and forces that move with an object of the page's scene are where it is now, and smoke of surfaces
+ * comes from balls in the middle of the picture.
+ */
 function placed(stage: Stage): AnyValues {
   const all: Record<string, Value> = { ...stage.rig, ...stage.get() };
   for (const key of ridingKeys(stage)) {
@@ -59,6 +64,14 @@ function placed(stage: Stage): AnyValues {
     const [x, y, z] = axes.map((axis) => (all[axis] ?? findParameter(axis)!.default) as number);
     const place = rounded([...stage.sight.change([x, y, z], all[key] as number, -1)]);
     axes.forEach((axis, index) => (all[axis] = place[index]));
+  }
+  for (const [key, shape] of Object.entries(all)) {
+    const emitter = /^(emitters\.\d)\.shape$/.exec(key)?.[1];
+    if (!emitter || (shape !== 'surface' && shape !== SURFACE)) continue;
+    const [x, y, z] = rounded([...stage.sight.centre]);
+    const position = { [`${emitter}.position.x`]: x, [`${emitter}.position.y`]: y, [`${emitter}.position.z`]: z };
+    Object.assign(all, { ...position, [key]: 'ball', [`${emitter}.radius`]: (all['camera.distance'] as number) / 8 });
+    delete all[`${emitter}.surface`];
   }
   return all;
 }
@@ -78,7 +91,8 @@ function isCarried(key: string, value: Value): boolean {
 /** Whether a value is of an emitter that emits nothing. The first emitter of a three.js scene emits by default. */
 function isSilent(key: string, values: AnyValues): boolean {
   const emitter = /^emitters\.\d\./.exec(key)?.[0];
-  return emitter !== undefined && key !== 'emitters.0.share' && values[`${emitter}share`] === 0;
+  if (emitter === undefined || key === 'emitters.0.share') return false;
+  return values[`${emitter}share`] === 0 && !values[`${emitter}burst.count`];
 }
 
 /** A backdrop as CSS, which blends its colours as the page does. */
