@@ -6,7 +6,7 @@ import { readCamera } from './camera.mjs';
 
 export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [options]
 
-  LINK                   an address with a hash, or a hash: '#v=3&preset=lamp'
+  LINK                   an address with a hash, or a hash: '#v=1&preset=lamp'
   --frames 0-239         first and last frame, both included
   --out FOLDER           where the files go; finished frames in it are kept
   --fps 24               frames per second, also 24000/1001 or 23.976 (24)
@@ -161,7 +161,7 @@ function onlyLink(/** @type {string[]} */ positionals) {
 export function readLink(/** @type {string} */ text) {
   const at = text.search(/[?#]/);
   if (at < 0 || !text.includes('#')) {
-    throw new UserError(`${text} is not a link: give an address with a hash, or a hash such as '#v=3&preset=lamp'.`);
+    throw new UserError(`${text} is not a link: give an address with a hash, or a hash such as '#v=1&preset=lamp'.`);
   }
   return text.slice(at);
 }

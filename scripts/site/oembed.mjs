@@ -50,7 +50,7 @@ function pageOf({ name, label, text }, base, { title, thumbnail_url: picture }) 
     <link rel="icon" href="../favicon.svg" type="image/svg+xml" />
   </head>
   <body>
-    <a href="../#v=3&amp;preset=${name}"><img src="../thumbnails/${name}.webp" width="${width}" height="${height}" alt="" /> Play with ${label}</a>
+    <a href="../#v=1&amp;preset=${name}"><img src="../thumbnails/${name}.webp" width="${width}" height="${height}" alt="" /> Play with ${label}</a>
   </body>
 </html>
 `;
@@ -71,7 +71,7 @@ function oembedOf({ name, label }, base, { frameOf, FRAME }) {
     provider_name: 'Cartoon Smoke',
     provider_url: base,
     ...FRAME,
-    html: frameOf(`${base}embed.html#v=3&preset=${name}`, title),
+    html: frameOf(`${base}embed.html#v=1&preset=${name}`, title),
     thumbnail_url: `${base}thumbnails/${name}.webp`,
     thumbnail_width: PICTURE.width,
     thumbnail_height: PICTURE.height,

@@ -11,7 +11,7 @@ const files: Readonly<Record<string, string>> = import.meta.glob('./posters/*.we
 });
 
 /** Version of links that have the looks of the posters. */
-const VERSION = '3';
+const VERSION = '1';
 /** Preset of a link without one. */
 const DEFAULT_PRESET = 'lamp';
 /** Preset of an address without a link. */
@@ -32,7 +32,7 @@ export function linkOf(hash: string): string {
 
 /**
  * The name of the preset whose picture stands for a link, or undefined: the values of the link or the debug view could
- * look different, as can older links, and a compressed link is not readable yet.
+ * look different, as can links of other versions, and a compressed link is not readable yet.
  * @param search, hash of the page's address
  */
 export function posterOf(search: string, hash: string): string | undefined {

@@ -201,7 +201,6 @@ export const strings = {
     winding: (seconds: number) => `Replaying ${seconds.toFixed(1)} s\u2026`,
     rejected: (reason: string) => `The moment in the link cannot be shown: ${reason}`,
     truncated: 'The recording of this moment is incomplete. The smoke may look different.',
-    inexact: 'An older version recorded this moment. The smoke may end differently.',
     tooLate: (seconds: number) => `This moment is later than the limit. The smoke is shown at ${seconds} s.`,
     notFresh: 'it starts from a saved state. A file can contain such a moment.',
     tooMany: (particles: number, max: number) =>

@@ -12,7 +12,7 @@ const LONGEST_SECONDS = 600;
  * Replays a take from a share link.
  * @param seconds where to stop; defaults to the end of the take
  * @param values of the link for style, light and camera, which takes do not record
- * @returns a notice when the take is ignored or may end differently; otherwise none
+ * @returns a notice when the take is ignored; otherwise none
  */
 export async function goToMoment(
   stage: RemoteStage,
@@ -27,8 +27,7 @@ export async function goToMoment(
     await stage.playTake(bytes);
     await stage.set(lookOf(values));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
-    const sentence = () => 'An older version recorded the moment in the link. The smoke may end differently.';
-    return take.isExact ? [] : [notice('otherVersion', 'take', '', sentence)];
+    return [];
   } catch (error) {
     const sentence = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
     return [notice('damaged', 'take', '', sentence)];

@@ -1,14 +1,14 @@
 /**
- * Encodes the state as the hash of a share link and decodes it: `#v=3&preset=lamp&emission.rate=240`.
+ * Encodes the state as the hash of a share link and decodes it: `#v=1&preset=lamp&emission.rate=240`.
  *
  * A link contains the values that differ from its preset, in the order of the table. Links are untrusted: decoding
  * never throws and reports invalid parts as notices. The result has a valid value for every key that is not optional.
  */
-import { migrate, olderValues, VERSION, versionOf } from './migrations.ts';
+import { migrate, VERSION, versionOf } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { DECODED_LIMIT, pack, packBytes, unpack, unpackBytes } from './packing.ts';
 import type { AnyValues, Parameter, ShareLink, Value, Values } from './parameter.ts';
-import { defaultPreset, findPreset, presetValues, type Preset } from './presets.ts';
+import { defaultPreset, findPreset, presetValues } from './presets.ts';
 import { findParameter, table } from './table.ts';
 import type { PresetName } from './valueTypes.ts';
 import { readText, writeText } from './values.ts';
@@ -52,7 +52,7 @@ export async function decode(hash: string): Promise<Decoded> {
   const notices: Notice[] = [];
   const text = await expand(hash.replace(/^#/, '').split(/[#?]|:~:/, 1)[0], notices);
   const pairs = firstOfEach(new URLSearchParams(text), notices);
-  const state = await readState(pairs, notices, 'link');
+  const state = readState(pairs, notices, 'link');
   const take = await readTake(pairs.get('take'), notices);
   return { state, ...(take && { take }), notices: summarise(notices) };
 }
@@ -118,40 +118,22 @@ async function readTake(packed: string | undefined, notices: Notice[]): Promise<
 const OWN_KEYS: ReadonlySet<string> = new Set(['v', 'preset', 'take']);
 
 /**
- * Parses the pairs of a link or a file of any version. Never rejects.
+ * Parses the pairs of a link or a file of any version. Never throws.
  * @param notices receives a notice for each pair that is ignored or changed
  */
-export async function readState(
-  given: ReadonlyMap<string, string>,
-  notices: Notice[],
-  source: 'link' | 'file',
-): Promise<State> {
-  const pairs = migrate(given, notices);
+export function readState(given: ReadonlyMap<string, string>, notices: Notice[], source: 'link' | 'file'): State {
+  const pairs = migrate(given);
   const version = versionOf(pairs);
   if (version !== VERSION) notices.push(notice('version', 'v', version, versionSentence));
   const name = pairs.get('preset') ?? defaultPreset.name;
   const found = findPreset(name);
   if (!found) notices.push(notice('unknownPreset', 'preset', name, presetSentence));
   const preset = found ?? defaultPreset;
-  const values: Record<string, Value> = {
-    ...presetValues(preset),
-    ...(await valuesThen(versionOf(given), preset, notices)),
-  };
+  const values: Record<string, Value> = { ...presetValues(preset) };
   for (const [key, text] of pairs) {
     if (!OWN_KEYS.has(key)) readPair(key, text, values, notices, source);
   }
   return { preset: preset.name, values };
-}
-
-/** The values of a preset that were others in a version of links. */
-async function valuesThen(version: string, { name }: Preset, notices: Notice[]): Promise<Values> {
-  try {
-    return await olderValues(version, name);
-  } catch {
-    const sentence = () => 'The look of this older link could not be loaded; the current one is shown.';
-    notices.push(notice('version', 'v', version, sentence));
-    return {};
-  }
 }
 
 function readPair(

@@ -47,7 +47,7 @@ export async function readFile(text: string): Promise<SmokeFile & { notices: rea
     throw new FileError(`This is not a Cartoon Smoke file: "format" must be "${FORMAT}".`);
   }
   const notices: Notice[] = [];
-  const state = await readState(pairsOf(content, notices), notices, 'file');
+  const state = readState(pairsOf(content, notices), notices, 'file');
   const moment = content.moment === undefined ? undefined : await readMoment(content.moment);
   return { name: nameOf(content.name), state, ...(moment && { moment }), notices: summarise(notices) };
 }

@@ -10,7 +10,6 @@ export interface Notice {
     | 'duplicate'
     | 'version'
     | 'otherVersion'
-    | 'migrated'
     | 'damaged'
     | 'tooLong'
     | 'more';

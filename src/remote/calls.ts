@@ -60,7 +60,6 @@ const take = record({
   steps: number(2 ** 53),
   mostParticles: number(2 ** 53),
   isFresh: flag,
-  isExact: flag,
   isTruncated: flag,
   toBytes: nothing,
   bytes: bytes(MAX_BYTES),

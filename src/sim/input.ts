@@ -22,8 +22,6 @@ export interface TakeInfo {
   readonly mostParticles: number;
   /** Whether the take starts from the initial scene, not from a saved state. */
   readonly isFresh: boolean;
-  /** Whether a replay ends in the recorded state; takes of version 2 may end differently. */
-  readonly isExact: boolean;
   /** Step counts at the start and the end of the take. */
   readonly start: number;
   readonly end: number;

@@ -19,8 +19,6 @@ export interface Take {
   readonly mostParticles: number;
   /** Whether it starts with the scene's initial state rather than a saved state. */
   readonly isFresh: boolean;
-  /** Whether a replay ends as it did when recorded. False for takes of older versions, which may end differently. */
-  readonly isExact: boolean;
   /** Whether there were more inputs than a take can record: 20,000. */
   readonly isTruncated: boolean;
   /** Serializes the take for storage or transfer. */

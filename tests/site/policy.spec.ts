@@ -6,7 +6,7 @@ import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
-const LIGHT = '#v=3&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
+const LIGHT = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 
 let server: SiteServer;
 

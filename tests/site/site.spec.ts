@@ -9,7 +9,7 @@ import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-const WISP = '#v=3&preset=wisp&simulation.maxParticles=500';
+const WISP = '#v=1&preset=wisp&simulation.maxParticles=500';
 
 let folder: string;
 let server: SiteServer;
@@ -29,7 +29,7 @@ test.afterEach(async ({ page }) => {
 test('runs from any folder, because its addresses are relative', async ({ page }) => {
   const missing: string[] = [];
   page.on('response', (response) => response.status() >= 400 && missing.push(response.url()));
-  await page.goto(`${server.address}#v=3&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
+  await page.goto(`${server.address}#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
   await smokes(page);
   expect(missing).toEqual([]);
 });
@@ -57,7 +57,7 @@ test.describe('before the first smoke', () => {
 
   for (const [preset, limit] of Object.entries(LIMITS)) {
     test(`${preset} fetches at most ${limit} kB of code`, async ({ page }) => {
-      await page.goto(`${server.address}?paused=1#v=3&preset=${preset}`);
+      await page.goto(`${server.address}?paused=1#v=1&preset=${preset}`);
       await page.waitForFunction(() => window.cartoonSmoke !== undefined);
       const needed = (await fetched(page)).filter((file) => /\.(js|wasm)$/.test(file));
       const sent = server.sent.filter(({ file }) => needed.includes(file));

@@ -13,7 +13,7 @@ import { serveOpenly, type SiteServer } from '../support/plainPage.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
-const LOOK = '#v=3&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
+const LOOK = '#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&style.smokeColor=%23ff2010';
 
 let server: SiteServer;
 /** Another origin, because the port differs. */

@@ -170,7 +170,7 @@ impl Simulator {
     }
 }
 
-/// Description of a take: `{ seed, mostParticles, start, end, inputs, isFresh, isExact, isTruncated, note }`.
+/// Description of a take: `{ seed, mostParticles, start, end, inputs, isFresh, isTruncated, note }`.
 #[wasm_bindgen(js_name = readTake)]
 pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
     let take = Take::parse(bytes).map_err(|error| plain_error(&error.message))?;
@@ -186,7 +186,6 @@ pub fn read_take(bytes: &[u8]) -> Result<JsValue, JsValue> {
         object.put(name, number.into());
     }
     object.put("isFresh", take.is_fresh().into());
-    object.put("isExact", take.is_exact().into());
     object.put("isTruncated", take.log.is_truncated().into());
     object.put("note", take.note.into());
     Ok(object.into())

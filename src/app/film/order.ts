@@ -9,7 +9,7 @@ export interface Keyframe {
 
 /** A shot to render. */
 export interface FilmOrder {
-  /** Query and hash of the address: `?t=2#v=3&preset=lamp`. */
+  /** Query and hash of the address: `?t=2#v=1&preset=lamp`. */
   readonly link: string;
   /** Size of the files in pixels. */
   readonly width: number;

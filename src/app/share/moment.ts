@@ -55,7 +55,6 @@ export async function goToMoment(
     const error = moment.isTrusted ? undefined : errorOf(take);
     if (error !== undefined) throw new Error(error);
     if (take.isTruncated) notices.notify(strings.moment.truncated);
-    if (!take.isExact) notices.notify(strings.moment.inexact);
     if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, container);
     stage.playTake(take);
     lookAs(stage, moment.state.values);

@@ -19,7 +19,7 @@ function addressOf(link: string, base: string, notices: Notice[]): Pick<URL, 'ha
     const address = new URL(link, base);
     if (address.hash === '') {
       const sentence = (given: string) =>
-        `src cannot be ${given}: it takes a share link, such as #v=3&preset=wisp. \u201c${defaultPreset.name}\u201d is shown.`;
+        `src cannot be ${given}: it takes a share link, such as #v=1&preset=wisp. \u201c${defaultPreset.name}\u201d is shown.`;
       notices.push(notice('malformed', 'src', link, sentence));
     }
     return address;

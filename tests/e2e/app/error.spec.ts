@@ -21,7 +21,7 @@ test.describe('a download that fails', () => {
 
   test('shows an error, and reloading recovers', async ({ page }) => {
     await page.route('**/*.wasm*', (route) => route.abort());
-    await page.goto('/?paused=1#v=3&simulation.maxParticles=100');
+    await page.goto('/?paused=1#v=1&simulation.maxParticles=100');
     const alert = page.getByRole('alert');
     await expect(alert.getByRole('heading')).toHaveText('The smoke could not be loaded');
     await page.unroute('**/*.wasm*');

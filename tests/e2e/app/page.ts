@@ -6,9 +6,9 @@ import type { AnyValues } from '../../../src/preset/parameter.ts';
 
 const LITTLE = '&emission.rate=40&puff.variations=1&simulation.maxParticles=500';
 /** Little smoke of one shape, which is cheap to draw with SwiftShader and to bake, in a scene without anything else. */
-export const LIGHT = `#v=3&preset=air${LITTLE}`;
+export const LIGHT = `#v=1&preset=air${LITTLE}`;
 /** The same with surfaces and a ball to drag: the page costs twice the CPU time. */
-export const LAMP = `#v=3&preset=lamp${LITTLE}`;
+export const LAMP = `#v=1&preset=lamp${LITTLE}`;
 
 /** Opens the page and waits for its stage and its controls. @param address part after the slash: query and hash */
 export async function open(page: Page, address: string): Promise<void> {

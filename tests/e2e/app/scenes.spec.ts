@@ -18,7 +18,7 @@ function fetched(page: Page): string[] {
 
 test('a scene loads only what it needs: no physics and no other scene for the cup of tea', async ({ page }) => {
   const addresses = fetched(page);
-  await open(page, `?paused=1#v=3&preset=wisp${LIGHT}`);
+  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   const without = await wasmBytes(page, addresses);
   const others = Object.keys(sceneEntries).filter((name) => name !== 'wisp');
   const named = (name: string) => addresses.some((address) => new RegExp(`/${name}\\b[^/]*\\.[jt]s$`).test(address));
@@ -43,7 +43,7 @@ async function choose(page: Page, preset: string): Promise<void> {
 
 // Console errors fail every test.
 test('the gallery opens every scene, and each of them smokes', async ({ page }) => {
-  await open(page, `?paused=1#v=3&preset=wisp${LIGHT}`);
+  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   await page.keyboard.press('g');
   for (const [scene, { hasRigids }] of Object.entries(sceneEntries)) {
     await choose(page, scene);
@@ -56,7 +56,7 @@ test('the gallery opens every scene, and each of them smokes', async ({ page }) 
 });
 
 test('keys steer the airplane, and its take repeats the flight', async ({ page }) => {
-  await open(page, `?paused=1#v=3&preset=airplane${LIGHT}`);
+  await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
   await ask(page, (stage) => stage.step(10));
   const unsteered = await ask(page, async (stage) => {
     await stage.seek(1);
@@ -79,7 +79,7 @@ test.describe('with fingers', () => {
   test.use({ hasTouch: true });
 
   test('the airplane follows a finger', async ({ page }) => {
-    await open(page, `?paused=1#v=3&preset=airplane${LIGHT}`);
+    await open(page, `?paused=1#v=1&preset=airplane${LIGHT}`);
     // Fix the camera, so that only the airplane moves in the picture.
     await ask(page, (stage) => stage.camera.orbit(0.001, 0));
     await ask(page, (stage) => stage.step(30));
@@ -93,7 +93,7 @@ test.describe('with fingers', () => {
   });
 
   test('a double tap drops an object there, and the button another one', async ({ page }) => {
-    await open(page, `?paused=1#v=3&preset=train${LIGHT}`);
+    await open(page, `?paused=1#v=1&preset=train${LIGHT}`);
     const inputs = () => ask(page, (stage) => stage.stats.inputs);
     await doubleTap(page, { x: 240, y: 70 });
     await expect.poll(inputs).toBe(1);
@@ -113,7 +113,7 @@ async function changedAround(page: Page, { x, y }: Point, act: () => Promise<voi
 test('D drops an object at the pointer, a link to the moment repeats it, and the help lists the key', async ({
   page,
 }) => {
-  await open(page, `?paused=1#v=3&preset=lamp${LIGHT}`);
+  await open(page, `?paused=1#v=1&preset=lamp${LIGHT}`);
   await ask(page, (stage) => stage.step(10));
   const place = { x: 150, y: 90 };
   await page.mouse.move(place.x, place.y);
@@ -133,7 +133,7 @@ test('D drops an object at the pointer, a link to the moment repeats it, and the
 });
 
 test('camera, gallery, address bar and help follow the scene', async ({ page }) => {
-  await open(page, `?paused=1#v=3&preset=wisp${LIGHT}`);
+  await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   await test.step('the camera is animated until the user moves it, and 0 resumes the animation', async () => {
     const azimuth = () => ask(page, (stage) => stage.camera.azimuth());
     const start = await azimuth();
@@ -158,7 +158,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     arrive();
     await expectValue(page, 'scene', 'campfire');
     await expect(page.getByText('Gathering wood…')).toHaveCount(0);
-    await expectHash(page, '#v=3&preset=campfire');
+    await expectHash(page, '#v=1&preset=campfire');
     await ask(page, (stage) => stage.step(30));
     expect(await ask(page, (stage) => stage.stats.bodiesDrawn)).toBeGreaterThan(10);
     await page.keyboard.press('Control+z');
@@ -177,7 +177,7 @@ test('camera, gallery, address bar and help follow the scene', async ({ page }) 
     await expect(help).toContainText('move the genie');
   });
   await test.step('a link in the address bar opens its scene', async () => {
-    await page.evaluate(() => (location.hash = '#v=3&preset=campfire&emission.rate=20'));
+    await page.evaluate(() => (location.hash = '#v=1&preset=campfire&emission.rate=20'));
     await expectValue(page, 'scene', 'campfire');
     await expectValue(page, 'emission.rate', 20);
   });

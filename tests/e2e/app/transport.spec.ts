@@ -91,7 +91,7 @@ test('mouse and keys use the timeline and the presets', async ({ page }) => {
     await page.keyboard.press('g');
     const chosen = (name: string) => expect(page.getByRole('radio', { name, exact: true })).toBeChecked();
     const expectPreset = (name: string) =>
-      expect.poll(() => page.evaluate(() => location.hash)).toBe(`#v=3&preset=${name}`);
+      expect.poll(() => page.evaluate(() => location.hash)).toBe(`#v=1&preset=${name}`);
     await page.getByRole('radio', { name: 'Noir' }).check();
     await expectPreset('lamp-noir');
     for (let press = 0; press < 3; ++press) await page.keyboard.press('ArrowRight');
@@ -142,7 +142,7 @@ test.describe('on a phone', () => {
     const gallery = page.getByRole('radiogroup', { name: 'Presets' });
     await gallery.getByRole('radio', { name: 'Noir' }).tap();
     await expect.poll(() => ask(page, (stage) => stage.get()['style.outlineWidth'])).toBe(4);
-    await expect.poll(() => page.evaluate(() => location.hash)).toBe('#v=3&preset=lamp-noir');
+    await expect.poll(() => page.evaluate(() => location.hash)).toBe('#v=1&preset=lamp-noir');
     await page.keyboard.press('ArrowRight');
     await expect(gallery.getByRole('radio', { name: 'Sunset' })).toBeChecked();
     await page.keyboard.press('Control+z');

@@ -22,7 +22,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
-  'lamp train physics worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link olderValues moment pointers onPage';
+  'lamp train physics worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit, goal } of figures) {

@@ -25,7 +25,7 @@ const SMALL = 'puff.variations=1&simulation.maxParticles=300';
 const PLAIN = Object.entries(PLAIN_LOOK)
   .map(([key, value]) => `&${key}=${String(value)}`)
   .join('');
-const WISP = `?paused=1#v=3&preset=wisp&${SMALL}${PLAIN}`;
+const WISP = `?paused=1#v=1&preset=wisp&${SMALL}${PLAIN}`;
 
 test('a frame without an origin needs only scripts, and shows the same picture as a stage on this page', async ({
   load,
@@ -137,7 +137,7 @@ test('reads hash and query like the demo, and loads physics only if needed', asy
   const frames = await load<FrameCases>(FRAMES);
   const address = `${baseURL}/embed.html?paused=1&t=0.5`;
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
-    `${address}#v=3&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
+    `${address}#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
     SANDBOX,
   ] as const);
   const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);
@@ -145,7 +145,7 @@ test('reads hash and query like the demo, and loads physics only if needed', asy
   expect(physics).toEqual([]);
   await framed.evaluate(
     ({ frame }, url) => (frame.src = url),
-    `${address}#v=3&preset=lamp&simulation.maxParticles=300`,
+    `${address}#v=1&preset=lamp&simulation.maxParticles=300`,
   );
   await expect.poll(() => framed.evaluate(async ({ stage }) => (await stage.get()).scene)).toBe('lamp');
   expect(physics).toHaveLength(1);
@@ -159,7 +159,7 @@ test.describe('without the physics module', () => {
     const frames = await load<FrameCases>(FRAMES);
     const cases = await load<Cases>('/tests/e2e/remote/stage.cases.ts');
     await blank.route('**/embed-physics*', (route) => route.abort());
-    const address = `${baseURL}/embed.html?paused=1#v=3&preset=lamp&simulation.maxParticles=300`;
+    const address = `${baseURL}/embed.html?paused=1#v=1&preset=lamp&simulation.maxParticles=300`;
     const rejected = await cases.evaluate(
       (module, [connecting, url, sandbox]) => module.thrownBy(() => connecting.connect(url, sandbox)),
       [frames, address, SANDBOX] as const,
@@ -232,12 +232,12 @@ test('each preset of the gallery has an oEmbed response and a page that links to
   const page = readFileSync(new URL('../../../dist/gallery/wisp.html', import.meta.url), 'utf8');
   const link = /<link rel="alternate" type="application\/json\+oembed" href="([^"]*)"/.exec(page)![1];
   expect(new URL(link, 'https://example.org/gallery/wisp.html').pathname).toBe('/oembed/wisp.json');
-  expect(page).toContain('href="../#v=3&amp;preset=wisp"');
+  expect(page).toContain('href="../#v=1&amp;preset=wisp"');
   expect(page).toMatch(/<meta name="description" content="[^"]{40,160}" \/>/);
   const answer = JSON.parse(readFileSync(new URL('../../../dist/oembed/wisp.json', import.meta.url), 'utf8')) as object;
   expect(answer).toMatchObject({ version: '1.0', type: 'rich', width: 640, height: 360 });
   expect(answer).toHaveProperty(
     'html',
-    expect.stringMatching(/^<iframe src="[^"]*embed\.html#v=3&amp;preset=wisp" title="/),
+    expect.stringMatching(/^<iframe src="[^"]*embed\.html#v=1&amp;preset=wisp" title="/),
   );
 });

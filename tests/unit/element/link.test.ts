@@ -19,13 +19,13 @@ test.each(['', '?t=3', 'v=1&preset=wisp', 'https://example.org/', '#'])(
     expect(scene).toBe(FIRST_PRESET);
     expect(notices).toEqual([{ code: 'malformed', key: 'src', given: src, message: expect.any(String) }]);
     expect(notices[0].message).toBe(
-      `src cannot be \u201c${src}\u201d: it takes a share link, such as #v=3&preset=wisp. \u201c${FIRST_PRESET}\u201d is shown.`,
+      `src cannot be \u201c${src}\u201d: it takes a share link, such as #v=1&preset=wisp. \u201c${FIRST_PRESET}\u201d is shown.`,
     );
   },
 );
 
 test('a src with a hash is read without a notice, with the time of its query', async () => {
-  expect(await read('?t=3#v=3&preset=wisp')).toEqual({ scene: 'wisp', start: 3, notices: [] });
+  expect(await read('?t=3#v=1&preset=wisp')).toEqual({ scene: 'wisp', start: 3, notices: [] });
 });
 
 test('an invalid src is reported once', async () => {

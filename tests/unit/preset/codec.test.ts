@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decode, defaultState, encode, type State } from '../../../src/preset/codec.ts';
+import { migrate, type Migration } from '../../../src/preset/migrations.ts';
 import { DECODED_LIMIT, pack, packBytes } from '../../../src/preset/packing.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import { defaultPreset, presets, presetValues } from '../../../src/preset/presets.ts';
@@ -31,23 +32,23 @@ describe('encode', () => {
   it('writes version, preset and what differs, in the order of the table', async () => {
     const state = withChanges('lamp', { 'style.outlineWidth': 3, 'emission.rate': 240, 'style.smokeColor': '#FFEEDD' });
     const hash = await encode(state);
-    expect(hash).toBe('#v=3&preset=lamp&emission.rate=240&style.smokeColor=ffeedd&style.outlineWidth=3');
+    expect(hash).toBe('#v=1&preset=lamp&emission.rate=240&style.smokeColor=ffeedd&style.outlineWidth=3');
   });
 
   it('writes nothing for values that equal the preset', async () => {
-    expect(await encode(withChanges('lamp-noir', {}))).toBe('#v=3&preset=lamp-noir');
+    expect(await encode(withChanges('lamp-noir', {}))).toBe('#v=1&preset=lamp-noir');
   });
 
   it('prints numbers short and exactly', async () => {
     const hash = await encode(withChanges('lamp', { 'puff.size': 0.1 + 0.2, 'forces.wind.x': 1e-7, seed: 4294967295 }));
-    expect(hash).toBe('#v=3&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
+    expect(hash).toBe('#v=1&preset=lamp&seed=4294967295&puff.size=0.30000000000000004&forces.wind.x=1e-7');
   });
 
   it('packs text over 1,500 characters, and only that', async () => {
     const ofVortices = table.filter(({ key, kind }) => kind === 'number' && /^(turbulence|vortices)\b/.test(key));
     const awkward = Object.fromEntries(ofVortices.slice(0, 60).map(({ key }) => [key, 1 / 3]));
     const hash = await encode(withChanges('lamp', { ...awkward, 'light.elevation': 33.333333333333336 }));
-    expect(hash).toMatch(/^#v=3&z=[\w-]+$/);
+    expect(hash).toMatch(/^#v=1&z=[\w-]+$/);
     expect(hash.length).toBeLessThan(1500);
     const { state, notices } = await decode(hash);
     expect(notices).toEqual([]);
@@ -71,7 +72,7 @@ describe('a take in a link', () => {
   it('is ignored with a notice if it is damaged or too long', async () => {
     const bomb = await packBytes(new Uint8Array(20 * 1024 * 1024));
     for (const packed of ['', '%%%', 'AAAA', (await packBytes(take)).slice(0, 40), bomb]) {
-      const { take: read, notices, state } = await decode(`#v=3&puff.size=2&take=${packed}`);
+      const { take: read, notices, state } = await decode(`#v=1&puff.size=2&take=${packed}`);
       expect(read).toBeUndefined();
       expect(state.values['puff.size']).toBe(2);
       expect(notices.map(({ code, key }) => [code, key])).toEqual([['damaged', 'take']]);
@@ -79,33 +80,24 @@ describe('a take in a link', () => {
   });
 });
 
-describe('an old link', () => {
-  it('of version 0 has its density stops converted to a curve, with a notice', async () => {
-    const stops = 'density.1.age=1&density.1.value=0&density.0.age=0.25&density.0.value=0.5';
-    const { state, notices } = await decode(`#v=0&preset=lamp&emission.rate=9&${stops}`);
-    expect(state.values).toMatchObject({ 'emission.rate': 9, 'emission.density': '.25:.5,1:0' });
-    expect(notices.map(({ code, message }) => [code, message])).toEqual([
-      ['migrated', 'This is an old link: its density stops became the curve emission.density.'],
-    ]);
-    expect(await encode(state)).toMatch(
-      /^#v=3&preset=lamp&emission.rate=9&emission.density=.25:.5,1:0(&(puff|style)\.|$)/,
-    );
-  });
+describe('migrations', () => {
+  /** Invented: version 2 renames a key, and version 3 changes what a preset looks like. */
+  const renamed: Migration = (pairs) => new Map([...pairs].map(([key, text]) => [key === 'old' ? 'new' : key, text]));
+  const extended: Migration = (pairs) => new Map([['puff.size', '2'], ...pairs]);
+  const migrated = (link: string) =>
+    Object.fromEntries(migrate(new Map(new URLSearchParams(link)), [renamed, extended]));
 
   it.each([
-    ['density.0.age=0.5', '.5:1,1:1'],
-    ['density.3.value=0.25&density.3.age=1', '0:.25,1:.25'],
-    ['density.0.value=0.5&density.1.value=0.75&density.2.age=7&density.2.value=NaN', '0:.5,1:1'],
-  ])('can have few or unusual stops: %s', async (stops, curve) => {
-    expect((await decode(`#v=0&${stops}`)).state.values['emission.density']).toBe(curve);
-  });
-
-  it('without changed keys is read unchanged', async () => {
-    expect(await decode('#v=0&puff.size=2')).toEqual(await decode('#v=1&puff.size=2'));
-  });
-
-  it('does not make old keys valid in a new link', async () => {
-    expect(await codes('#v=3&density.0.age=0.5')).toEqual(['unknownKey']);
+    ['old=1', { v: '3', new: '1', 'puff.size': '2' }],
+    ['v=1&old=1', { v: '3', new: '1', 'puff.size': '2' }],
+    ['v=2&old=1&puff.size=3', { v: '3', old: '1', 'puff.size': '3' }],
+    ['v=3&old=1', { v: '3', old: '1' }],
+    ['v=9&old=1', { v: '9', old: '1' }],
+    ['v=0&old=1', { v: '0', old: '1' }],
+    ['v=1.5&old=1', { v: '1.5', old: '1' }],
+    ['v=one&old=1', { v: 'one', old: '1' }],
+  ])('apply one after another to links of older versions only: %s', (link, expected) => {
+    expect(migrated(link)).toEqual(expected);
   });
 });
 
@@ -119,7 +111,7 @@ describe('decode', () => {
   });
 
   it('clamps to the limits for links, with a notice', async () => {
-    const { state, notices } = await decode('#v=3&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
+    const { state, notices } = await decode('#v=1&simulation.maxParticles=1000000&emission.rate=-5&puff.size=1e999');
     expect(state.values['simulation.maxParticles']).toBe(50_000);
     expect(state.values['emission.rate']).toBe(0);
     expect(state.values['puff.size']).toBe(4);
@@ -149,14 +141,14 @@ describe('decode', () => {
   });
 
   it('names an unknown preset and shows the default one', async () => {
-    const { state, notices } = await decode('#v=3&preset=volcano&emission.rate=9');
+    const { state, notices } = await decode('#v=1&preset=volcano&emission.rate=9');
     expect(state).toEqual(withChanges(defaultPreset.name, { 'emission.rate': 9 }));
     expect(notices.map(({ code, given }) => [code, given])).toEqual([['unknownPreset', 'volcano']]);
   });
 
   it('ignores keys of the object prototype, with a notice', async () => {
     for (const key of ['__proto__', 'constructor', 'toString', 'hasOwnProperty', '__proto__.polluted']) {
-      const { state, notices } = await decode(`#v=3&${key}=1`);
+      const { state, notices } = await decode(`#v=1&${key}=1`);
       expect(notices.map(({ code }) => code)).toEqual(['unknownKey']);
       expect(state).toEqual(defaultState());
     }
@@ -175,20 +167,20 @@ describe('decode', () => {
   });
 
   it('reads known keys of another version', async () => {
-    const { state, notices } = await decode('#v=4&emission.rate=10');
+    const { state, notices } = await decode('#v=9&emission.rate=10');
     expect(state.values['emission.rate']).toBe(10);
     expect(notices.map(({ code }) => code)).toEqual(['version']);
   });
 
   it('reports a damaged packed part', async () => {
-    const whole = await pack('v=3&preset=lamp-noir&emission.rate=10');
+    const whole = await pack('v=1&preset=lamp-noir&emission.rate=10');
     for (const packed of ['', '!!!!', 'AAAA', whole.slice(0, 12), `A${whole}`]) {
-      expect(await codes(`#v=3&z=${packed}`), packed).toEqual(['damaged']);
+      expect(await codes(`#v=1&z=${packed}`), packed).toEqual(['damaged']);
     }
   });
 
   it('reads a pair after a packed part', async () => {
-    const { state, notices } = await decode(`#v=3&z=${await pack('v=3&preset=lamp')}&emission.rate=10`);
+    const { state, notices } = await decode(`#v=1&z=${await pack('v=1&preset=lamp')}&emission.rate=10`);
     expect(state.values['emission.rate']).toBe(10);
     expect(notices).toEqual([]);
   });
@@ -196,7 +188,7 @@ describe('decode', () => {
   it('stops at 64 KiB, packed or not, and reads no incomplete pair', async () => {
     const filler = 'x'.repeat(DECODED_LIMIT - 40);
     const long = `emission.rate=10&${filler}=1&emission.lifetime=5.25&puff.size=2`;
-    for (const hash of [`#${long}`, `#v=3&z=${await pack(long)}`]) {
+    for (const hash of [`#${long}`, `#v=1&z=${await pack(long)}`]) {
       const { state, notices } = await decode(hash);
       expect(notices.map(({ code }) => code)).toEqual(['tooLong', 'unknownKey']);
       expect(state.values['emission.rate']).toBe(10);
@@ -206,7 +198,7 @@ describe('decode', () => {
 
   it('survives a deflate bomb of 50 MB', async () => {
     const bomb = await pack('a'.repeat(50 * 1024 * 1024));
-    expect(await codes(`#v=3&z=${bomb}`)).toEqual(['tooLong']);
+    expect(await codes(`#v=1&z=${bomb}`)).toEqual(['tooLong']);
   }, 60_000);
 
   it('limits the number and the length of notices', async () => {

@@ -52,10 +52,10 @@ describe('ramps', () => {
   });
 
   it('of a link fall back to the preset with a notice where they are malformed', async () => {
-    const good = await decode(`#v=3&preset=lamp-ember&style.ramp=${TEXT}`);
+    const good = await decode(`#v=1&preset=lamp-ember&style.ramp=${TEXT}`);
     expect(good.notices).toEqual([]);
     expect(good.state.values['style.ramp']).toBe(TEXT);
-    const { state, notices } = await decode('#v=3&preset=lamp-ember&style.heatRamp=0:<b>,1:ffffff&style.ramp=0:1');
+    const { state, notices } = await decode('#v=1&preset=lamp-ember&style.heatRamp=0:<b>,1:ffffff&style.ramp=0:1');
     expect(state.values['style.ramp']).toBe(presetValues(findPreset('lamp-ember')!)['style.ramp']);
     expect(readRamp(String(state.values['style.heatRamp']))!.length).toBeGreaterThan(2);
     expect(notices.map(({ code, key }) => `${code} ${key}`)).toEqual([

@@ -30,7 +30,6 @@ const TAKE = {
   steps: 60,
   mostParticles: 300,
   isFresh: true,
-  isExact: true,
   isTruncated: false,
   toBytes: () => Uint8Array.of(1, 2, 3),
 };

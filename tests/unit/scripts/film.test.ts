@@ -16,9 +16,9 @@ import * as browser from '../../../scripts/film/browser.mjs';
 // @ts-expect-error -- a script without declarations
 import * as states from '../../../scripts/film/states.mjs';
 
-const LINK = 'https://example.org/?t=2#v=3&preset=lamp';
+const LINK = 'https://example.org/?t=2#v=1&preset=lamp';
 const SHOT = {
-  link: '#v=3&preset=lamp',
+  link: '#v=1&preset=lamp',
   start: 0,
   version: '1',
   browser: 'Chrome/1',
@@ -48,8 +48,8 @@ afterEach(() => rmSync(folder, { recursive: true }));
 
 describe('options', () => {
   it('reads the query and the hash of an address', () => {
-    expect(given().order.link).toBe('?t=2#v=3&preset=lamp');
-    expect(read(['#v=3', '--frames', '3', '--out', 'out'])).toMatchObject({ order: { link: '#v=3' }, frames: [3] });
+    expect(given().order.link).toBe('?t=2#v=1&preset=lamp');
+    expect(read(['#v=1', '--frames', '3', '--out', 'out'])).toMatchObject({ order: { link: '#v=1' }, frames: [3] });
   });
 
   it.each([
@@ -266,7 +266,7 @@ describe('the folder of a shot', () => {
     [{ browser: 'Chrome/2' }, /the browser is "Chrome\/1", here it is "Chrome\/2"/],
     [{ renderer: 'Mesa' }, /the renderer is "SwiftShader", here it is "Mesa"/],
     [{ version: '2' }, /the version is "1", here it is "2"/],
-    [{ link: '#v=3&preset=wisp' }, /the link is "#v=3&preset=lamp", here/],
+    [{ link: '#v=1&preset=wisp' }, /the link is "#v=1&preset=lamp", here/],
     [{ fps: 25 }, /--fps is 24, here it is 25/],
   ])('rejects frames that are not %j, and names both', async (other, message) => {
     await write(1);
@@ -307,7 +307,7 @@ describe('saved states', () => {
   });
 
   it.each([
-    [{ link: '#v=3&preset=wisp' }, /is of the link #v=3&preset=lamp, not of #v=3&preset=wisp/],
+    [{ link: '#v=1&preset=wisp' }, /is of the link #v=1&preset=lamp, not of #v=1&preset=wisp/],
     [{ version: '2' }, /is of the version 1, not of 2/],
   ])('are rejected with %j', async (other, message) => {
     await (await open()).save(20, 'b', Uint8Array.of(1));

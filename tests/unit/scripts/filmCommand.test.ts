@@ -28,7 +28,7 @@ function command(words: string[], environment: NodeJS.ProcessEnv = {}) {
 }
 
 describe('one line and the status 1', () => {
-  const shot = ['#v=3&preset=lamp', '--frames', '0-1'];
+  const shot = ['#v=1&preset=lamp', '--frames', '0-1'];
 
   it('for an unknown option', () => {
     const expected = "Unknown option '--bogus'. cartoon-smoke film --help lists the options.";

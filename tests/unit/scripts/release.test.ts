@@ -84,7 +84,7 @@ describe('the site', () => {
     const picture = /property="og:image" content="(.*?)"/.exec(page)![1];
     expect(picture.startsWith(`${BASE}/`)).toBe(true);
     expect(existsSync(join(out, picture.slice(BASE.length)))).toBe(true);
-    expect(readFileSync(join(out, 'oembed/lamp.json'), 'utf8')).toContain(`${BASE}/embed.html#v=3&amp;preset=lamp`);
+    expect(readFileSync(join(out, 'oembed/lamp.json'), 'utf8')).toContain(`${BASE}/embed.html#v=1&amp;preset=lamp`);
     // Relative URLs only, so that it works in any folder.
     expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
   });

@@ -1,16 +1,14 @@
 /** Seeking in a take and replaying it elsewhere give the same hashes. */
 import { beforeAll, describe, expect, it } from 'vitest';
 import { defaultState, encode, LONGEST_LINK } from '../../../src/preset/codec.ts';
-import { goToMoment } from '../../../src/element/moment.ts';
 import { ParameterError, SimulatorError } from '../../../src/preset/errors.ts';
 import { unpackBytes } from '../../../src/preset/packing.ts';
-import type { RemoteStage } from '../../../src/remote/contract.ts';
 import { wisp } from '../../../src/scenes/wisp.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { noteOf, takeOf } from '../../../src/stage/take.ts';
 import { act, follow, LAST_STEP, lampSimulation, live, VALUES } from '../../support/sim/takeScript.ts';
-import { HASH_2, TAKE_2 } from '../../support/sim/takeVersion2.ts';
+import { TAKE, TAKE_HASH } from '../../support/sim/recordedTake.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 let factory: SimulatorFactory;
@@ -171,37 +169,20 @@ describe('a take', () => {
     second.dispose();
   });
 
-  it('of version 2 plays to the end, with a notice in links', async () => {
-    const { bytes } = await unpackBytes(TAKE_2, 1e5);
+  it('that was recorded earlier plays to the same end, and its recording too', async () => {
+    const { bytes } = await unpackBytes(TAKE, 1e5);
     const core = await loadVariant('core');
     const take = takeOf(bytes, core.readTake(bytes));
-    expect(take).toMatchObject({ isExact: false, steps: 60, inputs: 2 });
+    expect(take).toMatchObject({ steps: 60, inputs: 2 });
     const simulation = new Simulation(core, wisp(), take.values, 1e6);
     simulation.replay(bytes, take.values);
     simulation.advance(60);
-    expect(simulation.simulator.hash()).toBe(HASH_2);
+    expect(simulation.simulator.hash()).toBe(TAKE_HASH);
     const again = simulation.simulator.take(noteOf(take.values));
-    // The new encoding has version 3 and the parameters that are newer than version 2.
-    expect(again[4]).toBe(3);
-    expect(core.readTake(again)).toEqual({ ...core.readTake(bytes), isExact: true });
+    expect(core.readTake(again)).toEqual(core.readTake(bytes));
     simulation.replay(again, take.values);
     simulation.advance(60);
-    expect(simulation.simulator.hash()).toBe(HASH_2);
-    for (const [kept, isNotified] of [
-      [bytes, true],
-      [again, false],
-    ] as const) {
-      const stage = {
-        readTake: (given: Uint8Array) => takeOf(given, core.readTake(given)),
-        playTake() {},
-        set() {},
-        seek() {},
-      };
-      const notices = await goToMoment(stage as unknown as RemoteStage, kept, undefined, take.values);
-      expect(notices.map(({ message }) => message)).toEqual(
-        isNotified ? [expect.stringContaining('may end differently')] : [],
-      );
-    }
+    expect(simulation.simulator.hash()).toBe(TAKE_HASH);
     simulation.dispose();
   });
 
@@ -209,7 +190,7 @@ describe('a take', () => {
     const simulation = lampSimulation(factory);
     const bytes = simulation.simulator.take(noteOf(VALUES));
     bytes[4] = 4;
-    const words = /the take has format 4, this version reads 2 and 3 only/;
+    const words = /the take has format 4, this version reads 1 only/;
     expect(() => factory.readTake(bytes)).toThrow(words);
     expect(() => simulation.replay(bytes, VALUES)).toThrow(words);
     simulation.dispose();

@@ -114,28 +114,24 @@ impl<'b> Reader<'b> {
         Self(bytes)
     }
 
-    /// Checks the envelope that `Writer::seal` wrote and returns the reader and the version, one of `versions`. `name`
-    /// names the bytes in error messages.
-    pub fn open(bytes: &'b [u8], kind: &[u8; 4], versions: [u32; 2], name: &str) -> Result<(Self, u32), RestoreError> {
+    /// Checks the envelope that `Writer::seal` wrote. `name` names the bytes in error messages.
+    pub fn open(bytes: &'b [u8], kind: &[u8; 4], version: u32, name: &str) -> Result<Self, RestoreError> {
         let mut reader = Self(bytes);
         if reader.take()? != *kind {
             return Err(RestoreError::new(format!("these bytes are not a {name}")));
         }
         let found = reader.word()?;
-        if !versions.contains(&found) {
-            let [oldest, newest] = versions;
-            return Err(RestoreError::new(if oldest == newest {
-                format!("the {name} has format {found}, this version reads {newest} only")
-            } else {
-                format!("the {name} has format {found}, this version reads {oldest} and {newest} only")
-            }));
+        if found != version {
+            return Err(RestoreError::new(format!(
+                "the {name} has format {found}, this version reads {version} only"
+            )));
         }
         if reader.long()? != checksum(reader.0) {
             return Err(RestoreError::new(format!(
                 "the {name} is damaged; give all of its bytes"
             )));
         }
-        Ok((reader, found))
+        Ok(reader)
     }
 
     pub fn byte(&mut self) -> Result<u8, RestoreError> {

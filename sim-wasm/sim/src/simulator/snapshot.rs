@@ -19,7 +19,7 @@ use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 
 const KIND: &[u8; 4] = b"smok";
-const VERSION: u32 = 5;
+const VERSION: u32 = 1;
 const NAME: &str = "saved simulation";
 
 /// Bits of the word that says which columns follow the others.
@@ -97,7 +97,7 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
 
 /// Restores `bytes` into `simulator`. On error nothing changes.
 pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) -> Result<(), RestoreError> {
-    let (mut reader, _) = Reader::open(bytes, KIND, [VERSION; 2], NAME)?;
+    let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
     let saved_state = SavedState::read(&mut reader)?;
     let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
     let saved = reader.section(b"room", read_capacity)?;

@@ -102,10 +102,10 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
     expect(ahead).toBeCloseTo(Math.PI / 2, 6);
     await page.keyboard.press('g');
     await page.getByRole('radio', { name: 'Noir' }).check();
-    await expectHash(page, '#v=3&preset=lamp-noir&camera.azimuth=90&camera.elevation=0');
+    await expectHash(page, '#v=1&preset=lamp-noir&camera.azimuth=90&camera.elevation=0');
     await page.getByRole('radio', { name: 'Cup of tea' }).check();
     await expectValue(page, 'scene', 'wisp');
-    await expectHash(page, '#v=3&preset=wisp');
+    await expectHash(page, '#v=1&preset=wisp');
     expect(await eyeOf(page)).toEqual({});
   });
 });

@@ -7,7 +7,7 @@ import { ask, open } from '../page.ts';
 
 test.use({ viewport: { width: 96, height: 72 } });
 
-const SMALL = '#v=3&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
+const SMALL = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
 test('parameters of the simulator and items of all lists change its state, and all of them at once do not stop it', async ({
   page,

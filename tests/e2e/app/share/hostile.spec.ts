@@ -7,7 +7,7 @@ import { ask, open } from '../page.ts';
 
 test.use({ viewport: { width: 120, height: 90 } });
 
-const SMALL = '#v=3&preset=air&emission.rate=20&puff.variations=1&simulation.maxParticles=100';
+const SMALL = '#v=1&preset=air&emission.rate=20&puff.variations=1&simulation.maxParticles=100';
 const SCRIPT = '"><img src=x onerror="window.ran=1"><script>window.ran=2</script>javascript:window.ran=3';
 const script = encodeURIComponent(SCRIPT);
 const texts = table.filter(({ kind, key }) => kind !== 'number' && kind !== 'integer' && !/^\w+\.[1-7]\./.test(key));
@@ -65,7 +65,7 @@ test('each leaves a running page and a notice, requests no other host and runs n
       await page.evaluate((hash) => {
         document.querySelectorAll<HTMLElement>('.notice button').forEach((button) => button.click());
         location.hash = hash;
-      }, `#v=3${link}&emission.rate=20&puff.variations=1&simulation.maxParticles=100`);
+      }, `#v=1${link}&emission.rate=20&puff.variations=1&simulation.maxParticles=100`);
       await expect(page.locator('.notices')).toContainText(notified);
       const steps = await ask(page, (stage) => (stage.step(1), stage.stats.steps));
       expect(steps).toBeGreaterThan(0);

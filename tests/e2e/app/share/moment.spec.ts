@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../../../src/preset/packing.ts';
 import { expect, knowGestures, test } from '../../../support/fixtures.ts';
-import { HASH_2, TAKE_2 } from '../../../support/sim/takeVersion2.ts';
+import { TAKE, TAKE_HASH } from '../../../support/sim/recordedTake.ts';
 import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, LIGHT, messagesOf, open } from '../page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
@@ -40,7 +40,7 @@ test('a take reaches the same hash in another browser, also at an earlier moment
   await play(page);
   const there = await shown(page);
   const link = await momentLink(page);
-  expect(link).toMatch(/[?&]paused=1#v=3&preset=lamp&.*&take=[\w-]+$/);
+  expect(link).toMatch(/[?&]paused=1#v=1&preset=lamp&.*&take=[\w-]+$/);
   expect(link.length).toBeLessThan(4000);
   await ask(page, (stage) => stage.seek(0.5));
   const [earlier, earlierLink] = [await shown(page), await momentLink(page)];
@@ -59,11 +59,11 @@ test('a take reaches the same hash in another browser, also at an earlier moment
 });
 
 test('a moment of another scene, opened by the address bar, stays there until the next edit', async ({ page }) => {
-  await open(page, '?paused=1#v=3&preset=wisp&puff.variations=1&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(45));
   const wisp = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
-  await open(page, '?paused=1#v=3&preset=train&puff.variations=1&simulation.maxParticles=300');
+  await open(page, '?paused=1#v=1&preset=train&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(30));
   const train = { moment: await shown(page), link: new URL(await momentLink(page)).hash };
@@ -76,7 +76,7 @@ test('a moment of another scene, opened by the address bar, stays there until th
   await test.step('also if it is opened while another scene loads', async () => {
     const goTo = (hash: string) => page.evaluate((wanted) => (location.hash = wanted), hash);
     const arrive = await hold(page, '**/campfire*.js');
-    await goTo('#v=3&preset=campfire&puff.variations=1&simulation.maxParticles=300');
+    await goTo('#v=1&preset=campfire&puff.variations=1&simulation.maxParticles=300');
     await expect(page.getByText('Gathering wood…')).toBeVisible();
     await goTo(train.link);
     await expect(page.locator('input[name=preset][value=train]')).toBeChecked();
@@ -89,7 +89,7 @@ test('a moment of another scene, opened by the address bar, stays there until th
   await ask(page, (stage) => stage.set({ 'puff.size': 2 }));
   await expect
     .poll(() => page.evaluate(() => location.hash))
-    .toBe('#v=3&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
+    .toBe('#v=1&preset=train&puff.size=2&puff.variations=1&simulation.maxParticles=300');
 });
 
 test('without user input a moment is only its time; a long take replays with progress and can be stopped', async ({
@@ -133,9 +133,8 @@ test('an invalid moment keeps the look, with a notice', async ({ page }) => {
   });
   const tooMany = await packBytes(Uint8Array.from(bytes));
   await expectRejected(tooMany, 'it needs room for 60000 particles. The limit for links is 50000.');
-  await test.step('a moment of version 2 is shown, with a notice', async () => {
-    await open(page, `?paused=1#v=3&preset=wisp&puff.variations=1&take=${TAKE_2}`);
-    await expect(page.locator('.notice')).toContainText('The smoke may end differently.');
-    await expect.poll(() => shown(page)).toMatchObject({ steps: 60, hash: HASH_2 });
+  await test.step('a recorded moment is shown', async () => {
+    await open(page, `?paused=1#v=1&preset=wisp&puff.variations=1&take=${TAKE}`);
+    await expect.poll(() => shown(page)).toMatchObject({ steps: 60, hash: TAKE_HASH });
   });
 });

@@ -63,12 +63,12 @@ test('the sheet copies link and code, shows a QR code, and works by keyboard', a
   await page.keyboard.press('Enter');
   await expect(sheet(page).getByRole('status').last()).toHaveText('Code copied.');
   expect(await copied()).toMatch(
-    /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5&amp;interactive=0#v=3&amp;preset=air&amp;[^"]+" title="Cartoon Smoke"/,
+    /^<iframe src="[^"]+\/embed\.html\?paused=1&amp;t=0.5&amp;interactive=0#v=1&amp;preset=air&amp;[^"]+" title="Cartoon Smoke"/,
   );
   await sheet(page).getByRole('radio', { name: 'A puff by one call' }).check();
   // The look of the preset, without its motion.
   await expect(code).toHaveValue(
-    "import { puff } from 'cartoon-smoke/puff';\npuff(button, { preset: '#v=3&preset=air&puff.variations=1' });",
+    "import { puff } from 'cartoon-smoke/puff';\npuff(button, { preset: '#v=1&preset=air&puff.variations=1' });",
   );
   await closeSheet(page);
 });
@@ -118,7 +118,7 @@ test('a take too long for a link becomes a file, which restores the moment', asy
   await expect(sheet(page).getByRole('button', { name: 'Copy link' })).toBeDisabled();
   const file = await saved(page, () => sheet(page).getByRole('button', { name: 'Save as file' }).click());
   expect(file.name).toBe('lamp.take.json');
-  await open(page, '?paused=1#v=3&preset=lamp-noir&emission.rate=7');
+  await open(page, '?paused=1#v=1&preset=lamp-noir&emission.rate=7');
   await drop(page, file.name, file.text);
   await expect.poll(() => ask(page, (stage) => [stage.stats.steps, stage.hash()])).toEqual([421, hash]);
   await expectValue(page, 'style.tones', 2);
@@ -127,11 +127,11 @@ test('a take too long for a link becomes a file, which restores the moment', asy
 
 test('invalid files show an error and change nothing', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
-  await drop(page, 'a.json', '{"format": "cartoon-smoke",\n  "version": 3,,}');
+  await drop(page, 'a.json', '{"format": "cartoon-smoke",\n  "version": 1,,}');
   await expect(
     page.getByText('a.json could not be opened. The file is not valid JSON at line 2, column 16.'),
   ).toBeVisible();
-  await drop(page, 'b.json', '{"format": "cartoon-smoke", "version": 3, "values": {"puff.size": 9}}');
+  await drop(page, 'b.json', '{"format": "cartoon-smoke", "version": 1, "values": {"puff.size": 9}}');
   await expect(page.getByText('puff.size cannot be “9”')).toBeVisible();
   await expectValue(page, 'puff.size', 4);
   await page.keyboard.press('Control+z');

@@ -10,9 +10,7 @@ use crate::simulator::take::log::{Log, Record};
 use crate::simulator::take::origin::Origin;
 
 const KIND: &[u8; 4] = b"take";
-const VERSION: u32 = 3;
-/// Takes of this version come from scenes whose functions differ between engines. The format is the same.
-const INEXACT_VERSION: u32 = 2;
+const VERSION: u32 = 1;
 const NAME: &str = "take";
 /// Maximum length of the note (bytes).
 pub const MAX_NOTE: usize = 65_536;
@@ -28,35 +26,23 @@ pub struct Take {
     pub end: u64,
     /// Text that the recording page attached.
     pub note: String,
-    version: u32,
 }
 
 impl Take {
     /// Parses a take and validates everything that does not depend on the scene.
     pub fn parse(bytes: &[u8]) -> Result<Self, RestoreError> {
-        let (mut reader, version) = Reader::open(bytes, KIND, [INEXACT_VERSION, VERSION], NAME)?;
+        let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
         let (origin, end) = reader.section(b"from", read_origin)?;
         let keys = reader.section(b"keys", read_keys)?;
         let log = reader.section(b"logs", |reader| read_log(reader, keys, origin.step, end))?;
         let note = reader.section(b"note", read_note)?;
         reader.end()?;
-        Ok(Self {
-            origin,
-            log,
-            end,
-            note,
-            version,
-        })
+        Ok(Self { origin, log, end, note })
     }
 
     /// Returns true if the take starts from the scene's initial state instead of a saved one.
     pub fn is_fresh(&self) -> bool {
         self.origin.is_fresh
-    }
-
-    /// Returns true if replaying reproduces the recorded end exactly.
-    pub fn is_exact(&self) -> bool {
-        self.version > INEXACT_VERSION
     }
 
     /// Maximum number of particles in the take, as far as it is recorded. A saved state has a capacity of its own.
@@ -68,7 +54,7 @@ impl Take {
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut body = Writer::default();
         write(&mut body, &self.origin, &self.log, self.end, &self.note);
-        body.seal(KIND, self.version)
+        seal(body)
     }
 }
 
