@@ -71,11 +71,11 @@ listen('statechange', ({ notices }) => {
 });
 listen('error', ({ error }) => warnOfError(ABOUT, error));
 
-const { get } = Object.getOwnPropertyDescriptor(CartoonSmokeElement.prototype, 'stage')!;
+const stage = Object.getOwnPropertyDescriptor(CartoonSmokeElement.prototype, 'stage')!;
 Object.defineProperty(CartoonSmokeElement.prototype, 'stage', {
   configurable: true,
   get(this: CartoonSmokeElement) {
-    return warnUnawaited('element.stage', get!.call(this) as CartoonSmokeElement['stage'], STAGE_MEMBERS);
+    return warnUnawaited('element.stage', stage.get!.call(this) as CartoonSmokeElement['stage'], STAGE_MEMBERS);
   },
 });
 

@@ -40,19 +40,21 @@ function methodsOf(prototype: object): string[] {
 /** Replaces methods of one smoke. */
 function watch(smoke: CartoonSmoke): CartoonSmoke {
   const frames = new Frames(smoke);
-  const { update, step, updateMatrixWorld } = smoke;
+  const update = smoke.update.bind(smoke);
+  const step = smoke.step.bind(smoke);
+  const updateMatrixWorld = smoke.updateMatrixWorld.bind(smoke);
   smoke.update = (seconds) => {
     frames.update(seconds);
-    update.call(smoke, seconds);
+    update(seconds);
   };
   smoke.step = (count) => {
     frames.isUpdated = true;
-    step.call(smoke, count);
+    step(count);
   };
   // Renderers call it once in each frame for every object of a scene.
   smoke.updateMatrixWorld = (isForced) => {
     frames.render();
-    updateMatrixWorld.call(smoke, isForced);
+    updateMatrixWorld(isForced);
   };
   smoke.addEventListener('error', ({ error }) => warnOfError(ABOUT, error));
   smoke.addEventListener('dispose' as 'added', () => --alive);

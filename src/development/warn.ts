@@ -35,12 +35,12 @@ export function warnUnawaited<Kind>(about: string, promise: Promise<Kind>, names
     if (name in promise) continue;
     const warn = () =>
       warnOnce(about, `.${name} was read from a promise. Write \u201cawait ${about}\u201d first.`, 'await');
-    Object.defineProperty(promise, name, {
+    Reflect.defineProperty(promise, name, {
       configurable: true,
-      get: () => void warn(),
+      get: warn,
       set(value) {
         warn();
-        Object.defineProperty(promise, name, { value, writable: true });
+        Reflect.defineProperty(promise, name, { value, writable: true });
       },
     });
   }

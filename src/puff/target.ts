@@ -71,9 +71,9 @@ export function sourceOf(target?: PuffTarget): Source {
 
 /** By shape, because an element of a frame is no instance of this window's classes. A text counts as its element. */
 function elementOf(value: unknown): Element | undefined {
-  const { nodeType, parentElement, getBoundingClientRect } = Object(value) as Element;
-  if (nodeType === 3) return parentElement ?? undefined;
-  return typeof getBoundingClientRect === 'function' && nodeType !== undefined ? (value as Element) : undefined;
+  const node = Object(value) as Element;
+  if (node.nodeType === 3) return node.parentElement ?? undefined;
+  return typeof node.getBoundingClientRect === 'function' && node.nodeType !== undefined ? node : undefined;
 }
 
 function eventSource(event: WrappedEvent): Source {

@@ -5,12 +5,13 @@ import type { Source } from './target.ts';
 const SELECTORS = [':modal', ':popover-open', ':fullscreen', 'select:open'];
 
 /** The element of the top layer that a source is in, if any. A point counts as what is under it. */
-export function topLayerOf({ inside, box }: Source): Element | undefined {
-  const { left, top } = box() ?? { left: -1, top: -1 };
-  for (let each = inside ?? elementAt(left, top); each; each = parentOf(each)) {
+export function topLayerOf(source: Source): Element | undefined {
+  const { left, top } = source.box() ?? { left: -1, top: -1 };
+  for (let each = source.inside ?? elementAt(left, top); each; each = parentOf(each)) {
     // All of the page is in front of nothing else, and a frame has a top layer of its own.
-    const isPart = each.ownerDocument === document && each !== document.documentElement;
-    if (isPart && SELECTORS.some((selector) => isMatch(each!, selector))) return each;
+    const part = each;
+    if (part.ownerDocument !== document || part === document.documentElement) continue;
+    if (SELECTORS.some((selector) => isMatch(part, selector))) return part;
   }
   return undefined;
 }

@@ -423,6 +423,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.removeFromParent();
     this.simulator.dispose();
     this.stopListening();
+    this.geometry.dispose();
     this.passes.dispose();
     releaseDevice(this.device);
   }

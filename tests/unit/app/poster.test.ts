@@ -21,7 +21,7 @@ test('a link shows the poster of its preset', () => {
 
 test('what a host appends does not change the poster', () => {
   for (const suffix of ['#?secret=1', '?utm_source=mail', ':~:text=smoke'])
-    expect(posterOf('', `#v=3&preset=wisp${suffix}`), suffix).toBe('wisp');
+    expect(posterOf('', `#v=1&preset=wisp${suffix}`), suffix).toBe('wisp');
   expect(posterOf('', '#?secret=1')).toBe(posterOf('', ''));
 });
 

@@ -96,7 +96,7 @@ async function useEverything(element: CartoonSmokeElement): Promise<void> {
   const failures: unknown[] = [];
   element.addEventListener('error', ({ detail }) => failures.push(detail.error));
   Object.assign(element, { preset: 'lamp', emissionRate: 40, paused: true, transparent: true, loading: 'eager' });
-  element.setAttribute('src', '#v=3&preset=wisp');
+  element.setAttribute('src', '#v=1&preset=wisp');
   element.setAttribute('collide', 'p');
   document.body.append(element);
   element.play();

@@ -32,7 +32,7 @@ export async function accepted(smoke: CartoonSmoke, remote: RemoteStage, host: H
   const look: Values = { 'style.outlines': 0, 'style.tones': 1 };
   const link: ShareLink = await encode({ preset: 'lamp', values: presetValues('lamp') });
   const name: PresetName = presets[0].name;
-  for (const preset of [name, link, 'lamp', 'https://example.org/?t=2#v=3', '#v=3&preset=wisp'] as const) {
+  for (const preset of [name, link, 'lamp', 'https://example.org/?t=2#v=1', '#v=1&preset=wisp'] as const) {
     await CartoonSmoke.create({ ...host, preset, values: { ...look, ...presetValues(presets[1]) } });
     await puff(null, { preset });
   }

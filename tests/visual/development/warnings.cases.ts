@@ -39,7 +39,8 @@ function element(style: string): HTMLElement {
 /** Calls `act` while the system prefers reduced motion, as pages see it. */
 async function calmly(act: () => Promise<void>): Promise<void> {
   const { matchMedia: real } = globalThis;
-  globalThis.matchMedia = (query) => ({ ...real(query), matches: /reduced-motion: reduce/.test(query) });
+  globalThis.matchMedia = (query) =>
+    Object.defineProperty(real(query), 'matches', { value: /reduced-motion: reduce/.test(query) });
   await act();
   globalThis.matchMedia = real;
 }

@@ -101,9 +101,9 @@ export async function ofHost(link: string) {
   const kept = Object.keys(given).filter((key) => smokes.some((smoke) => key in smoke.get()));
   const links = [
     'lampp',
-    '#v=3&preset=lampp',
-    '#v=3&emission.rates=1',
-    '#v=3&emission.rate=a',
+    '#v=1&preset=lampp',
+    '#v=1&emission.rates=1',
+    '#v=1&emission.rate=a',
     '#z=damaged',
     3 as never,
   ];
