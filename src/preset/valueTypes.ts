@@ -85,7 +85,7 @@ export type SingleValues = {
   /** Colour by heat: Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire. */ 'style.heatRamp': string;
   /** Soft colours: Blends neighbouring colours by age and heat; off keeps them separate. */ 'style.softColors': 0 | 1;
   /** Ink: Colour of the outlines. */ 'style.inkColor': string;
-  /** Custom backdrop: Two colours of the backdrop, from bottom to top. They replace those of the scene. */ 'style.backdrop': string;
+  /** Custom backdrop: Colours of the backdrop from bottom to top, blended between their heights. They replace those of the scene. */ 'style.backdrop': string;
   /** Wash: How much the objects of the scene take on shades of one colour. */ 'style.wash': number;
   /** Wash colour: The lightest shade of the wash. */ 'style.washColor': string;
   /** Line width: Width of the outlines in CSS pixels, the same near and far. */ 'style.outlineWidth': number;

@@ -1,6 +1,6 @@
 /** The linter rejects engine-dependent numbers where they reach the simulator, and only there. */
 import { spawnSync } from 'node:child_process';
-import { copyFileSync } from 'node:fs';
+import { copyFileSync, symlinkSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { Project } from '../../support/project.ts';
@@ -11,6 +11,7 @@ let project: Project;
 beforeEach(() => {
   project = new Project();
   copyFileSync(`${ROOT}/.oxlintrc.json`, project.path('.oxlintrc.json'));
+  symlinkSync(`${ROOT}/node_modules`, project.path('node_modules'));
 });
 afterEach(() => project.dispose());
 
