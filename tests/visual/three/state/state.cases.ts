@@ -235,6 +235,21 @@ export async function tooSmall(): Promise<string> {
   );
 }
 
+/** Pictures of a smoking chimney, by `emitFrom(chimney)` and by the emitter of the table. */
+export async function chimneys(): Promise<Record<'own' | 'table', number[]>> {
+  const look = async (emitter?: number) => {
+    const host = emptyHost();
+    const smoke = await smokeIn(host, { 'emission.rate': 28 });
+    smoke.restart();
+    smoke.emitFrom(at(host, 0.5), emitter);
+    smoke.step(150);
+    const pixels = Array.from(draw(host));
+    dispose(smoke, host.renderer);
+    return pixels;
+  };
+  return { own: await look(), table: await look(0) };
+}
+
 /** What each call says about an object or a position at 4,999 m and at 5,001 m. */
 export async function reach(): Promise<string[]> {
   return withSmoke(

@@ -66,3 +66,10 @@ test('all calls take objects and positions within 5,000 m', async ({ load }) => 
     calls.flatMap((call) => [`${call} 4999`, expect.stringMatching(new RegExp(`^${call} .*5001.*5000`))]),
   );
 });
+
+test('smoke of one chimney looks as that of the emitter of the table', async ({ load }) => {
+  const cases = await load<State>(STATE);
+  const { own, table } = await cases.evaluate((module) => module.chimneys());
+  expect(own.filter((value, byte) => value !== own[byte % 4]).length).toBeGreaterThan(1000);
+  expect(own).toEqual(table);
+});
