@@ -132,6 +132,7 @@ export class CartoonSmokeElement extends Base {
 
   play(): void {
     this.paused = false;
+    this.#session?.overrideLink();
     if (navigator.userActivation?.isActive) this.#hold(false);
   }
 

@@ -17,7 +17,7 @@ export const attributes = [
     name: 'src',
     type: string,
     description:
-      'A share link of the demo page, which replaces `preset`. Its query parameters `t` and `paused` also apply. A new link restarts the smoke if it has `t` or a take, if `start` is set, or if the scene differs. Otherwise only the parameters change.',
+      'A share link of the demo page, which replaces `preset`. Its query parameters `t` and `paused` also apply; `paused` does not set the attribute, and `play()` overrides it. A new link restarts the smoke if it has `t` or a take, if `start` is set, or if the scene differs. Otherwise only the parameters change.',
   },
   {
     name: 'paused',

@@ -14,18 +14,27 @@ export class Playback {
   private readonly calm = calm();
   private isPaused: boolean;
   private isHeld: boolean;
+  private isLinkPaused: boolean;
   private isConsented = false;
 
   /**
    * @param isPaused by the page
    * @param isHeld by the user
+   * @param isLinkPaused by the share link, apart from the attribute, which a morph of the page would remove
    * @param notify called at the start and whenever playback starts or stops; pausing out of view does not count
    */
-  constructor(stage: RemoteStage, isPaused: boolean, isHeld: boolean, notify: Playback['notify']) {
+  constructor(
+    stage: RemoteStage,
+    isPaused: boolean,
+    isHeld: boolean,
+    isLinkPaused: boolean,
+    notify: Playback['notify'],
+  ) {
     this.stage = stage;
     this.notify = notify;
     this.isPaused = isPaused;
     this.isHeld = isHeld;
+    this.isLinkPaused = isLinkPaused;
   }
 
   begin(): void {
@@ -35,7 +44,7 @@ export class Playback {
 
   /** Whether the smoke plays, in view or not. */
   get isPlaying(): boolean {
-    return !this.isPaused && !this.isHeld && !this.isStill;
+    return !this.isPaused && !this.isHeld && !this.isLinkPaused && !this.isStill;
   }
 
   set(isPaused: boolean): void {
@@ -43,10 +52,18 @@ export class Playback {
     this.update();
   }
 
+  /** A share link pauses or plays, or a call of play() overrides it. */
+  follow(isLinkPaused: boolean): void {
+    if (isLinkPaused === this.isLinkPaused) return;
+    this.isLinkPaused = isLinkPaused;
+    this.update();
+  }
+
   /** Pauses by a user action, or starts playback, which overrides the page and reduced motion. */
   hold(isHeld: boolean): void {
     this.isHeld = isHeld;
     this.isPaused &&= isHeld;
+    this.isLinkPaused &&= isHeld;
     this.isConsented ||= !isHeld;
     this.update();
   }

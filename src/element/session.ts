@@ -81,8 +81,8 @@ export class Session {
     this.owner = owner;
     this.stage = stage;
     this.attributes = attributes;
-    if (attributes.isPaused) element.toggleAttribute('paused', true);
-    this.playback = new Playback(stage, element.hasAttribute('paused'), owner.isHeld, (state) =>
+    const isPaused = element.hasAttribute('paused');
+    this.playback = new Playback(stage, isPaused, owner.isHeld, attributes.isPaused, (state) =>
       this.showPlaying(state),
     );
     this.endings = [
@@ -128,6 +128,11 @@ export class Session {
     this.playback.hold(isHeld);
   }
 
+  /** Plays although the share link pauses. */
+  overrideLink(): void {
+    this.playback.follow(false);
+  }
+
   /** Applies changed parameters. Changes of the same task are merged. */
   follow(): void {
     this.isBehind = true;
@@ -164,7 +169,7 @@ export class Session {
   private async followAttributes(after: ParsedAttributes): Promise<void> {
     const before = this.attributes;
     this.attributes = after;
-    if (after.isPaused && !before.isPaused) this.owner.element.toggleAttribute('paused', true);
+    if (after.isPaused !== before.isPaused) this.playback.follow(after.isPaused);
     this.notify(
       after.notices.filter(({ message }) => !before.notices.some((notified) => notified.message === message)),
     );
