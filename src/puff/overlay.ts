@@ -30,7 +30,7 @@ const Z_INDEX = { above: 9999, below: -1 };
 const STYLE = { all: 'initial', display: 'block', 'pointer-events': 'none' };
 /** Layout containment keeps the canvas out of the size of the document. */
 const FRAME_STYLE = { ...STYLE, left: '0', top: '0', width: '0', height: '0', contain: 'layout' };
-const CANVAS_STYLE = { ...STYLE, position: 'absolute' };
+const CANVAS_STYLE = { ...STYLE, position: 'absolute', left: '0', top: '0' };
 
 /**
  * A canvas over the visible part of the page. It scrolls with the page and changes neither its layout nor its size. The
@@ -43,7 +43,7 @@ export class Overlay implements Sheet {
   private readonly outer = styled(document.createElement('div'), { ...FRAME_STYLE, position: 'absolute' });
   private readonly frame = styled(document.createElement('div'), FRAME_STYLE);
   private window = '';
-  private shifted = { x: 0, y: 0 };
+  private at = { x: 0, y: 0 };
   private readonly print = matchMedia('print');
   private readonly handlePrint = () => styled(this.frame, { display: this.print.matches ? 'none' : 'block' });
 
@@ -74,7 +74,6 @@ export class Overlay implements Sheet {
     this.enter(host);
     const [width, height] = visible();
     this.window = visible().join();
-    this.shifted = { x: 0, y: 0 };
     // First as if the root were neither moved nor zoomed, and then as measured.
     this.setBox(0, 0, width, height);
     const { left, top, width: drawn } = this.rectangle();
@@ -98,15 +97,20 @@ export class Overlay implements Sheet {
     styled(frame, { position: isFixed ? 'fixed' : 'absolute' });
   }
 
-  private setBox(left: number, top: number, width: number, height: number): void {
-    const box = Object.entries({ left, top, width, height }).map(([name, pixels]) => [name, `${pixels}px`]);
-    styled(this.canvas, { ...Object.fromEntries(box), translate: 'none' });
+  private setBox(x: number, y: number, width: number, height: number): void {
+    styled(this.canvas, { width: `${width}px`, height: `${height}px` });
+    this.moveTo(x, y);
+  }
+
+  /** Not by `left` or `transform`: where only these change, Firefox makes the document longer in spite of containment. */
+  private moveTo(x: number, y: number): void {
+    this.at = { x, y };
+    styled(this.canvas, { margin: `${y}px 0 0 ${x}px` });
   }
 
   shift(x: number, y: number): void {
-    const { scale } = this;
-    this.shifted = { x: this.shifted.x + scale * x, y: this.shifted.y + scale * y };
-    styled(this.canvas, { translate: `${this.shifted.x}px ${this.shifted.y}px` });
+    const { at, scale } = this;
+    this.moveTo(at.x + scale * x, at.y + scale * y);
   }
 
   rectangle(): TargetBox {

@@ -1,5 +1,6 @@
 /** Runs in a page: `puff()`. */
 import { puff, type Effect } from '../../../src/puff.ts';
+import { parentOf } from '../../../src/page/zoom.ts';
 import { hexOf } from '../../../src/puff/look.ts';
 import { sourceOf } from '../../../src/puff/target.ts';
 import { visibilityChange } from '../../../src/puff/visibility.ts';
@@ -42,9 +43,10 @@ function opaque(): number {
   return data.filter((byte, at) => at % 4 === 3 && byte > 128).length;
 }
 
-const nextFrame = () => new Promise(requestAnimationFrame);
+// After the stage's own callback of the frame: WebKitGTK draws on the canvas itself, which is empty after the frame.
+const nextFrame = () => new Promise((resolve) => setTimeout(() => requestAnimationFrame(resolve)));
 /** Smoke that stays about where it starts. */
-const STILL = { count: 500, speed: 0.05, duration: 4 } as const;
+const STILL = { count: 500, speed: 0.05, duration: 12 } as const;
 const html = document.documentElement;
 
 /** Body and style attributes by selector. */
@@ -65,7 +67,7 @@ function build({ body = '', styles = {} }: Scenery): void {
 /** Product of the zooms around an element, for browsers without `currentCSSZoom`, whose rectangles leave it out. */
 function legacyZoom(element: Element | null): number {
   if ('currentCSSZoom' in html || !element) return 1;
-  return Number.parseFloat(getComputedStyle(element).zoom) * legacyZoom(element.assignedSlot ?? element.parentElement);
+  return Number.parseFloat(getComputedStyle(element).zoom) * legacyZoom(parentOf(element) ?? null);
 }
 
 function clientRect(element: Element): { left: number; top: number; width: number; height: number } {
@@ -74,8 +76,9 @@ function clientRect(element: Element): { left: number; top: number; width: numbe
   return { left: left * zoom, top: top * zoom, width: width * zoom, height: height * zoom };
 }
 
-/** The middle of the smoke in client pixels, when there is enough of it. */
+/** The middle of the smoke in client pixels, over some frames, because a single one has few puffs. */
 async function middleOfSmoke(): Promise<{ x: number; y: number }> {
+  let [sum, x, y, frames] = [0, 0, 0, 0];
   for (;;) {
     await nextFrame();
     const canvas = document.querySelector('canvas');
@@ -83,14 +86,15 @@ async function middleOfSmoke(): Promise<{ x: number; y: number }> {
     const copy = Object.assign(document.createElement('canvas'), { width: WIDTH, height: HEIGHT }).getContext('2d')!;
     copy.drawImage(canvas, 0, 0, WIDTH, HEIGHT);
     const { data } = copy.getImageData(0, 0, WIDTH, HEIGHT);
-    let [sum, x, y] = [0, 0, 0];
+    const before = sum;
     for (let at = 0; at < WIDTH * HEIGHT; ++at) {
       const weight = data[4 * at + 3];
       sum += weight;
       x += weight * ((at % WIDTH) + 0.5);
       y += weight * (Math.floor(at / WIDTH) + 0.5);
     }
-    if (sum < 600) continue;
+    if (sum > before) ++frames;
+    if (frames < 12 || (sum < 20_000 && frames < 40)) continue;
     const { left, top, width, height } = clientRect(canvas);
     return { x: left + (x / sum / WIDTH) * width, y: top + (y / sum / HEIGHT) * height };
   }
@@ -132,10 +136,11 @@ export async function sizesOfShrunk(scenery: Scenery, left: number, top: number)
   document.querySelector('#content')!.remove();
   await nextFrame();
   const during = [html.scrollWidth, html.scrollHeight];
-  await clear(call);
-  document.querySelector('canvas')!.style.setProperty('display', 'none', 'important');
+  puff.clear();
+  await call;
+  // The canvas goes when it is not used any more.
+  while (document.querySelector('canvas')) await nextFrame();
   const without = [html.scrollWidth, html.scrollHeight];
-  document.querySelector('canvas')!.style.setProperty('display', 'block', 'important');
   html.dir = '';
   return { scrolled, during, without };
 }
@@ -155,7 +160,11 @@ export async function topLayer(name: keyof typeof topLayers) {
   document.body.append(style);
   const { target, focused, isOpen = () => true, act = () => undefined } = topLayers[name]();
   focused?.focus();
-  const states = () => ({ isIn: isInTopLayer(), isOpen: isOpen(), keepsFocus: !focused || focused.matches(':focus') });
+  const states = () => ({
+    isIn: isInTopLayer(),
+    isOpen: isOpen(),
+    keepsFocus: !focused || document.activeElement === focused,
+  });
   const call = puff(target, STILL);
   const { x, y } = await middleOfSmoke();
   const during = states();
@@ -269,7 +278,12 @@ export async function recognised(name: keyof typeof targets) {
   try {
     const { box, element, inside, followsPointer } = sourceOf(targets[name](frame) as never);
     const { left, top, width, height } = box() ?? { left: NaN, top: NaN, width: NaN, height: NaN };
-    return { box: [left, top, width, height].map(Math.round), id: element?.id, inside: inside?.id, followsPointer };
+    return {
+      box: [left, top, width, height].map(Math.round),
+      id: element?.id ?? null,
+      inside: inside?.id ?? null,
+      followsPointer,
+    };
   } catch (error) {
     return (error as Error).message;
   }
@@ -370,7 +384,8 @@ export async function fades(effect: 'vanish' | 'appear', css: string, rules = ''
   build({ body: `<style>${rules}</style><p id="p"><b>Text</b></p>` });
   const element = document.querySelector<HTMLElement>('#p')!;
   element.style.cssText = css;
-  const before = element.style.cssText;
+  const declared = () => element.style.cssText.split(/; ?/).sort().join();
+  const before = declared();
   const usual = Number(getComputedStyle(element).opacity);
   if (effect === 'appear') {
     const hidden = visibilityChange('vanish', element);
@@ -397,7 +412,7 @@ export async function fades(effect: 'vanish' | 'appear', css: string, rules = ''
     await nextFrame();
     seen.push(shown());
   }
-  const after = element.style.cssText;
+  const after = declared();
   // What `vanish` has changed is back after an `appear`.
   if (effect === 'vanish') visibilityChange('appear', element).end();
   return {
@@ -405,7 +420,7 @@ export async function fades(effect: 'vanish' | 'appear', css: string, rules = ''
     first: seen[1],
     most: Math.max(...seen),
     last: seen.at(-1),
-    isKept: (effect === 'vanish' ? element.style.cssText : after) === before,
+    isKept: (effect === 'vanish' ? declared() : after) === before,
     animations: element.getAnimations().filter((each) => !('animationName' in each)).length,
   };
 }
