@@ -32,6 +32,8 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
  * renderer; and the models that most scenes share.
  */
 const TOGETHER = [
+  // What `puff()` and the element have in common before their first smoke.
+  { name: 'zoom', test: /page\/zoom\.ts$/, priority: 4 },
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
   {
     name: 'cartoonSmokeElement',
