@@ -421,7 +421,7 @@ export class Stage {
    */
   playTake(take: Take | Uint8Array): void {
     this.#running.requireAlive();
-    const bytes = take instanceof Uint8Array ? take : take.toBytes();
+    const bytes = ArrayBuffer.isView(take) ? take : take.toBytes();
     const { values } = this.readTake(bytes);
     const { name } = this.#running.scene;
     if (values.scene !== name) {

@@ -50,6 +50,31 @@ test('a morph of the page changes nothing that the user has paused or started', 
   expect(await page.changesOverUser()).toEqual([]);
 });
 
+const zoomed: Record<string, string>[] = [
+  {},
+  ...[0.5, 0.9, 1.25, 1.5, 2].map((zoom) => ({ html: `zoom: ${zoom}` })),
+  { body: 'zoom: 1.5' },
+  { '#outer': 'zoom: 2' },
+  { html: 'zoom: 0.5', '#outer': 'zoom: 2.5' },
+  { html: 'zoom: 1.5', '#outer': 'transform: scale(.8); transform-origin: 0 0' },
+];
+
+for (const styles of zoomed) {
+  const name = JSON.stringify(styles);
+  test(`in a zoomed page, pixels, presses and obstacles are those of the element: ${name}`, async ({ load }) => {
+    const page = await load<Page>(ELEMENT);
+    const { pixels, press, obstacle } = await page.measuredIn(styles);
+    // A transform does not change the size of the picture.
+    expect(pixels).toBeCloseTo(name.includes('transform') ? 1.25 : 1, 1);
+    expect(Math.abs((press[0] as number) - 30)).toBeLessThan(5);
+    expect(Math.abs((press[1] as number) - 20)).toBeLessThan(5);
+    // The middle of the box is 30 px left of and 20 px above that of the element.
+    expect(obstacle[0]).toBeCloseTo(-0.3, 1);
+    expect(obstacle[1]).toBeCloseTo(0.2, 1);
+    expect(obstacle[2]).toBeCloseTo(0.1, 1);
+  });
+}
+
 test('embed.html plays in a sandbox that allows only scripts', async ({ load }) => {
   const page = await load<Page>(ELEMENT);
   const address = `${inject('site')}/embed.html#v=1&preset=wisp&simulation.maxParticles=300&puff.variations=1`;

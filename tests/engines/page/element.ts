@@ -4,6 +4,10 @@ import '../../../src/element/define.ts';
 import { Idiomorph } from 'idiomorph';
 import morphdom from 'morphdom';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
+import { OnPage } from '../../../src/element/layout/onPage.ts';
+import { PointerControls } from '../../../src/element/pointers.ts';
+import type { Shell } from '../../../src/element/shell/shell.ts';
+import { sizeOf, watchSize } from '../../../src/page/size.ts';
 import { connectFrame } from '../../../src/remote/connectFrame.ts';
 import type { RemoteStage } from '../../../src/remote/contract.ts';
 import { packedFile } from './bytes.ts';
@@ -139,4 +143,65 @@ export async function changesOverUser(): Promise<string[]> {
     ...(await overUser({ ...CHANGES, ...PLAYS }, {})),
     ...(await overUser(CHANGES, { paused: '' })).map((name) => `${name}, started`),
   ];
+}
+
+/** A stage that looks straight at a plane of 1 cm for each CSS pixel, and notes what it is told. */
+function notingStage(notes: Record<string, unknown>): RemoteStage {
+  const plane = { middle: [0, 0, 0], right: [0.01, 0, 0], up: [0, 0.01, 0] };
+  const methods: Record<string, (given: never) => unknown> = {
+    plane: () => plane,
+    set: (values: object) => Object.assign(notes, values),
+    pointer: (input: object) => Object.assign(notes, input),
+  };
+  return new Proxy({} as RemoteStage, {
+    get: (_, name) => async (given: never) => methods[String(name)]?.(given),
+  });
+}
+
+/**
+ * What the element measures in a zoomed page: device pixels of its picture for each of the screen, a press at a quarter of
+ * its box, and an obstacle at the same place.
+ */
+export async function measuredIn(styles: Readonly<Record<string, string>>) {
+  document.body.innerHTML = `<div id="outer"><canvas style="position: absolute; left: 40px; top: 20px; width: 120px; height: 80px">
+    </canvas><div id="box" style="position: absolute; left: 60px; top: 30px; width: 20px; height: 20px"></div></div>`;
+  const canvas = document.querySelector('canvas')!;
+  const measured: number[] = [];
+  const stop = watchSize(canvas, ({ pixelRatio }) => measured.push(pixelRatio));
+  for (const [selector, css] of Object.entries(styles))
+    document.querySelector<HTMLElement>(selector)!.style.cssText += css;
+  const notes: Record<string, unknown> = {};
+  const stage = notingStage(notes);
+  const container = document.body.appendChild(document.createElement('div'));
+  new PointerControls(stage, { canvas, container } as unknown as Shell).toggle(true);
+  canvas.setPointerCapture = () => undefined;
+  // Hit tests know where an element is in client pixels in every browser.
+  const edges = { left: Infinity, right: 0, top: Infinity, bottom: 0 };
+  for (let y = 0; y < innerHeight; y += 2) {
+    for (let x = 0; x < innerWidth; x += 2) {
+      if (document.elementFromPoint(x, y) !== canvas) continue;
+      edges.left = Math.min(edges.left, x);
+      edges.right = Math.max(edges.right, x + 2);
+      edges.top = Math.min(edges.top, y);
+      edges.bottom = Math.max(edges.bottom, y + 2);
+    }
+  }
+  const [width, height] = [edges.right - edges.left, edges.bottom - edges.top];
+  const [clientX, clientY] = [edges.left + width / 4, edges.top + height / 4];
+  canvas.dispatchEvent(new PointerEvent('pointerdown', { clientX, clientY, button: 0, bubbles: true }));
+  const owner = Object.assign(document.createElement('div'), { id: 'owner' });
+  owner.setAttribute('collide', '#box');
+  document.body.append(owner);
+  const onPage = new OnPage(stage, { element: owner, container: canvas, values: () => ({}), notify: () => undefined });
+  await onPage.begin();
+  const size = sizeOf(canvas);
+  const found = {
+    pixels: (size.width * size.pixelRatio) / width / devicePixelRatio,
+    press: [notes.x, notes.y],
+    obstacle: ['position.x', 'position.y', 'halfExtents.x'].map((key) => notes[`colliders.0.${key}`]),
+  };
+  onPage.dispose();
+  stop();
+  for (const each of [document.documentElement, document.body]) each.removeAttribute('style');
+  return found;
 }
