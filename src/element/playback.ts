@@ -16,6 +16,7 @@ export class Playback {
   private isHeld: boolean;
   private isLinkPaused: boolean;
   private isConsented = false;
+  private notified = '';
 
   /**
    * @param isPaused by the page
@@ -80,6 +81,10 @@ export class Playback {
   private readonly update = (): void => {
     const { isPlaying, isStill } = this;
     ignoreRejection(isPlaying ? this.stage.play() : this.stage.pause());
+    // The button changes the attribute and the user's choice, which is one change.
+    const state = `${isPlaying} ${isStill}`;
+    if (state === this.notified) return;
+    this.notified = state;
     this.notify({ isPlaying, isStill });
   };
 }
