@@ -25,6 +25,7 @@ export default mergeConfig(site, {
   // Added to those of the site, which also sets `noDiscovery`.
   optimizeDeps: {
     include: [
+      '@hotwired/turbo',
       'idiomorph',
       'morphdom',
       '@vue/reactivity',

@@ -1,6 +1,7 @@
 /** Runs in a page: the element, and a sandboxed frame. */
 // oxlint-disable-next-line import/no-unassigned-import -- it defines the element
 import '../../../src/element/define.ts';
+import { morphBodyElements, morphElements } from '@hotwired/turbo';
 import { Idiomorph } from 'idiomorph';
 import morphdom from 'morphdom';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
@@ -92,6 +93,12 @@ const CHANGES: Record<string, Change> = {
   'idiomorph of the body': (_, html) => Idiomorph.morph(document.body, html, { morphStyle: 'innerHTML' }),
   morphdom: (element, html) => morphdom(element, html),
   'morphdom of the body': (_, html) => morphdom(document.body, `<body>${html}</body>`),
+  'Turbo 8': (element, html) => morphElements(element, fragment(html).firstElementChild!),
+  'Turbo 8 of the body': (_, html) => {
+    const body = document.createElement('body');
+    body.append(fragment(html));
+    morphBodyElements(document.body, body);
+  },
   'attributes in turn': (element, html) => {
     const next = fragment(html).firstElementChild!;
     for (const name of element.getAttributeNames()) if (!next.hasAttribute(name)) element.removeAttribute(name);
@@ -110,7 +117,12 @@ const CHANGES: Record<string, Change> = {
 const PLAYS: Record<string, Change> = {
   'the property paused': (element) => (element.paused = false),
   'the attribute paused': (element) => element.removeAttribute('paused'),
-  'play() without a user gesture': (element) => element.play(),
+  'play() without a user gesture': (element) => {
+    // Code that a test evaluates counts as user activation.
+    Object.defineProperty(navigator, 'userActivation', { value: { isActive: false }, configurable: true });
+    element.play();
+    Reflect.deleteProperty(navigator, 'userActivation');
+  },
 };
 
 const fragment = (html: string) => document.createRange().createContextualFragment(html);
@@ -137,10 +149,30 @@ async function overUser(changes: Record<string, Change>, attributes: Record<stri
   return wrong;
 }
 
+/** The changes of the page that start smoke whose share link pauses it. */
+async function overLink(attributes: Record<string, string>): Promise<string[]> {
+  const wrong: string[] = [];
+  for (const [name, change] of Object.entries(CHANGES)) {
+    const element = put({ thread: 'main', ...attributes });
+    const html = element.outerHTML;
+    try {
+      await element.ready;
+      await change(element, html);
+      if (element.playing) wrong.push(name);
+    } finally {
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+  return wrong;
+}
+
 /** The changes that start smoke that the user has paused, and that pause smoke that the user has started. */
 export async function changesOverUser(): Promise<string[]> {
+  const link = { src: '?paused=1#preset=wisp' };
   return [
     ...(await overUser({ ...CHANGES, ...PLAYS }, {})),
+    ...(await overLink(link)).map((name) => `${name}, paused by a link`),
     ...(await overUser(CHANGES, { paused: '' })).map((name) => `${name}, started`),
   ];
 }
