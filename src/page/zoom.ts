@@ -14,9 +14,13 @@ function isForeign({ ownerDocument }: Element): boolean {
   return ownerDocument !== document;
 }
 
+interface Zoomed {
+  readonly currentCSSZoom: number;
+}
+
 /** Client pixels for each CSS pixel of an element that has no transform. */
 export function zoomOf(element: Element): number {
-  const { currentCSSZoom } = element as { currentCSSZoom?: number };
+  const { currentCSSZoom } = element as Partial<Zoomed>;
   if (currentCSSZoom !== undefined) return currentCSSZoom;
   let zoom = 1;
   for (let each: Element | undefined = element; each; each = parentOf(each)) {
@@ -25,10 +29,11 @@ export function zoomOf(element: Element): number {
   return zoom;
 }
 
-/** The box of an element in client pixels. Browsers without `currentCSSZoom` divide it by the zoom. */
+/** The box of an element in client pixels. Browsers without `currentCSSZoom` divide its place on the page by the zoom. */
 export function clientBox(element: Element): DOMRect {
   const box = element.getBoundingClientRect();
-  if ('currentCSSZoom' in element) return box;
+  if ((element as Partial<Zoomed>).currentCSSZoom !== undefined) return box;
   const zoom = zoomOf(element);
-  return new DOMRect(box.x * zoom, box.y * zoom, box.width * zoom, box.height * zoom);
+  const { scrollX: x = 0, scrollY: y = 0 } = element.ownerDocument.defaultView ?? {};
+  return new DOMRect((box.x + x) * zoom - x, (box.y + y) * zoom - y, box.width * zoom, box.height * zoom);
 }

@@ -1,6 +1,5 @@
 /** Runs in a page: `puff()`. */
 import { puff, type Effect } from '../../../src/puff.ts';
-import { parentOf } from '../../../src/page/zoom.ts';
 import { hexOf } from '../../../src/puff/look.ts';
 import { sourceOf } from '../../../src/puff/target.ts';
 import { visibilityChange } from '../../../src/puff/visibility.ts';
@@ -64,16 +63,30 @@ function build({ body = '', styles = {} }: Scenery): void {
     document.querySelector<HTMLElement>(selector)!.style.cssText += css;
 }
 
-/** Product of the zooms around an element, for browsers without `currentCSSZoom`, whose rectangles leave it out. */
-function legacyZoom(element: Element | null): number {
-  if ('currentCSSZoom' in html || !element) return 1;
-  return Number.parseFloat(getComputedStyle(element).zoom) * legacyZoom(parentOf(element) ?? null);
+/** What is hit, because browsers disagree on the rectangles of zoomed elements. */
+function clientRect(element: Element): { left: number; top: number; width: number; height: number } {
+  let [left, top, right, bottom] = [Infinity, Infinity, 0, 0];
+  for (let y = 0; y < innerHeight; y += 4) {
+    for (let x = 0; x < innerWidth; x += 4) {
+      if (document.elementFromPoint(x, y) !== element) continue;
+      [left, top, right, bottom] = [
+        Math.min(left, x),
+        Math.min(top, y),
+        Math.max(right, x + 4),
+        Math.max(bottom, y + 4),
+      ];
+    }
+  }
+  return { left, top, width: right - left, height: bottom - top };
 }
 
-function clientRect(element: Element): { left: number; top: number; width: number; height: number } {
-  const { left, top, width, height } = element.getBoundingClientRect();
-  const zoom = legacyZoom(element);
-  return { left: left * zoom, top: top * zoom, width: width * zoom, height: height * zoom };
+/** Whether the canvas is under each corner of the window. */
+function fillsWindow(canvas: HTMLCanvasElement): boolean {
+  const { clientWidth, clientHeight } = html;
+  canvas.style.setProperty('pointer-events', 'auto', 'important');
+  const hits = [1, clientWidth - 2].flatMap((x) => [1, clientHeight - 2].map((y) => document.elementFromPoint(x, y)));
+  canvas.style.setProperty('pointer-events', 'none', 'important');
+  return hits.every((each) => each === canvas);
 }
 
 /** The middle of the smoke in client pixels, over some frames, because a single one has few puffs. */
@@ -93,10 +106,10 @@ async function middleOfSmoke(): Promise<{ x: number; y: number }> {
       x += weight * ((at % WIDTH) + 0.5);
       y += weight * (Math.floor(at / WIDTH) + 0.5);
     }
-    if (sum > before) ++frames;
-    if (frames < 12 || (sum < 20_000 && frames < 40)) continue;
-    const { left, top, width, height } = clientRect(canvas);
-    return { x: left + (x / sum / WIDTH) * width, y: top + (y / sum / HEIGHT) * height };
+    // The first frames have few puffs.
+    if (sum > before && ++frames === 15) [sum, x, y] = [0, 0, 0];
+    if (frames < 40) continue;
+    return { x: (x / sum / WIDTH) * html.clientWidth, y: (y / sum / HEIGHT) * html.clientHeight };
   }
 }
 
@@ -116,12 +129,16 @@ export async function placeOfSmoke(scenery: Scenery, scrolled = 0) {
   const smoke = await middleOfSmoke();
   const box = clientRect(target);
   const canvas = document.querySelector('canvas')!;
-  const sheet = clientRect(canvas);
+  const isOver = fillsWindow(canvas);
   await clear(call);
   return {
-    off: [smoke.x - box.left - box.width / 2, smoke.y - box.top - box.height / 2],
-    sheet: [sheet.left, sheet.top, sheet.width - html.clientWidth, sheet.height - html.clientHeight],
-    pixels: canvas.width / sheet.width / Math.min(devicePixelRatio, 2),
+    // Relative to the box and its surroundings, in which the puffs are anywhere.
+    off: [
+      (smoke.x - box.left - box.width / 2) / (40 + box.width / 3),
+      (smoke.y - box.top - box.height / 2) / (40 + box.height / 3),
+    ],
+    isOver,
+    pixels: canvas.width / html.clientWidth / Math.min(devicePixelRatio, 2),
   };
 }
 
