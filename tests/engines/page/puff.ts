@@ -90,8 +90,10 @@ function fillsWindow(canvas: HTMLCanvasElement): boolean {
 }
 
 /** The middle of the smoke in client pixels, over some frames, because a single one has few puffs. */
-async function middleOfSmoke(): Promise<{ x: number; y: number }> {
+async function middleOfSmoke(call: Promise<void>): Promise<{ x: number; y: number }> {
   let [sum, x, y, frames] = [0, 0, 0, 0];
+  const state = { isOver: false };
+  call.then(() => (state.isOver = true)).catch(() => undefined);
   for (;;) {
     await nextFrame();
     const canvas = document.querySelector('canvas');
@@ -108,7 +110,7 @@ async function middleOfSmoke(): Promise<{ x: number; y: number }> {
     }
     // The first frames have few puffs.
     if (sum > before && ++frames === 15) [sum, x, y] = [0, 0, 0];
-    if (frames < 40) continue;
+    if (frames < 40 && !state.isOver) continue;
     return { x: (x / sum / WIDTH) * html.clientWidth, y: (y / sum / HEIGHT) * html.clientHeight };
   }
 }
@@ -126,7 +128,7 @@ export async function placeOfSmoke(scenery: Scenery, scrolled = 0) {
   scrollTo(0, scrolled);
   const target = document.querySelector('#target')!;
   const call = puff(target, STILL);
-  const smoke = await middleOfSmoke();
+  const smoke = await middleOfSmoke(call);
   const box = clientRect(target);
   const canvas = document.querySelector('canvas')!;
   const isOver = fillsWindow(canvas);
@@ -134,8 +136,8 @@ export async function placeOfSmoke(scenery: Scenery, scrolled = 0) {
   return {
     // Relative to the box and its surroundings, in which the puffs are anywhere.
     off: [
-      (smoke.x - box.left - box.width / 2) / (40 + box.width / 3),
-      (smoke.y - box.top - box.height / 2) / (40 + box.height / 3),
+      (smoke.x - box.left - box.width / 2) / (60 + box.width / 3),
+      (smoke.y - box.top - box.height / 2) / (60 + box.height / 3),
     ],
     isOver,
     pixels: canvas.width / html.clientWidth / Math.min(devicePixelRatio, 2),
@@ -149,7 +151,7 @@ export async function sizesOfShrunk(scenery: Scenery, left: number, top: number)
   scrollTo(left, top);
   const scrolled = [Math.round(scrollX), Math.round(scrollY)];
   const call = puff(undefined, STILL);
-  await middleOfSmoke();
+  await middleOfSmoke(call);
   document.querySelector('#content')!.remove();
   await nextFrame();
   const during = [html.scrollWidth, html.scrollHeight];
@@ -183,7 +185,7 @@ export async function topLayer(name: keyof typeof topLayers) {
     keepsFocus: !focused || document.activeElement === focused,
   });
   const call = puff(target, STILL);
-  const { x, y } = await middleOfSmoke();
+  const { x, y } = await middleOfSmoke(call);
   const during = states();
   const canvas = document.querySelector('canvas')!;
   const frame = canvas.assignedSlot?.parentElement ?? canvas;
@@ -195,7 +197,7 @@ export async function topLayer(name: keyof typeof topLayers) {
   const { isIn } = states();
   await clear(call);
   const plain = puff(document.querySelector('#outside'), STILL);
-  await middleOfSmoke();
+  await middleOfSmoke(plain);
   const after = isInTopLayer();
   await clear(plain);
   for (const each of document.querySelectorAll('dialog')) each.close();
