@@ -42,9 +42,9 @@ test('a frame without an origin needs only scripts, and shows the same picture a
     SANDBOX,
   ] as const);
   blank.off('request', note);
-  expect(fetched.filter((path) => !/embed\.(html|css)$|check\.js$|favicon\.svg$|assets\/embed-[\w-]{8}\.js$/.test(path))).toEqual(
-    [],
-  );
+  expect(
+    fetched.filter((path) => !/embed\.(html|css)$|check\.js$|favicon\.svg$|assets\/embed-[\w-]{8}\.js$/.test(path)),
+  ).toEqual([]);
   await frames.evaluate((module, one) => module.isSized(one), framed);
   const report = await cases.evaluate(async (module, { stage }) => {
     const here = await module.open({ thread: 'main' });
