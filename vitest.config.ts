@@ -4,8 +4,8 @@ import glsl from 'vite-plugin-glsl';
 
 const isLong = Boolean(process.env.TEST_LONG);
 const LONG = 'tests/unit/**/*.long.test.ts';
-// These tests measure the memory of the simulator's module, so no other file may use the module before.
-const ISOLATED = ['tests/unit/sim/life.test.ts'];
+// No other file may use their modules before: the first measures the memory of the simulator's, the second replaces one.
+const ISOLATED = ['tests/unit/sim/life.test.ts', 'tests/unit/smoke/completion.test.ts'];
 const include = isLong ? [LONG] : ['tests/unit/**/*.test.ts'];
 const exclude = isLong ? [] : [LONG];
 

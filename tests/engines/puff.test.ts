@@ -18,15 +18,13 @@ test('puff draws smoke and resolves when it is gone', async ({ load }) => {
 
 const BOX = 'position: fixed; left: 160px; top: 120px; width: 80px; height: 40px';
 const body = `<style>body { margin: 0 }</style><div id="outer"><div id="target" style="${BOX}"></div></div><p style="height: 3000px"></p>`;
-const ZOOMS = [0.5, 0.9, 1.25, 1.5, 2];
+const ZOOMS = [0.5, 1.25, 2];
 
 const zoomed: [string, Record<string, string>][] = [
   ...ZOOMS.map((zoom): [string, Record<string, string>] => [`html ${zoom}`, { html: `zoom: ${zoom}` }]),
-  ...[0.5, 2].flatMap((zoom): [string, Record<string, string>][] => [
-    [`body ${zoom}`, { body: `zoom: ${zoom}` }],
-    [`box ${zoom}`, { '#outer': `zoom: ${zoom}` }],
-    [`html 1.5, box ${zoom}`, { html: 'zoom: 1.5', '#target': `zoom: ${zoom}` }],
-  ]),
+  ['body 0.9', { body: 'zoom: 0.9' }],
+  ['box 2', { '#outer': 'zoom: 2' }],
+  ['html 1.5, box 0.5', { html: 'zoom: 1.5', '#target': 'zoom: 0.5' }],
   ['transform of a box', { '#outer': 'transform: scale(1.5); transform-origin: 0 0' }],
   ['transform of the body', { body: 'transform: scale(.5); transform-origin: 0 0' }],
   ['html with position and margins', { html: 'position: relative; margin: 30px 0 0 50px' }],

@@ -56,7 +56,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 18.9 },
+    { name: 'page', kB: fetched(server, own), limit: 19 },
     { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 202.2 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);

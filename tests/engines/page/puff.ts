@@ -45,7 +45,7 @@ function opaque(): number {
 // After the stage's own callback of the frame: WebKitGTK draws on the canvas itself, which is empty after the frame.
 const nextFrame = () => new Promise((resolve) => setTimeout(() => requestAnimationFrame(resolve)));
 /** Smoke that stays about where it starts. */
-const STILL = { count: 500, speed: 0.05, duration: 12 } as const;
+const STILL = { count: 120, speed: 0.05, duration: 12 } as const;
 const html = document.documentElement;
 
 /** Body and style attributes by selector. */
@@ -109,8 +109,8 @@ async function middleOfSmoke(call: Promise<void>): Promise<{ x: number; y: numbe
       y += weight * (Math.floor(at / WIDTH) + 0.5);
     }
     // The first frames have few puffs.
-    if (sum > before && ++frames === 15) [sum, x, y] = [0, 0, 0];
-    if (frames < 40 && !state.isOver) continue;
+    if (sum > before && ++frames === 8) [sum, x, y] = [0, 0, 0];
+    if (frames < 20 && !state.isOver) continue;
     return { x: (x / sum / WIDTH) * html.clientWidth, y: (y / sum / HEIGHT) * html.clientHeight };
   }
 }
