@@ -84,9 +84,10 @@ function clientRect(element: Element): { left: number; top: number; width: numbe
 function fillsWindow(canvas: HTMLCanvasElement): boolean {
   const { clientWidth, clientHeight } = html;
   canvas.style.setProperty('pointer-events', 'auto', 'important');
-  const hits = [1, clientWidth - 2].flatMap((x) => [1, clientHeight - 2].map((y) => document.elementFromPoint(x, y)));
+  // Overlay scroll bars of Firefox are in front, for a while after scrolling.
+  const hits = [1, clientWidth - 2].flatMap((x) => [1, clientHeight - 2].map((y) => document.elementsFromPoint(x, y)));
   canvas.style.setProperty('pointer-events', 'none', 'important');
-  return hits.every((each) => each === canvas);
+  return hits.every((each) => each.includes(canvas));
 }
 
 /** The middle of the smoke in client pixels, over some frames, because a single one has few puffs. */
