@@ -2,12 +2,12 @@
  * Lazy modules of the element. None is fetched before the element comes near the viewport, and each only when an
  * attribute requires it.
  */
-import { fetched } from '../preset/timeout.ts';
+import { LazyModules } from '../preset/timeout.ts';
 import { fetchPreset, FIRST_PRESET } from '../preset/byScene/fetchPreset.ts';
 import type { Preset } from '../preset/byScene/preset.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 
-const parts = {
+const modules = new LazyModules({
   /** Always. */
   session: () => import('./session.ts'),
   /** With `src` or `start`. */
@@ -18,22 +18,21 @@ const parts = {
   pointers: () => import('./pointers.ts'),
   /** With `collide` or `emit-from`. */
   onPage: () => import('./layout/onPage.ts'),
-};
+});
 
-type Name = keyof typeof parts;
-type LazyModule<Each extends Name> = Awaited<ReturnType<(typeof parts)[Each]>>;
+type Name = keyof typeof modules.loaded;
 
 const called: Partial<Record<Name, string>> = {
-  pointers: 'What turns the view',
-  onPage: 'The page in the smoke',
+  pointers: 'Camera controls',
+  onPage: 'Collisions with the page',
 };
 
 /**
- * Fetches a module, or returns the loaded one.
- * @throws LoadError when it cannot be fetched
+ * Loads a module, or returns the loaded one.
+ * @throws LoadError if it cannot be loaded
  */
-export function part<Each extends Name>(name: Each): Promise<LazyModule<Each>> {
-  return fetched(called[name] ?? 'The smoke', parts[name]() as Promise<LazyModule<Each>>);
+export function part<Each extends Name>(name: Each) {
+  return modules.load(name, called[name] ?? 'The smoke');
 }
 
 /**

@@ -1,4 +1,4 @@
-/** Timeouts of downloads. */
+/** Downloads with timeouts. */
 import { LoadError } from './errors.ts';
 
 const TIMEOUT_MS = 60_000;
@@ -50,6 +50,38 @@ export async function fetched<Value>(what: string, coming: Promise<Value>): Prom
   try {
     return await inTime(coming);
   } catch (cause) {
-    throw new LoadError(`${what} could not be fetched: ${(cause as Error).message}`, { cause });
+    throw new LoadError(`${what} could not be loaded: ${(cause as Error).message}`, { cause });
+  }
+}
+
+type Imports = Readonly<Record<string, () => Promise<object>>>;
+type Modules<Some extends Imports> = { readonly [Name in keyof Some]: Awaited<ReturnType<Some[Name]>> };
+
+/** Modules that are loaded on first use and shared by the whole thread. */
+export class LazyModules<Some extends Imports> {
+  readonly loaded: Partial<Modules<Some>> = {};
+  private readonly imports: Some;
+
+  constructor(imports: Some) {
+    this.imports = imports;
+  }
+
+  /**
+   * Loads a module, or returns the loaded one. A failed load is retried on the next call.
+   * @param what subject of the error message
+   * @throws LoadError if the module cannot be loaded
+   */
+  async load<Name extends keyof Some>(name: Name, what: string): Promise<Modules<Some>[Name]> {
+    return (this.loaded[name] ??= await fetched(what, this.imports[name]() as Promise<Modules<Some>[Name]>));
+  }
+
+  /**
+   * Returns a loaded module.
+   * @throws LoadError if it is not loaded
+   */
+  get<Name extends keyof Some>(name: Name): Modules<Some>[Name] {
+    const module = this.loaded[name];
+    if (!module) throw new LoadError(`The module ${String(name)} is not loaded.`);
+    return module;
   }
 }

@@ -115,7 +115,7 @@ async function fetchEngine() {
   try {
     return await import('./engine.ts');
   } catch (cause) {
-    throw new LoadError(`The smoke could not be fetched: ${(cause as Error).message}`, { cause });
+    throw new LoadError(`The smoke could not be loaded: ${(cause as Error).message}`, { cause });
   }
 }
 

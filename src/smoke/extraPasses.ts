@@ -9,13 +9,12 @@ import type { SellePass } from '../passes/selle.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
 import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
-import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/timeout.ts';
+import { LazyModules } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Volumes } from './style.ts';
 
-const imports = {
+export const modules = new LazyModules({
   caps: () => import('../puffs/bake/lobeCaps.ts'),
   billboards: () => import('./billboards.ts'),
   selle: () => import('../passes/selle.ts'),
@@ -25,13 +24,10 @@ const imports = {
   simplify: () => import('../passes/simplify/simplify.ts'),
   strokes: () => import('../passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
-};
+});
+const { loaded } = modules;
 
-type Name = keyof typeof imports;
-type Codes = { [Each in Name]: Awaited<ReturnType<(typeof imports)[Each]>> };
-
-/** The modules that are loaded. */
-export const here: Readonly<Partial<Codes>> = {};
+type Name = keyof typeof loaded;
 
 /** The settings of a picture that decide which modules it needs. */
 export interface PictureKind {
@@ -99,30 +95,11 @@ export function hasExtras(kind: PictureKind): boolean {
  * @throws LoadError if a module cannot be loaded
  */
 export async function fetchExtras(kind: PictureKind): Promise<void> {
-  await Promise.all(missing(kind).map(([name, called]) => bring(name, called)));
-}
-
-/**
- * Returns a loaded module.
- * @throws LoadError if the module is not loaded
- */
-export function codeOf<Each extends Name>(name: Each): Codes[Each] {
-  const code = here[name];
-  if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
-  return code;
+  await Promise.all(missing(kind).map(([name, what]) => modules.load(name, what)));
 }
 
 function missing(kind: PictureKind): [Name, string][] {
-  return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !here[name]);
-}
-
-async function bring(name: Name, called: string): Promise<void> {
-  try {
-    Object.assign(here, { [name]: await inTime<object>(imports[name]()) });
-  } catch (error) {
-    const reason = (error as Error).message;
-    throw new LoadError(`${called} could not be loaded, so nailboards are drawn instead: ${reason}`, { cause: error });
-  }
+  return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !loaded[name]);
 }
 
 /** What the optional passes of one smoke share with its other passes. */
@@ -140,7 +117,7 @@ export class ExtraPasses implements FrameExtras {
   private madeTiles: TiledVolumesPass | undefined;
   private madeSimplify: SimplifyPass | undefined;
   private madeStrokes: StrokesPass | undefined;
-  private requested: Promise<void> | undefined;
+  private requested: Promise<unknown> | undefined;
   private madeViews: DebugViews | undefined;
 
   constructor(sources: Sources) {
@@ -149,44 +126,44 @@ export class ExtraPasses implements FrameExtras {
 
   get selle(): SellePass | undefined {
     const { eye, puffs, ramps } = this.sources;
-    if (here.selle) this.madeSelle ??= new here.selle.SellePass(eye, puffs, ramps);
+    if (loaded.selle) this.madeSelle ??= new loaded.selle.SellePass(eye, puffs, ramps);
     return this.madeSelle;
   }
 
   get countedVolumes(): CountedVolumesPass | undefined {
     const { eye, puffs } = this.sources;
-    if (here.countedVolumes) this.madeVolumes ??= new here.countedVolumes.CountedVolumesPass(eye, puffs);
+    if (loaded.countedVolumes) this.madeVolumes ??= new loaded.countedVolumes.CountedVolumesPass(eye, puffs);
     return this.madeVolumes;
   }
 
   /** Undefined until its module is loaded, which starts on first access. Without it, pictures only take longer. */
   get tiledVolumes(): TiledVolumesPass | undefined {
     const { eye, puffs } = this.sources;
-    if (here.tiledVolumes) this.madeTiles ??= new here.tiledVolumes.TiledVolumesPass(eye, puffs);
-    else this.requested ??= bring('tiledVolumes', 'Volumes in tiles').catch(() => {});
+    if (loaded.tiledVolumes) this.madeTiles ??= new loaded.tiledVolumes.TiledVolumesPass(eye, puffs);
+    else this.requested ??= modules.load('tiledVolumes', 'Volumes in tiles').catch(() => {});
     return this.madeTiles;
   }
 
   get simplify(): SimplifyPass | undefined {
     const { eye, ramps } = this.sources;
-    if (here.simplify) this.madeSimplify ??= new here.simplify.SimplifyPass(eye, ramps);
+    if (loaded.simplify) this.madeSimplify ??= new loaded.simplify.SimplifyPass(eye, ramps);
     return this.madeSimplify;
   }
 
   get strokes(): StrokesPass | undefined {
     const { eye, puffs } = this.sources;
-    if (here.strokes) this.madeStrokes ??= new here.strokes.StrokesPass(eye, puffs);
+    if (loaded.strokes) this.madeStrokes ??= new loaded.strokes.StrokesPass(eye, puffs);
     return this.madeStrokes;
   }
 
   get debugViews(): DebugViews | undefined {
-    if (here.debugViews) this.madeViews ??= new here.debugViews.DebugViews(this.sources.eye);
+    if (loaded.debugViews) this.madeViews ??= new loaded.debugViews.DebugViews(this.sources.eye);
     return this.madeViews;
   }
 
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined {
-    return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
+    return form === 'billboards' ? modules.get('billboards').billboardShaders : undefined;
   }
 
   /** Releases render targets until the next frame. */

@@ -1,12 +1,10 @@
 import type { FrameView } from '../../device/frameView.ts';
 import type { LoadError } from '../../preset/errors.ts';
-import { fetched } from '../../preset/timeout.ts';
+import { LazyModules } from '../../preset/timeout.ts';
 import type { OwnStencil } from './ownStencil.ts';
 
-type Code = typeof import('./ownStencil.ts');
-
-let code: Code | undefined;
-let coming: Promise<void> | undefined;
+const modules = new LazyModules({ ownStencil: () => import('./ownStencil.ts') });
+const load = () => modules.load('ownStencil', 'The code for shadow in targets without stencil');
 
 /** The {@link OwnStencil} of one smoke. Its code is loaded when smoke is first drawn into a target without stencil. */
 export class LateStencil {
@@ -23,7 +21,8 @@ export class LateStencil {
 
   /** Undefined until the code is loaded, which starts on the first call. */
   take(): OwnStencil | undefined {
-    if (code) return (this.made ??= new code.OwnStencil(this.eye));
+    const { ownStencil } = modules.loaded;
+    if (ownStencil) return (this.made ??= new ownStencil.OwnStencil(this.eye));
     if (!this.isNeeded) load().catch(this.miss);
     this.isNeeded = true;
     return undefined;
@@ -41,11 +40,4 @@ export class LateStencil {
   dispose(): void {
     this.made?.dispose();
   }
-}
-
-async function load(): Promise<void> {
-  coming ??= fetched('The code for shadow in targets without stencil', import('./ownStencil.ts'))
-    .then((module) => void (code = module))
-    .finally(() => (coming = undefined));
-  await coming;
 }

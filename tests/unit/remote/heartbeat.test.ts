@@ -125,9 +125,9 @@ test('timeouts count only seconds in which the page ran', () => {
 test('a download succeeds, fails with a LoadError or times out after a minute, and leaves no timer', async () => {
   expect(await fetched('It', Promise.resolve(3))).toBe(3);
   const failed = expect(fetched('It', Promise.reject(new Error('gone')))).rejects;
-  await failed.toMatchObject({ name: 'LoadError', message: 'It could not be fetched: gone' });
+  await failed.toMatchObject({ name: 'LoadError', message: 'It could not be loaded: gone' });
   const silent = fetched('It', new Promise(() => undefined)).catch((error: Error) => `${error.name}: ${error.message}`);
   vi.advanceTimersByTime(MINUTE);
-  expect(await silent).toBe('LoadError: It could not be fetched: no data for 60 s.');
+  expect(await silent).toBe('LoadError: It could not be loaded: no data for 60 s.');
   expect(vi.getTimerCount()).toBe(0);
 });

@@ -128,7 +128,7 @@ test.describe('the code for targets without stencil', () => {
     await blank.route(CODE, (route) => route.abort());
     const smoking = await cases.evaluateHandle((module) => module.smokeWithoutStencil());
     const errors = () => smoking.evaluate((one) => one.errors);
-    await expect.poll(errors).toEqual([expect.stringMatching(/^LoadError: .*without stencil could not be fetched/)]);
+    await expect.poll(errors).toEqual([expect.stringMatching(/^LoadError: .*without stencil could not be loaded/)]);
     const { dark, wrong } = await smoking.evaluate((one) => one.census());
     expect([dark, wrong]).toEqual([0, 0]);
     const thrown = await smoking.evaluate(({ smoke }) => smoke.complete().catch((error: Error) => error.name));
