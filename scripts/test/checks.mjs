@@ -52,9 +52,7 @@ export const CHECKS = [
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
   check('examples', 'Types of examples/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'examples'], say)),
-  check('arrows', 'Import direction and cycles', (say) =>
-    demandFiles(tool(OXLINT, ['-c', '.oxlintrc.arrows.json', '--deny-warnings', 'src'], say)),
-  ),
+  check('arrows', 'Import direction and cycles', (say) => runScript('scripts/lint/imports.mjs', [], { onLine: say })),
 ];
 
 /**

@@ -9,7 +9,8 @@ import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type StageMethods } from './methods.ts';
 import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from '../page/visibility.ts';
-import { fetchAhead, part } from './parts.ts';
+import { fetchAhead } from './parts.ts';
+import { fetched } from '../preset/timeout.ts';
 import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
@@ -207,7 +208,8 @@ export class CartoonSmokeElement extends Base {
 
   async #open(signal: AbortSignal): Promise<Session> {
     fetchAhead(this);
-    const { openSession } = await part('session');
+    // Not a part, because sessions fetch parts.
+    const { openSession } = await fetched('The smoke', import('./session.ts'));
     signal.throwIfAborted();
     return openSession(
       {

@@ -8,8 +8,6 @@ import type { Preset } from '../preset/byScene/preset.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 
 const modules = new LazyModules({
-  /** Always. */
-  session: () => import('./session.ts'),
   /** With `src` or `start`. */
   link: () => import('./attributes/link.ts'),
   /** With a link to a moment of a take. */

@@ -2,8 +2,6 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::lobes::Lobe;
-
 /// See src/constants.ts.
 const FIRST_BITE: [f64; 3] = [0.69, 0.92, 0.0];
 const THIRD_BITE: [f64; 3] = [0.0, 0.0, 1.25];
@@ -12,6 +10,13 @@ const BITE_GROWTH: [f64; 3] = [1.08, 1.08, 0.75];
 const BITE_STARTS: [f64; 3] = [0.0625, 0.2, 0.4];
 /// Erosion at which the first bite begins.
 pub const FIRST_START: f64 = BITE_STARTS[0];
+
+/// A ball of a puff: a lobe, or a bite that is cut out of lobes.
+#[derive(Clone, Copy)]
+pub struct Lobe {
+    pub center: DVec3,
+    pub radius: f64,
+}
 
 /// The bites at an erosion, mapped from the puff's frame. Their radii are those of an unstretched puff.
 pub fn bites(erosion: f64, map: DMat3) -> Vec<Lobe> {

@@ -3,7 +3,7 @@
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 use crate::attributes::{PackedAttributes, unfolded, unstretched};
-use crate::bites::{self, FIRST_START};
+use crate::bites::{self, FIRST_START, Lobe};
 use crate::contact::STEEPEST;
 use crate::scene::Puffs;
 
@@ -11,12 +11,6 @@ use crate::scene::Puffs;
 const STEEPEST_LINED: f64 = 0.3;
 /// Width of the lines of bites in widths of the outline.
 const BITE_LINE: f64 = 0.65;
-
-#[derive(Clone, Copy)]
-pub struct Lobe {
-    pub center: DVec3,
-    pub radius: f64,
-}
 
 /// The lobes of one variation in view space; lengths in radii, z towards the eye.
 pub struct Lobes {

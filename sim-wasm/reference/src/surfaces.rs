@@ -7,20 +7,10 @@ use crate::mesh::Mesh;
 use crate::ray::Ray;
 use crate::scene::{Ramp, Shape, Surface};
 use crate::shade::Shade;
-use crate::triangles::Triangles;
+use crate::triangles::{Crossing, Triangles};
 
 /// Distance (m) below its lit side at which a surface's shadow starts.
 const SHADOW_INSET: f64 = 0.012;
-
-/// Intersection of a line with a surface.
-#[derive(Clone, Copy)]
-pub struct Crossing {
-    /// In lengths of the line's direction.
-    pub at: f64,
-    /// Outward normal of the face, and normal for shading.
-    pub face: DVec3,
-    pub normal: DVec3,
-}
 
 enum Solid {
     Ball { center: DVec3, radius: f64 },

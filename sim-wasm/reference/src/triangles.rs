@@ -3,10 +3,19 @@
 use glam::DVec3;
 
 use crate::mesh::Mesh;
-use crate::surfaces::Crossing;
 
 /// Maximum number of triangles in a leaf.
 const FEW: usize = 4;
+
+/// Intersection of a line with a surface.
+#[derive(Clone, Copy)]
+pub struct Crossing {
+    /// In lengths of the line's direction.
+    pub at: f64,
+    /// Outward normal of the face, and normal for shading.
+    pub face: DVec3,
+    pub normal: DVec3,
+}
 
 struct Triangle {
     corners: [DVec3; 3],

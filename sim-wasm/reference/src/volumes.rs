@@ -5,10 +5,9 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat3, DVec3};
 
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
-use crate::bites::{self, FIRST_START};
+use crate::bites::{self, FIRST_START, Lobe};
 use crate::bodies::clearance;
 use crate::light::Light;
-use crate::lobes::Lobe;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, StartCaps};
 

@@ -1,4 +1,5 @@
-//! The layers of `sim/src`: the `use` arrows between files form no cycle, and none leads to a higher layer.
+//! The layers of `sim/src`: the `use` arrows between files lead to no higher layer. They form no cycle, also in
+//! `reference/src`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -23,7 +24,7 @@ type Arrows = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
 
 #[test]
 fn every_folder_is_a_layer() {
-    let arrows = arrows();
+    let arrows = arrows_in("../src");
     let found: BTreeSet<&str> = arrows.keys().map(|module| module[0].as_str()).collect();
     assert_eq!(found, BTreeSet::from(LAYERS));
 }
@@ -31,7 +32,7 @@ fn every_folder_is_a_layer() {
 #[test]
 fn no_arrow_leads_to_a_higher_layer() {
     let level = |module: &[String]| LAYERS.iter().position(|layer| *layer == module[0]);
-    for (from, targets) in &arrows() {
+    for (from, targets) in &arrows_in("../src") {
         for to in targets {
             assert!(
                 level(to) <= level(from),
@@ -45,7 +46,12 @@ fn no_arrow_leads_to_a_higher_layer() {
 
 #[test]
 fn no_files_form_a_cycle() {
-    let mut arrows = arrows();
+    for root in ["../src", "../../reference/src"] {
+        demand_no_cycle(arrows_in(root));
+    }
+}
+
+fn demand_no_cycle(mut arrows: Arrows) {
     // A file outside all cycles eventually has no remaining dependency.
     while let Some(done) = arrows
         .iter()
@@ -74,11 +80,12 @@ fn paths_are_read_from_every_form_of_use() {
     assert_eq!(paths(source), expected.map(str::to_owned).into());
 }
 
-fn arrows() -> Arrows {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
+/// Of the crate in a folder, relative to that of these tests.
+fn arrows_in(root: &str) -> Arrows {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(root);
     let mut sources = BTreeMap::new();
     read_folder(&root, &mut Vec::new(), &mut sources);
-    // `lib.rs` only declares the layers.
+    // `lib.rs` only declares modules.
     sources.remove(&Vec::new());
     let resolve = |own: &[String], path: &str| -> Option<Vec<String>> {
         let mut full: Vec<String> = Vec::new();
@@ -115,7 +122,7 @@ fn read_folder(folder: &Path, module: &mut Vec<String>, sources: &mut BTreeMap<V
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
-        let is_root = !path.is_dir() && (name == "mod" || name == "lib");
+        let is_root = !path.is_dir() && ["mod", "lib", "main"].contains(&name.as_str());
         if !is_root {
             module.push(name);
         }

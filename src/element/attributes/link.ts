@@ -2,8 +2,21 @@
 import { decode } from '../../preset/codec.ts';
 import { readEnvironment, readTime } from '../../preset/environment.ts';
 import { notice, type Notice } from '../../preset/notice.ts';
+import type { Values } from '../../preset/parameter.ts';
 import { defaultPreset } from '../../preset/presets.ts';
-import type { Base } from './parsedAttributes.ts';
+
+/** State that the parameter attributes of an element override. */
+export interface Base {
+  /** The share link, as in `src`. */
+  readonly link: string | null;
+  readonly values: Values;
+  /** Simulated seconds before the first frame. */
+  readonly start: number | undefined;
+  /** Whether the link requests a paused frame. */
+  readonly isPaused: boolean;
+  /** Bytes of the take in a share link to one moment. */
+  readonly take: Uint8Array | undefined;
+}
 
 /** Parses `src`. Never rejects; problems are added to `notices`. */
 export async function readLink(link: string, base: string, notices: Notice[]): Promise<Base> {

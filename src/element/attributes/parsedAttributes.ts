@@ -1,23 +1,15 @@
 import { notice, summarise, type Notice } from '../../preset/notice.ts';
-import type { Value, Values } from '../../preset/parameter.ts';
+import type { Value } from '../../preset/parameter.ts';
 import { fetchPreset, FIRST_PRESET } from '../../preset/byScene/fetchPreset.ts';
 import { findParameter } from '../../preset/table.ts';
 import { presetValues, readText } from '../../preset/values.ts';
 import { keyOfAttribute } from './names.ts';
 import { part, presetOf } from '../parts.ts';
+import type { Base } from './link.ts';
 import { EMIT_ON } from './properties.ts';
 
 /** The state that the attributes of an element describe. */
-export interface ParsedAttributes {
-  /** The share link, as in `src`. */
-  readonly link: string | null;
-  readonly values: Values;
-  /** Simulated seconds before the first frame. */
-  readonly start: number | undefined;
-  /** Whether the link requests a paused frame. */
-  readonly isPaused: boolean;
-  /** Bytes of the take in a share link to one moment. */
-  readonly take: Uint8Array | undefined;
+export interface ParsedAttributes extends Base {
   /** Attribute values that were corrected or ignored. */
   readonly notices: readonly Notice[];
 }
@@ -54,9 +46,6 @@ export async function parseAttributes(element: Element): Promise<ParsedAttribute
     notices: summarise(notices),
   };
 }
-
-/** State that the parameter attributes override. */
-export type Base = Omit<ParsedAttributes, 'notices'>;
 
 async function readBase(element: Element, notices: Notice[]): Promise<Base> {
   const link = element.getAttribute('src');
