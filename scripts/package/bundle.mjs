@@ -218,7 +218,7 @@ function workerAt(address) {
     name: 'worker-at',
     transform: {
       filter: { id: /startWorker\.ts$/ },
-      handler: (code) => code.replace("'./worker.ts'", JSON.stringify(address)),
+      handler: (code) => code.replaceAll("'./worker.ts'", JSON.stringify(address)),
     },
   };
 }

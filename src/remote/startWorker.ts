@@ -18,6 +18,11 @@ function start(): Worker {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'cartoon-smoke' });
 }
 
+/** Its URL where no bundler has moved it. Not `new URL` with two arguments, whose file bundlers would copy once more. */
+function addressBeside(): string {
+  return new URL(import.meta.url.replace(/[^/]*$/, './worker.ts')).href;
+}
+
 /**
  * Starts the module of `worker.ts`.
  * @throws when the page's security policy blocks it at once. If it is blocked later or cannot be fetched, the worker
@@ -26,7 +31,7 @@ function start(): Worker {
 export function startWorker(): Worker {
   const own = assetUrl('worker');
   if (own) return startFrom(own);
-  const address = addressOf(start);
+  const address = addressBeside();
   const served = servedUrl(address);
   if (served !== address) return startFrom(served);
   try {
@@ -38,21 +43,6 @@ export function startWorker(): Worker {
 
 function startFrom(address: string): Worker {
   return new Worker(trusted(sameOrigin(address)), { type: 'module', name: 'cartoon-smoke' });
-}
-
-/** The URL that the bundler has written into the Worker call. */
-function addressOf(call: () => Worker): string {
-  const { Worker: original } = globalThis;
-  let address = '';
-  try {
-    globalThis.Worker = function (given: string | URL) {
-      address = String(given);
-    } as unknown as typeof Worker;
-    call();
-  } finally {
-    globalThis.Worker = original;
-  }
-  return address;
 }
 
 /**

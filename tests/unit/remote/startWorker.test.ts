@@ -1,3 +1,4 @@
+import { resolveObjectURL } from 'node:buffer';
 import { afterEach, expect, it, vi } from 'vitest';
 
 afterEach(() => {
@@ -28,6 +29,26 @@ it('starts the script that was set by another build or copy of the package', asy
   (await import('../../../src/preset/assetUrls.ts')).setAssetUrls({ worker: 'https://page.example/files/worker.js' });
   vi.resetModules();
   expect(await startedFrom()).toBe('https://page.example/files/worker.js');
+});
+
+it('starts a script of another host from a blob, and leaves the global Worker alone', async () => {
+  const addresses: string[] = [];
+  const set = vi.fn();
+  class Worker {
+    constructor(address: string | URL) {
+      addresses.push(String(address));
+      if (!String(address).startsWith('blob:')) throw new DOMException('another origin', 'SecurityError');
+    }
+  }
+  vi.stubGlobal('location', new URL('https://page.example/app/'));
+  vi.stubGlobal('Worker', undefined);
+  Object.defineProperty(globalThis, 'Worker', { get: () => Worker, set, configurable: true });
+  const { startWorker } = await import('../../../src/remote/startWorker.ts');
+  expect(startWorker()).toBeInstanceOf(Worker);
+  expect(addresses).toEqual([expect.stringMatching(/\/remote\/worker\.ts$/), expect.stringMatching(/^blob:/)]);
+  const script = await resolveObjectURL(addresses[1])!.text();
+  expect(script).toBe(`import ${JSON.stringify(addresses[0])};`);
+  expect(set).not.toHaveBeenCalled();
 });
 
 it.each([
