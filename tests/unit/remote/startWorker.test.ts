@@ -32,19 +32,16 @@ it('starts the script that was set by another build or copy of the package', asy
 });
 
 it('starts a script of another host from a blob, and leaves the global Worker alone', async () => {
-  const addresses: string[] = [];
   const set = vi.fn();
-  class Worker {
-    constructor(address: string | URL) {
-      addresses.push(String(address));
-      if (!String(address).startsWith('blob:')) throw new DOMException('another origin', 'SecurityError');
-    }
-  }
+  const Worker = vi.fn(function (address: string | URL) {
+    if (!String(address).startsWith('blob:')) throw new DOMException('another origin', 'SecurityError');
+  });
   vi.stubGlobal('location', new URL('https://page.example/app/'));
   vi.stubGlobal('Worker', undefined);
   Object.defineProperty(globalThis, 'Worker', { get: () => Worker, set, configurable: true });
   const { startWorker } = await import('../../../src/remote/startWorker.ts');
   expect(startWorker()).toBeInstanceOf(Worker);
+  const addresses = Worker.mock.calls.map(([address]) => String(address));
   expect(addresses).toEqual([expect.stringMatching(/\/remote\/worker\.ts$/), expect.stringMatching(/^blob:/)]);
   const script = await resolveObjectURL(addresses[1])!.text();
   expect(script).toBe(`import ${JSON.stringify(addresses[0])};`);
