@@ -48,6 +48,7 @@ export default defineConfig({
       'react-dom/client',
       'fflate',
       'gifenc',
+      'jsonc-parser',
       'lean-qr',
       'mediabunny',
     ],

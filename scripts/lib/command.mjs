@@ -1,6 +1,8 @@
 /** Runs child processes. Their output is forwarded line by line, and they are killed when this process exits. */
 
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { createInterface } from 'node:readline';
 import { stripVTControlCharacters } from 'node:util';
 import { inRoot, root } from './paths.mjs';
 
@@ -38,36 +40,32 @@ export function stopPrograms() {
  * @param {number} [options.limit] timeout in milliseconds
  * @returns {Promise<Outcome>}
  */
-export function run(program, parameters, { folder = root, environment = {}, onLine, limit } = {}) {
-  return new Promise((resolve) => {
-    const child = spawn(program, parameters, {
-      cwd: folder,
-      env: { ...process.env, ...environment },
-      stdio: ['ignore', 'pipe', 'pipe'],
-    });
-    living.add(child);
-    // Not the timeout option of spawn: it keeps waiting when the program was not found.
-    const timer = limit === undefined ? undefined : setTimeout(() => child.kill(), limit);
-    let output = '';
-    const collect = readLines((line) => {
-      output += `${line}\n`;
-      if (onLine && line.trim()) onLine(line.trim());
-    });
-    child.stdout.setEncoding('utf8').on('data', collect('out'));
-    child.stderr.setEncoding('utf8').on('data', collect('error'));
-    const end = (/** @type {number} */ status) => {
-      clearTimeout(timer);
-      living.delete(child);
-      collect('out')('\n');
-      collect('error')('\n');
-      resolve({ status, output: output.trimEnd() });
-    };
-    child.on('error', (error) => {
-      output += `${error.message}\n`;
-      end(127);
-    });
-    child.on('close', (status) => end(status ?? 128));
+export async function run(program, parameters, { folder = root, environment = {}, onLine, limit } = {}) {
+  const child = spawn(program, parameters, {
+    cwd: folder,
+    env: { ...process.env, ...environment },
+    stdio: ['ignore', 'pipe', 'pipe'],
   });
+  living.add(child);
+  // Not the timeout option of spawn: it keeps waiting when the program was not found.
+  const timer = limit === undefined ? undefined : setTimeout(() => child.kill(), limit);
+  let output = '';
+  for (const input of [child.stdout, child.stderr]) {
+    createInterface({ input, crlfDelay: Infinity }).on('line', (line) => {
+      // Some tools draw their progress with cursor movements.
+      const plain = stripVTControlCharacters(line).trimEnd();
+      if (!plain) return;
+      output += `${plain}\n`;
+      onLine?.(plain.trim());
+    });
+  }
+  const [status] = await once(child, 'close').catch((error) => {
+    output += `${error.message}\n`;
+    return [127];
+  });
+  clearTimeout(timer);
+  living.delete(child);
+  return { status: status ?? 128, output: output.trimEnd() };
 }
 
 /**
@@ -79,20 +77,4 @@ export function run(program, parameters, { folder = root, environment = {}, onLi
  */
 export function runScript(path, parameters, options) {
   return run(process.execPath, [inRoot(path), ...parameters], options);
-}
-
-/**
- * Splits both streams into lines without interleaving partial lines. Removes colours, cursor movements and carriage
- * returns, which some tools use to draw their progress.
- */
-function readLines(/** @type {(line: string) => void} */ onLine) {
-  const rests = { out: '', error: '' };
-  return (/** @type {'out' | 'error'} */ stream) => (/** @type {string} */ text) => {
-    const lines = (rests[stream] + text).split(/\r?\n|\r/);
-    rests[stream] = lines.pop() ?? '';
-    for (const line of lines) {
-      const plain = stripVTControlCharacters(line).trimEnd();
-      if (plain) onLine(plain);
-    }
-  };
 }

@@ -16,7 +16,7 @@ import { inRoot } from '../lib/paths.mjs';
  * @type {Record<string, string>}
  */
 export const ARROWS = {
-  preset: '',
+  preset: 'npm:jsonc-parser',
   device: 'type:preset preset/errors.ts type:puffs npm:three',
   sim: 'preset device',
   rows: 'preset device type:sim',

@@ -1,6 +1,5 @@
-/** The Rust toolchain of sim-wasm/rust-toolchain.toml, with its target and components. */
+/** The Rust toolchain of sim-wasm/rust-toolchain.toml. rustup's cargo and rustc select it, and install what it lacks. */
 
-import { existsSync, readFileSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { delimiter, join } from 'node:path';
 import { run } from '../lib/command.mjs';
@@ -9,21 +8,17 @@ import { UserError } from '../lib/userError.mjs';
 
 export const title = 'Rust toolchain';
 
-/**
- * Executables of components whose name differs.
- * @type {Record<string, string>}
- */
-const PROGRAMS = { clippy: 'cargo-clippy' };
+const PARTS = ['cargo', 'clippy', 'rustfmt', 'rust-std-wasm32-unknown-unknown'];
 
 /**
- * Runs cargo in sim-wasm with the pinned version, even if another cargo comes first on PATH.
+ * Runs cargo in sim-wasm.
  *
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
  * @param {NodeJS.ProcessEnv} [environment] added to the environment of this process
  */
 export function cargo(parameters, onLine, environment) {
-  return rustup(['run', readToolchain().channel, 'cargo', ...parameters], onLine, environment);
+  return runRust('cargo', parameters, onLine, environment);
 }
 
 /**
@@ -43,69 +38,45 @@ export function cargoNative(command, parameters, onLine, environment) {
 }
 
 /**
- * Runs rustc in sim-wasm with the pinned version.
+ * Runs rustc in sim-wasm.
  *
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
  */
 export function rustc(parameters, onLine) {
-  return rustup(['run', readToolchain().channel, 'rustc', ...parameters], onLine);
+  return runRust('rustc', parameters, onLine);
 }
 
-/** Whether the toolchain is installed with all required targets and components. */
+/** Whether the toolchain is installed with its target and components. */
 export async function isFresh() {
-  const { channel, targets, components } = readToolchain();
-  const asked = await rustup(['run', channel, 'rustc', '--print', 'sysroot']);
-  if (asked.status === 127) {
+  const { status, output } = await runRust('rustup', ['component', 'list', '--installed']);
+  if (status === 127) {
     throw new UserError('rustup was not found: install it from https://rustup.rs, then try again.');
   }
-  if (asked.status !== 0) return false;
-  const sysroot = asked.output.split('\n').at(-1) ?? '';
-  const suffix = process.platform === 'win32' ? '.exe' : '';
-  return (
-    targets.every((target) => existsSync(join(sysroot, 'lib', 'rustlib', target, 'lib'))) &&
-    components.every((name) => existsSync(join(sysroot, 'bin', (PROGRAMS[name] ?? name) + suffix)))
-  );
+  return status === 0 && PARTS.every((part) => output.split('\n').some((line) => line.startsWith(part)));
 }
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
-  const { channel, targets, components } = readToolchain();
-  const outcome = await rustup(
-    ['toolchain', 'install', channel, '--profile', 'minimal', '--no-self-update'].concat(
-      components.flatMap((name) => ['--component', name]),
-      targets.flatMap((name) => ['--target', name]),
-    ),
-    say,
-  );
-  if (outcome.status === 0) return;
-  const reason = /^error: (.+)$/m.exec(outcome.output)?.[1] ?? 'no reason given';
+  // Before several programs run cargo, because each would install the toolchain.
+  const { status, output } = await cargo(['--version'], say, { RUSTUP_AUTO_INSTALL: '1' });
+  if (status === 0) return;
+  const reason = /^error: (.+)$/m.exec(output)?.[1] ?? 'no reason given';
   throw new UserError(
-    `rustup could not install Rust ${channel} with ${targets.join(', ')} (${reason}): check the network, then try again.`,
+    `rustup could not install the toolchain of sim-wasm/rust-toolchain.toml (${reason}): check the network, then try again.`,
   );
-}
-
-/** Parses the toolchain file, which uses only simple `key = value` lines. */
-function readToolchain() {
-  const text = readFileSync(inRoot('sim-wasm/rust-toolchain.toml'), 'utf8');
-  const value = (/** @type {string} */ key) => new RegExp(`^${key} = (.+)$`, 'm').exec(text)?.[1] ?? '[]';
-  return {
-    channel: /** @type {string} */ (JSON.parse(value('channel'))),
-    targets: /** @type {string[]} */ (JSON.parse(value('targets'))),
-    components: /** @type {string[]} */ (JSON.parse(value('components'))),
-  };
 }
 
 /**
+ * @param {string} program
  * @param {string[]} parameters
  * @param {(line: string) => void} [onLine]
  * @param {NodeJS.ProcessEnv} [added]
  */
-function rustup(parameters, onLine, added) {
-  // A shell opened before rustup was installed does not have its folder on PATH.
+function runRust(program, parameters, onLine, added) {
+  // Before another cargo, and for a shell that was opened before rustup was installed.
   const home = process.env.CARGO_HOME || join(homedir(), '.cargo');
-  const PATH = [process.env.PATH, join(home, 'bin')].filter(Boolean).join(delimiter);
-  // No implicit installation: `bring` installs what is missing and reports its own error.
+  const PATH = [join(home, 'bin'), process.env.PATH].filter(Boolean).join(delimiter);
   const environment = { PATH, RUSTUP_AUTO_INSTALL: '0', CARGO_TERM_COLOR: 'never', ...added };
-  return run('rustup', parameters, { folder: inRoot('sim-wasm'), environment, onLine });
+  return run(program, parameters, { folder: inRoot('sim-wasm'), environment, onLine });
 }

@@ -5,19 +5,9 @@
 
 import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
+import { join, normalize } from 'node:path';
 import { gzipSync } from 'node:zlib';
-
-const TYPES = /** @type {Record<string, string>} */ ({
-  '.css': 'text/css',
-  '.html': 'text/html',
-  '.js': 'text/javascript',
-  '.json': 'application/json',
-  '.png': 'image/png',
-  '.svg': 'image/svg+xml',
-  '.wasm': 'application/wasm',
-  '.webmanifest': 'application/manifest+json',
-});
+import { lookup } from 'mrmime';
 
 /**
  * @typedef {object} SiteServer
@@ -65,11 +55,10 @@ function read(/** @type {string} */ folder, /** @type {string} */ name) {
   const known = packed.get(path);
   const body = known?.time === status.mtimeMs ? known.body : gzipSync(readFileSync(path), { level: 9 });
   packed.set(path, { time: status.mtimeMs, body });
-  const type = TYPES[extname(path)] ?? 'application/octet-stream';
   return {
     body,
     headers: {
-      'content-type': type,
+      'content-type': lookup(path) ?? 'application/octet-stream',
       'content-encoding': 'gzip',
       'content-length': String(body.length),
       'cache-control': 'max-age=600',

@@ -6,7 +6,6 @@
  */
 import { ownValues, readState, type State } from './codec.ts';
 import { FileError } from './errors.ts';
-import { jsonFault } from './jsonFault.ts';
 import { VERSION } from './migrations.ts';
 import { notice, quoteKey, summarise, type Notice } from './notice.ts';
 import { packBytes, unpackBytes } from './packing.ts';
@@ -42,7 +41,7 @@ export async function writeFile({ name, state, moment }: SmokeFile, schema: stri
 
 /** @throws FileError with the fault and its position */
 export async function readFile(text: string): Promise<SmokeFile & { notices: readonly Notice[] }> {
-  const content = parse(text);
+  const content = await parse(text);
   if (content.format !== FORMAT) {
     throw new FileError(`This is not a Cartoon Smoke file: "format" must be "${FORMAT}".`);
   }
@@ -52,12 +51,13 @@ export async function readFile(text: string): Promise<SmokeFile & { notices: rea
   return { name: nameOf(content.name), state, ...(moment && { moment }), notices: summarise(notices) };
 }
 
-function parse(text: string): Record<string, unknown> {
+async function parse(text: string): Promise<Record<string, unknown>> {
   try {
     return recordOf(JSON.parse(text), 'The file');
   } catch (error) {
     if (error instanceof FileError) throw error;
-    const fault = jsonFault(text);
+    // Only invalid files need the parser.
+    const fault = (await import('./jsonFault.ts')).jsonFault(text);
     const place = fault ? ` at line ${fault.line}, column ${fault.column}` : '';
     throw new FileError(`The file is not valid JSON${place}.`, { cause: error });
   }

@@ -18,13 +18,12 @@ function installPackages(): void {
   project.write('node_modules/three/package.json', '{}');
 }
 
+const PARTS = ['cargo', 'clippy', 'rustfmt', 'rust-std-wasm32-unknown-unknown'];
+
 /** A rustup with a complete toolchain; `cargo` is the shell code of its cargo. */
-function installRust(cargo = 'exit 0'): void {
-  const sysroot = project.path('sysroot');
-  project.write('sysroot/lib/rustlib/wasm32-unknown-unknown/lib/core', '');
-  project.write('sysroot/bin/cargo-clippy', '');
-  project.write('sysroot/bin/rustfmt', '');
-  project.program('rustup', `case "$3" in rustc) echo ${sysroot};; cargo) ${cargo};; esac`);
+function installRust(cargo = 'exit 0', parts = PARTS): void {
+  project.program('rustup', parts.map((part) => `echo ${part}`).join('; '));
+  project.program('cargo', cargo);
 }
 
 function expectSentence(ending: Ending, sentence: RegExp): void {
@@ -121,27 +120,32 @@ describe('toolchain', () => {
   );
 
   test('when rustup cannot download', () => {
-    project.program('rustup', `[ "$1" = run ] && exit 1; echo "error: could not download file" >&2; exit 1`);
+    project.program('rustup', 'exit 1');
+    project.program('cargo', 'echo "error: could not download file" >&2; exit 1');
     expectOnlySentence(
       project.setUp(['toolchain']),
-      /^rustup could not install Rust 1\.95\.0 with wasm32-unknown-unknown \(could not download file\): check the network/,
+      /^rustup could not install the toolchain of sim-wasm\/rust-toolchain\.toml \(could not download file\): check the network/,
     );
   });
 
-  test('is not fresh without the WASM target', () => {
-    installRust();
+  test.each(PARTS)('is fresh, but not without %s', (missing) => {
+    installRust('[ "$RUSTUP_AUTO_INSTALL" = 1 ] && exit 7');
     expect(project.setUp(['toolchain']).output).toBe('Already up to date: Rust toolchain.\n');
-    project.program('rustup', `[ "$1" = run ] && echo ${project.path('other')} || exit 1`);
+    installRust(
+      '[ "$RUSTUP_AUTO_INSTALL" = 1 ] && exit 7',
+      PARTS.filter((part) => part !== missing),
+    );
     expect(project.setUp(['toolchain']).status).toBe(1);
   });
 
-  test('is found where rustup puts it when PATH does not name that folder', () => {
-    installRust();
-    const ending = project.setUp(['toolchain'], { PATH: '/nowhere', CARGO_HOME: project.folder });
-    expect(ending.errors.at(-1)).toMatch(/rustup was not found/);
-    project.write('bin/rustup', '');
-    project.program('../bin/rustup', `echo ${project.path('sysroot')}`);
-    expect(project.setUp(['toolchain'], { PATH: '/nowhere', CARGO_HOME: project.folder }).status).toBe(0);
+  test('is that of rustup when PATH does not name its folder, or names another cargo first', () => {
+    project.program('rustup', 'exit 1');
+    const environment = { PATH: project.path('programs'), CARGO_HOME: project.folder };
+    expect(project.setUp(['toolchain'], environment).status).toBe(1);
+    project.program('../bin/rustup', PARTS.map((part) => `echo ${part}`).join('; '));
+    for (const PATH of [project.path('programs'), '/nowhere']) {
+      expect(project.setUp(['toolchain'], { ...environment, PATH }).output).toMatch(/^Already up to date/);
+    }
   });
 });
 
