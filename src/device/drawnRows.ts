@@ -53,6 +53,8 @@ export class RowTextures {
   readonly attributes: DataTexture;
   readonly capacity: number;
   count = 0;
+  /** Number of rows without bites. They come first. */
+  whole = 0;
   /** The first row that is drawn. */
   first = 0;
 
@@ -79,9 +81,13 @@ export class RowTextures {
     return this.attributes.image.data as unknown as Uint32Array;
   }
 
-  /** Uploads the first `count` rows at the next draw. */
-  update(count: number): void {
+  /**
+   * Uploads the first `count` rows at the next draw.
+   * @param whole number of rows without bites
+   */
+  update(count: number, whole = count): void {
     this.count = count;
+    this.whole = whole;
     markPrefix(this.places, PLACE_FLOATS, count);
     markPrefix(this.attributes, ATTRIBUTE_WORDS, count);
   }

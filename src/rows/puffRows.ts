@@ -34,10 +34,10 @@ export class PuffRows {
   }
 
   /** Copies the rows and marks only the copied range for upload. */
-  fill({ place, attributes, count }: Rows): void {
+  fill({ place, attributes, count, whole }: Rows): void {
     this.rows.placeArray.set(place.subarray(0, PLACE_FLOATS * count));
     this.rows.attributeWords.set(attributes.subarray(0, ATTRIBUTE_WORDS * count));
-    this.rows.update(count);
+    this.rows.update(count, whole);
   }
 
   dispose(): void {

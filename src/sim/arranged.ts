@@ -28,7 +28,7 @@ const BOUNDS_FLOATS = 7;
 
 /** The result of a simulator's last `arrange`, read from WASM memory. It is reused, so that frames leave no garbage. */
 export class ArrangedInMemory implements Arranged {
-  readonly rows = { count: 0, place: new Float32Array(), attributes: new Uint32Array() };
+  readonly rows = { count: 0, whole: 0, place: new Float32Array(), attributes: new Uint32Array() };
   readonly bounds = { min: [0, 0, 0] as Triple, max: [0, 0, 0] as Triple, greatestRadius: 0 };
   readonly #handle: Core.Simulator;
   readonly #memory: WebAssembly.Memory;
@@ -45,6 +45,7 @@ export class ArrangedInMemory implements Arranged {
     const { buffer } = this.#memory;
     const { rows } = this;
     rows.count = count;
+    rows.whole = this.#handle.whole;
     rows.place = new Float32Array(buffer, this.#handle.placePointer, count * PLACE_FLOATS);
     rows.attributes = new Uint32Array(buffer, this.#handle.lookPointer, count * ATTRIBUTE_WORDS);
     this.#readBounds(buffer);

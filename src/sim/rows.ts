@@ -5,6 +5,8 @@ import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, TEMPERATURE_MAX } from './layout.ts';
 export interface Rows {
   /** Number of rows in each array, after culling. */
   readonly count: number;
+  /** Number of rows whose puffs are not eroded. They come first. */
+  readonly whole: number;
   /** {@link PLACE_FLOATS} per row. */
   readonly place: Float32Array;
   /** {@link ATTRIBUTE_WORDS} per row. */

@@ -8,8 +8,8 @@ import { requireIndices } from './indices.ts';
 import { blendPose, poseNumbers } from './pose.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import type { rigidArguments, RigidDescription } from './rigid.ts';
-import { ATTRIBUTE_WORDS, POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
-import { ALL_THAT_LIVES, viewLength, writeView, type View } from './view.ts';
+import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
+import { viewLength, writeView, type View } from './view.ts';
 
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
@@ -188,14 +188,13 @@ export class Simulator {
   }
 
   /** One more than the highest variation of a living particle; 0 without particles. */
-  variationsAlive(): number {
-    const { count, attributes } = this.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
-    let variations = 0;
-    for (let row = 0; row < count; row++) {
-      // The lowest byte of the second word, without the table of all fields, which the core does not need.
-      variations = Math.max(variations, 1 + (attributes[ATTRIBUTE_WORDS * row + 1] & 0xff));
-    }
-    return variations;
+  get variationsAlive(): number {
+    return this.#attempt(() => this.#handle.variationsAlive);
+  }
+
+  /** Displacement in the latest step of each row of the last {@link arrange}, metres: x, y, z. */
+  moves(): Float32Array {
+    return this.#attempt(() => this.#handle.moves());
   }
 
   /**

@@ -4,7 +4,7 @@ import ofLobesFragment from '../../shaders/bites/lobesFragment.glsl';
 import ofLobesVertex from '../../shaders/bites/lobesVertex.glsl';
 import ofVolumesFragment from '../../shaders/bites/volumesFragment.glsl';
 import ofVolumeVertex from '../../shaders/bites/volumeVertex.glsl';
-import { ATTRIBUTE_WORDS, PLACE_FLOATS, RowGeometry, type RowTextures } from '../device/drawnRows.ts';
+import { RowGeometry } from '../device/drawnRows.ts';
 import type { FormTextures } from '../device/formTextures.ts';
 import type { Bites, PuffTextures } from '../device/puffTextures.ts';
 import { withLobes } from '../device/unroll.ts';
@@ -29,8 +29,8 @@ export function bitesOf({ lobes: { puffs } }: PuffTextures): Bites {
       const { rows } = geometry;
       const { count } = rows;
       const { material } = mesh;
-      // Other geometries depend on the order of the rows.
-      rows.count = geometry.constructor === RowGeometry ? sortByErosion(rows) : 0;
+      // Other geometries draw some rows more than once or not at all.
+      rows.count = geometry.constructor === RowGeometry ? rows.whole : 0;
       if (rows.count > 0) mesh.drawPlain(renderer, geometry);
       rows.first = rows.count;
       rows.count = count;
@@ -70,28 +70,6 @@ function copied(whole: RawShaderMaterial, lobes: number): RawShaderMaterial {
   whole.addEventListener('dispose', () => material.dispose());
   bitten.set(whole, material);
   return material;
-}
-
-/** Moves rows with bites behind the others, whose number it returns. */
-function sortByErosion({ count, placeArray, attributeWords }: RowTextures): number {
-  // The highest byte of the last word, without the table of all fields, which the core does not need.
-  const hasBites = (row: number) => attributeWords[ATTRIBUTE_WORDS * (row + 1) - 1] >>> 24 > 0;
-  let last = count;
-  for (let row = 0; row < last; row++) {
-    while (row < last && hasBites(row)) {
-      last--;
-      swap(placeArray, PLACE_FLOATS, row, last);
-      swap(attributeWords, ATTRIBUTE_WORDS, row, last);
-    }
-  }
-  return last;
-}
-
-function swap(array: Float32Array | Uint32Array, length: number, one: number, other: number): void {
-  for (let at = 0; at < length; at++) {
-    const [from, to] = [length * one + at, length * other + at];
-    [array[from], array[to]] = [array[to], array[from]];
-  }
 }
 
 /** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */

@@ -11,6 +11,8 @@ export interface Arranger {
   /** Number of particles; unknown if absent. */
   readonly alive?: number;
   arrange(view: View): Arranged;
+  /** Displacement in the latest step of each row of the last `arrange`, metres: x, y, z. */
+  moves(): Float32Array;
 }
 
 /** Everything that one frame is drawn from. */

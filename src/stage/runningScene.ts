@@ -220,7 +220,7 @@ export class RunningScene implements FrameTasks {
 
   /** A restored state can contain particles whose variations exceed what the values ask for. */
   keepVariations(): void {
-    this.picture.smoke.keepVariations(this.now, this.simulation.simulator.variationsAlive());
+    this.picture.smoke.keepVariations(this.now, this.simulation.simulator.variationsAlive);
   }
 
   /** Applies a change and redraws, unless the next frame does. */

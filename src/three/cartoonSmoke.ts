@@ -372,7 +372,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     this.takeState(bytes);
     this.useValues(valuesIn(this.simulator, this.values, {}));
-    this.puffs.follow(this.values, this.simulator.variationsAlive());
+    this.puffs.follow(this.values, this.simulator.variationsAlive);
   }
 
   get stats(): CartoonSmokeStats {

@@ -159,7 +159,9 @@ export interface LabPicture {
 export function rowsOf(puffs: readonly LabPuff[]): Rows {
   const place = new Float32Array(PLACE_FLOATS * puffs.length);
   const attributes = new Uint32Array(ATTRIBUTE_WORDS * puffs.length);
-  puffs.forEach((puff, index) => {
+  const isEroded = ({ erosion = 0 }: LabPuff) => erosion > 0;
+  const whole = puffs.filter((puff) => !isEroded(puff));
+  [...whole, ...puffs.filter(isEroded)].forEach((puff, index) => {
     const rotation = (puff.roll ?? 0) / (2 * Math.PI);
     place.set([...puff.place, puff.radius], PLACE_FLOATS * index);
     const fields: Partial<Record<keyof typeof ATTRIBUTE_BITS, number>> = {
@@ -177,7 +179,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       attributes[ATTRIBUTE_WORDS * index + word] |= (value & max) << shift;
     }
   });
-  return { count: puffs.length, place, attributes };
+  return { count: puffs.length, whole: whole.length, place, attributes };
 }
 
 /** The same rows as casters with unlimited shadow length. */
@@ -316,6 +318,7 @@ function fixedRows(puffs: readonly LabPuff[], casters: readonly LabPuff[]): Arra
       bounds,
       grid: undefined,
     }),
+    moves: () => new Float32Array(3 * puffs.length),
   };
 }
 

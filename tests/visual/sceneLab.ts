@@ -60,6 +60,7 @@ const NO_SMOKE: Arranger = {
     bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 0 },
     grid: undefined,
   }),
+  moves: () => new Float32Array(),
 };
 
 export class SceneLab {

@@ -66,6 +66,23 @@ impl Simulator {
             .map_err(parameter_error)
     }
 
+    /// Number of rows of the last arrange whose puffs are not eroded. They come first.
+    #[wasm_bindgen(getter)]
+    pub fn whole(&self) -> u32 {
+        self.simulator.whole() as u32
+    }
+
+    /// Displacement (m) in the latest step of each row of the last arrange, three floats each.
+    pub fn moves(&self) -> Vec<f32> {
+        self.simulator.moves().into_flattened()
+    }
+
+    /// One more than the highest variation of a living particle; 0 without particles.
+    #[wasm_bindgen(getter = variationsAlive)]
+    pub fn variations_alive(&self) -> u32 {
+        self.simulator.variations_alive()
+    }
+
     /// Address of the place rows, four float32 each.
     #[wasm_bindgen(getter = placePointer)]
     pub fn place_pointer(&self) -> u32 {

@@ -1,4 +1,4 @@
-import type { Arranger, Rows } from '../../internal.ts';
+import type { Arranger, Rows, View } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
 import { isSame, linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
@@ -6,7 +6,7 @@ import type { Studio } from './studio.ts';
 export const LAYERS = ['flats', 'shadow', 'ink', 'surfaces', 'depth'] as const;
 export type Layer = (typeof LAYERS)[number];
 
-const NO_ROWS: Rows = { count: 0, place: new Float32Array(0), attributes: new Uint32Array(0) };
+const NO_ROWS: Rows = { count: 0, whole: 0, place: new Float32Array(0), attributes: new Uint32Array(0) };
 
 /**
  * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, surfaces (the
@@ -104,7 +104,8 @@ export class LayerCamera {
 
 /** Keeps the bounds, so that the shadows of the surfaces stay the same. */
 function withoutRows(simulator: Arranger): Arranger {
-  return { arrange: (view) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined }) };
+  const arrange = (view: View) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined });
+  return { arrange, moves: () => new Float32Array() };
 }
 
 function rgbOf(color: string): number[] {

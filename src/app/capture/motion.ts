@@ -1,6 +1,5 @@
 import { Matrix4, Vector4 } from 'three';
 import { ALL_THAT_LIVES, PLACE_FLOATS, STEP_SECONDS, type FrameInput } from '../../internal.ts';
-import { JoinedSmoke, keep, type MovingRows } from './joinedSmoke.ts';
 
 /** Displacement of a full channel, as a fraction of the frame's side. */
 export const MOTION_RANGE = 0.125;
@@ -31,7 +30,8 @@ export function drawMotion(
   const pixels = new Uint8ClampedArray(4 * width * height);
   for (let at = 0; at < pixels.length; at += 4) pixels.set(STILL, at);
   const nearest = new Float32Array(width * height).fill(Infinity);
-  const { rows, moves } = movingRows(input);
+  const { rows } = input.simulator.arrange({ ...ALL_THAT_LIVES, blend: input.blend });
+  const moves = input.simulator.moves();
   const clipFromWorld = new Matrix4().multiplyMatrices(input.camera.projectionMatrix, input.camera.matrixWorldInverse);
   const [xOfRadius, yOfRadius] = [input.camera.projectionMatrix.elements[0], input.camera.projectionMatrix.elements[5]];
   const scale = 1 / (STEP_SECONDS * rate);
@@ -62,11 +62,6 @@ export function drawMotion(
     }
   }
   return pixels;
-}
-
-function movingRows({ simulator, blend }: Pick<FrameInput, 'simulator' | 'blend'>): MovingRows {
-  const view = { ...ALL_THAT_LIVES, blend };
-  return simulator instanceof JoinedSmoke ? simulator.moving(view) : keep(simulator, view);
 }
 
 function channel(displacement: number): number {

@@ -95,7 +95,7 @@ export class BallVolumes {
       toSmoke(ball, placement).position.toArray(place, 4 * index);
       place[4 * index + 3] = radius / placement.scale;
     });
-    return { count: balls.length, place, attributes };
+    return { count: balls.length, whole: balls.length, place, attributes };
   }
 }
 

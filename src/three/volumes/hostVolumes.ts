@@ -48,6 +48,7 @@ export class HostVolumes {
     const travel = eye.travelAt(new Vector3());
     const spans = new Spans(boxes, travel);
     const latest = latestStart(eye, travel, extents, minCap);
+    let whole = 0;
     let count = 0;
     for (let row = 0; row < casters.count; row++) {
       const [from, word] = [PLACE_FLOATS * row, ATTRIBUTE_WORDS * row];
@@ -70,10 +71,11 @@ export class HostVolumes {
       place[to + 2] = casters.place[from + 2] + shift * travel.z;
       place[to + 3] = radius;
       const at = ATTRIBUTE_WORDS * count++;
+      if (row < casters.whole) whole = count;
       attributes[at] = (Math.min(ENDLESS, Math.ceil(end * steps)) << 16) | (first & 0xffff);
       for (let next = 1; next < ATTRIBUTE_WORDS; next++) attributes[at + next] = casters.attributes[word + next];
     }
-    return { count, place, attributes };
+    return { count, whole, place, attributes };
   }
 
   /**

@@ -5,6 +5,7 @@
  */
 import { MAX_STRETCH } from '../../../src/constants.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
+import { readBits } from '../../../src/sim/rows.ts';
 import type { Arranger } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
@@ -134,20 +135,22 @@ function stretched(simulator: Arranger): Arranger {
   return withLastWord(simulator, () => word);
 }
 
-/** The same rows, each with another erosion. */
+/** The same rows, each with another erosion above 0. */
 function eroded(simulator: Arranger): Arranger {
   const { shift, max } = ATTRIBUTE_BITS.erosion;
-  return withLastWord(simulator, (row) => (((row * 97) % (max + 1)) << shift) >>> 0);
+  return withLastWord(simulator, (row) => ((1 + ((row * 97) % max)) << shift) >>> 0);
 }
 
 function withLastWord(simulator: Arranger, wordOf: (row: number) => number): Arranger {
   return {
+    moves: () => simulator.moves(),
     arrange(view) {
-      const arranged = simulator.arrange(view);
-      const { count, attributes } = arranged.rows;
+      const { rows, bounds, grid } = simulator.arrange(view);
+      const { count, attributes } = rows;
       for (let row = 0; row < count; row++)
         attributes[ATTRIBUTE_WORDS * row + ATTRIBUTE_BITS.erosion.word] = wordOf(row);
-      return arranged;
+      const isEroded = readBits(attributes, 0, ATTRIBUTE_BITS.erosion) > 0;
+      return { rows: { ...rows, whole: isEroded ? 0 : count }, bounds, grid };
     },
   };
 }

@@ -20,15 +20,17 @@ const STEPS = 60 / RATE;
 
 /** Interpolates like the simulator, and sorts from left to right so that the order changes with time. */
 function smokeOf(puffs: readonly Puff[]): Arranger {
+  let moves = new Float32Array();
   const arrange = ({ blend }: View) => {
     const placed = puffs.map((puff) => ({ ...puff, at: puff.from.map((x, axis) => x + blend * puff.move[axis]) }));
     placed.sort((a, b) => a.at[0] - b.at[0]);
     const place = Float32Array.from(placed.flatMap(({ at, radius }) => [...at, radius]));
     const attributes = Uint32Array.from(placed.flatMap(({ seed }) => [0, seed << 8, 0, 0]));
-    const rows: Rows = { count: puffs.length, place, attributes };
+    const rows: Rows = { count: puffs.length, whole: puffs.length, place, attributes };
+    moves = Float32Array.from(placed.flatMap(({ move }) => move));
     return { rows, bounds: { min: [0, 0, 0], max: [0, 0, 0], greatestRadius: 1 } as const, grid: undefined };
   };
-  return { arrange };
+  return { arrange, moves: () => moves };
 }
 
 function cameraAt(z: number): PerspectiveCamera {

@@ -13,14 +13,14 @@ const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
 function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
   const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8, 5, 6]));
-  const rows: Rows = { count: SEEDS.length, place, attributes };
+  const rows: Rows = { count: SEEDS.length, whole: SEEDS.length, place, attributes };
   const bounds = { min: [0, height, 0], max: [2, height, 0], greatestRadius: 2 } as const;
   const asked: View[] = [];
   const arrange = (view: View) => {
     asked.push(view);
     return { rows, bounds, grid: undefined };
   };
-  return { asked, arrange };
+  return { asked, arrange, moves: () => new Float32Array(3 * SEEDS.length) };
 }
 
 function frameAt(height: number): FrameInput {

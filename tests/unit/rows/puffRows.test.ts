@@ -11,6 +11,7 @@ const ROLL = 0x1234;
 function rowsEnding(ends: number[]): Rows {
   return {
     count: ends.length,
+    whole: ends.length,
     place: Float32Array.from({ length: PLACE_FLOATS * ends.length }, () => 0.5),
     attributes: Uint32Array.from(ends.flatMap((end) => [ending(end), 7, 0, 0])),
   };

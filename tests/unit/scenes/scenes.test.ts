@@ -90,7 +90,7 @@ describe.each(NAMES)('%s', (name) => {
     const simulation = begin();
     simulation.advance(240);
     expect(simulation.simulator.alive).toBeGreaterThan(20);
-    expect(simulation.simulator.variationsAlive()).toBe(presetValues(findPreset(name)!)['puff.variations']);
+    expect(simulation.simulator.variationsAlive).toBe(presetValues(findPreset(name)!)['puff.variations']);
     expect(simulation.simulator.alive).toBeLessThanOrEqual(3000);
     expect(simulation.simulator.waiting).toBe(0);
     simulation.dispose();

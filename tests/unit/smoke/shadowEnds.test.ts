@@ -18,7 +18,7 @@ function endsOf(
   lamp?: Vector3,
 ): Float32Array {
   const count = casters.length / 4;
-  const rows = { count, place: casters, attributes: new Uint32Array(2 * count) };
+  const rows = { count, whole: count, place: casters, attributes: new Uint32Array(2 * count) };
   return createShadowEnds(count)(rows, 1.1, { ...NOWHERE, ...receivers }, travel, lamp);
 }
 

@@ -197,8 +197,11 @@ export function overdraw(): { bodies: string[]; expected: string[]; withVolumes:
 export async function coverageTints(): Promise<{ tinted: number; wrong: number; missing: number; clear: number }> {
   const bench = await RenderBench.create(0.5, 1500);
   const input = bench['input'](true);
-  const none = { count: 0, place: new Float32Array(), attributes: new Uint32Array() };
-  const withoutRows = { arrange: (view: View) => ({ ...bench.simulator.arrange(view), rows: none }) };
+  const none = { count: 0, whole: 0, place: new Float32Array(), attributes: new Uint32Array() };
+  const withoutRows = {
+    arrange: (view: View) => ({ ...bench.simulator.arrange(view), rows: none }),
+    moves: () => none.place,
+  };
   const shown = (view: DebugView, extra = {}) => {
     drawFrame(bench.smoke, { ...input, ...extra, view });
     return reader(bench.picture());

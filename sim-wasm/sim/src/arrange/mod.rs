@@ -3,7 +3,7 @@
 //!
 //! The result depends only on the particles and the view, and the simulation does not change. One pass over the
 //! particles interpolates, culls and measures. The rest is sorted by depth along the view direction, then by index, and
-//! written as rows. The memory of the attributes holds the entries while sorting.
+//! written as rows. Rows of eroded puffs, which have other shaders, follow all others. The memory of the attributes holds the entries while sorting.
 
 pub(crate) mod coverage;
 pub(crate) mod deformation;
@@ -16,7 +16,7 @@ use wide::f32x4;
 
 use crate::arrange::coverage::Coverage;
 use crate::arrange::coverage::chart::ChartExtent;
-use crate::arrange::row_layout::{ATTRIBUTE_WORDS, Attributes, NO_END, PLACE_FLOATS};
+use crate::arrange::row_layout::{ATTRIBUTE_WORDS, Attributes, EROSION, NO_END, PLACE_FLOATS};
 use crate::arrange::rows::{RowSampler, caster};
 use crate::arrange::view::View;
 use crate::math::radix_sort::{self, Entry, Histogram};
@@ -32,6 +32,8 @@ pub struct Arranger {
     histogram: Histogram,
     coverage: Coverage,
     bounds: [f32; 7],
+    count: usize,
+    whole: usize,
 }
 
 impl Arranger {
@@ -45,6 +47,8 @@ impl Arranger {
             histogram: Histogram::new(),
             coverage: Coverage::new(capacity),
             bounds: [0.0; 7],
+            count: 0,
+            whole: 0,
         }
     }
 
@@ -62,6 +66,28 @@ impl Arranger {
     /// radius. Zeros if no particle is visible.
     pub fn bounds(&self) -> &[f32; 7] {
         &self.bounds
+    }
+
+    /// Number of rows whose puffs are not eroded. They come first.
+    pub fn whole(&self) -> usize {
+        self.whole
+    }
+
+    /// Displacement (m) of each row's particle in the latest step. Held particles do not move.
+    pub fn moves(&self, particles: &Particles) -> Vec<[f32; 3]> {
+        let moved = |i: usize| {
+            [
+                particles.x[i] - particles.px[i],
+                particles.y[i] - particles.py[i],
+                particles.z[i] - particles.pz[i],
+            ]
+        };
+        let rows = self.order[..self.count].iter();
+        rows.map(|[_, particle]| match particles.held {
+            Some(_) => [0.0; 3],
+            None => moved(*particle as usize),
+        })
+        .collect()
     }
 
     /// The coverage grid of the last call: columns, rows, stride, chart coordinates of its corner (left, low), and
@@ -98,7 +124,30 @@ impl Arranger {
             }
         };
         self.write(particles, view, sampler, count);
+        self.count = count;
+        self.whole = if sampler.radii.erodes() {
+            self.move_eroded_back()
+        } else {
+            count
+        };
         count
+    }
+
+    /// Moves the rows of eroded puffs behind the others and returns the number of the others.
+    fn move_eroded_back(&mut self) -> usize {
+        let mut whole = 0;
+        let mut end = self.count;
+        while whole < end {
+            if EROSION.of(self.attributes[whole]) == 0 {
+                whole += 1;
+                continue;
+            }
+            end -= 1;
+            self.place.swap(whole, end);
+            self.attributes.swap(whole, end);
+            self.order.swap(whole, end);
+        }
+        whole
     }
 
     /// Writes the rows of the remaining entries over the places used for culling, which left the shapes of the rows.

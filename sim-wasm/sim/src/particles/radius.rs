@@ -77,9 +77,14 @@ impl RadiusLaw {
         self.undiminished(size, age) * share
     }
 
+    /// Whether puffs are eroded before they shrink.
+    pub fn erodes(&self) -> bool {
+        self.gain > 1.0
+    }
+
     /// Erosion of a particle at `age` of `lifetime` (s); it has not begun up to 0 and is complete from 1 on. 0 if puffs only shrink.
     pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
-        if self.gain == 1.0 {
+        if !self.erodes() {
             return 0.0;
         }
         let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);

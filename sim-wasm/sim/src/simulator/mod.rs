@@ -244,6 +244,26 @@ impl Simulator {
         self.arranger.attributes()
     }
 
+    /// See [`Arranger::whole`].
+    pub fn whole(&self) -> usize {
+        self.arranger.whole()
+    }
+
+    /// See [`Arranger::moves`]. Valid until the next step.
+    pub fn moves(&self) -> Vec<[f32; 3]> {
+        self.arranger.moves(&self.particles)
+    }
+
+    /// One more than the highest variation of a living particle; 0 without particles.
+    pub fn variations_alive(&self) -> u32 {
+        let living = &self.particles.attributes[..self.particles.alive()];
+        living
+            .iter()
+            .map(|attributes| 1 + (attributes & 0xff))
+            .max()
+            .unwrap_or(0)
+    }
+
     /// Minimum corner and maximum corner (m) of all particles at the last `arrange`, radii included, then the largest
     /// radius. Zeros if no particle is visible.
     pub fn bounds(&self) -> &[f32; 7] {

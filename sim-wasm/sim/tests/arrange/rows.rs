@@ -1,7 +1,8 @@
 //! Rows: selection, order and packing.
 
-use crate::common::{LIVELY, STILL, newborn, simulator, steps};
+use crate::common::{LIVELY, STILL, newborn, place, simulator, steps};
 use sim::Simulator;
+use sim::arrange::row_layout::EROSION;
 use sim::arrange::view_layout::{VIEW_LENGTH, ViewNumbers};
 use sim::math::random::Random;
 use sim::particles::Newborn;
@@ -216,6 +217,51 @@ fn attributes_are_packed_as_documented() {
         simulator.attributes()[..3],
         [expected(0.0, 0), expected(10.0, 64), expected(30.0, 255)]
     );
+}
+
+#[test]
+fn eroded_rows_come_last_and_each_row_has_its_move() {
+    let mut simulator = simulator(2000, 1, &[LIVELY, &[("emission.dissolve", 1.0)]]);
+    steps(&mut simulator, 200);
+    for purpose in [0.0, 1.0] {
+        let rows = rows(&mut simulator, &ViewNumbers { purpose, ..view() });
+        let whole = simulator.whole();
+        assert!(whole > 0 && whole < rows.len(), "{whole} of {}", rows.len());
+        let moves = simulator.moves();
+        assert_eq!(moves.len(), rows.len());
+        let particles = simulator.particles();
+        for (row, found) in rows.iter().enumerate() {
+            assert_eq!(EROSION.of(simulator.attributes()[row]) > 0, row >= whole, "row {row}");
+            let i = (0..simulator.alive())
+                .find(|i| place(&simulator, *i) == found[..3])
+                .unwrap();
+            let start = [particles.px[i], particles.py[i], particles.pz[i]];
+            assert_eq!(moves[row], std::array::from_fn(|axis| found[axis] - start[axis]));
+        }
+    }
+    simulator.set("emission.dissolve", 0.0).unwrap();
+    assert_eq!(rows(&mut simulator, &view()).len(), simulator.whole());
+}
+
+#[test]
+fn held_particles_do_not_move() {
+    let mut simulator = simulator(2000, 1, &[LIVELY, &[("style.hold", 4.0)]]);
+    steps(&mut simulator, 30);
+    assert!(!rows(&mut simulator, &view()).is_empty());
+    assert!(simulator.moves().iter().all(|by| *by == [0.0; 3]));
+}
+
+#[test]
+fn the_number_of_living_variations_is_one_more_than_the_highest() {
+    let mut simulator = simulator(2, 1, &[STILL]);
+    assert_eq!(simulator.variations_alive(), 0);
+    for attributes in [0xff03, 0x1_0007] {
+        simulator.add(&Newborn {
+            attributes,
+            ..newborn([0.0; 3])
+        });
+    }
+    assert_eq!(simulator.variations_alive(), 8);
 }
 
 #[test]

@@ -33,23 +33,12 @@ pub struct Row {
     pub meta: &'static Meta,
 }
 
-/// A parameter that was found, and a value that it accepts.
-struct Assignment {
-    section: &'static dyn Section,
-    index: usize,
-    slot: Slot,
-    value: f64,
-}
-
 impl Parameters {
     /// Sets one parameter. An unknown key, or a value that is not finite or out of range, is an error.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
-        let Assignment {
-            section,
-            index,
-            slot,
-            value,
-        } = check(key, value)?;
+        let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
+        let (meta, _) = section.meta(slot.field).expect("what was found exists");
+        let value = accept(key, meta, value)?;
         *section.value(self, index, slot) = value;
         section.lengthen(self, index + 1);
         Ok(())
@@ -57,10 +46,10 @@ impl Parameters {
 
     /// Sets all `entries`, or none of them and returns the first error.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
-        for (key, value) in entries {
-            check(key, *value)?;
-        }
-        entries.iter().try_for_each(|(key, value)| self.set(key, *value))
+        let mut changed = *self;
+        entries.iter().try_for_each(|(key, value)| changed.set(key, *value))?;
+        *self = changed;
+        Ok(())
     }
 
     /// All existing keys with their values. Setting them on defaults reproduces these parameters.
@@ -77,17 +66,6 @@ impl Parameters {
         }
         entries
     }
-}
-
-fn check(key: &str, value: f64) -> Result<Assignment, ParameterError> {
-    let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
-    let (meta, _) = section.meta(slot.field).expect("what was found exists");
-    Ok(Assignment {
-        section,
-        index,
-        slot,
-        value: accept(key, meta, value)?,
-    })
 }
 
 /// Checks a value of the parameter that `meta` describes.
