@@ -23,6 +23,8 @@ const RETRY_MS = 80;
 const LEAD = 0.05;
 /** The engine ends this long after the last particle, milliseconds. */
 const IDLE_MS = 10_000;
+/** The worker then presents the empty picture before it ends, milliseconds. */
+const GRACE_MS = 1000;
 /** Simulated seconds after which the smoke of `warmUp` is large enough to run all shaders. */
 const WARM_UP = 0.2;
 /** Time without frames of the page after which it counts as hidden, milliseconds. */
@@ -77,7 +79,14 @@ export async function openEngine({ canvas, onEnd }: EngineOptions): Promise<Engi
   try {
     const values = { ...defaults(), ...AIR, ...look };
     const size = sizeOf(sheet.canvas);
-    const options = { values, ...size, quality: 'auto', background: false, historyBytes: 0, graceMs: 0 } as const;
+    const options = {
+      values,
+      ...size,
+      quality: 'auto',
+      background: false,
+      historyBytes: 0,
+      graceMs: GRACE_MS,
+    } as const;
     const stage = await openStage(() => sheet.makeCanvas(), options);
     return new Engine(stage, sheet, new Placement(sheet, size), values, look, onEnd);
   } catch (error) {

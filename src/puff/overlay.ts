@@ -143,16 +143,19 @@ function styled<Styled extends HTMLElement>(element: Styled, style: Readonly<Rec
   return element;
 }
 
+const usedCanvases = new WeakSet<HTMLCanvasElement>();
+const copies = new WeakMap<HTMLCanvasElement, HTMLCanvasElement>();
+
 /** A canvas of the page. It keeps its place, its size and its style. */
 export class OwnCanvas implements Sheet {
   canvas: HTMLCanvasElement;
   readonly followsWindow = false;
   readonly hasOtherSize = false;
   readonly host = undefined;
-  private isUsed = false;
 
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
+    for (let copy = copies.get(canvas); copy; copy = copies.get(copy)) this.canvas = copy;
   }
 
   get scale(): number {
@@ -160,13 +163,14 @@ export class OwnCanvas implements Sheet {
   }
 
   makeCanvas(): HTMLCanvasElement {
-    // A canvas that was transferred to a worker cannot be used again.
-    if (this.isUsed) {
-      const next = this.canvas.cloneNode() as HTMLCanvasElement;
-      this.canvas.replaceWith(next);
-      this.canvas = next;
+    // A canvas that was transferred to a worker cannot be used again, not even by the next engine.
+    if (usedCanvases.has(this.canvas)) {
+      const copy = this.canvas.cloneNode() as HTMLCanvasElement;
+      this.canvas.replaceWith(copy);
+      copies.set(this.canvas, copy);
+      this.canvas = copy;
     }
-    this.isUsed = true;
+    usedCanvases.add(this.canvas);
     return this.canvas;
   }
 

@@ -25,7 +25,10 @@ export interface Puff {
   preload(): Promise<void>;
   /** Removes all smoke. The promises of its calls resolve; elements that vanish or appear have done so. */
   clear(): void;
-  /** A `puff` that draws on this canvas instead of one over the page. The canvas must not have a context. */
+  /**
+   * A `puff` that draws on this canvas instead of one over the page. The canvas must not have a context. After `dispose`
+   * or a lost context, the next call replaces it by a copy.
+   */
   create(canvas: HTMLCanvasElement): OwnPuff;
 }
 

@@ -1,6 +1,7 @@
 /** Elements with injected faults, which only the sources support, and their effects on a page. */
 import type { ElementOptions } from '../../../src/element/cartoonSmokeElement.ts';
 import { CartoonSmokeElement } from '../../../src/element/define.ts';
+import { puff, type OwnPuff, type Puff } from '../../../src/puff/puff.ts';
 
 export interface Shown {
   readonly element: CartoonSmokeElement;
@@ -53,11 +54,55 @@ export function isGivenUp({ element, notified }: Shown): boolean {
 }
 
 /** Number of colours on the element's canvas. */
-export async function colorsOf({ element }: Shown): Promise<number> {
-  const bitmap = await createImageBitmap(element.shadowRoot!.querySelector('canvas')!);
+export function colorsOf({ element }: Shown): Promise<number> {
+  return colorsOn(element.shadowRoot!.querySelector('canvas')!);
+}
+
+/** Number of colours on a canvas. */
+export async function colorsOn(canvas: HTMLCanvasElement): Promise<number> {
+  const bitmap = await createImageBitmap(canvas);
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
   context.drawImage(bitmap, 0, 0);
   return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
+}
+
+/** A `puff` on a canvas over the page or of the page. */
+export function puffOn(place: 'the page' | 'a canvas of the page', thread: 'main' | 'worker'): Puff {
+  if (thread === 'main') Reflect.deleteProperty(window, 'Worker');
+  return place === 'the page' ? puff : ownPuff();
+}
+
+/** A `puff` on the canvas of the page, which is the same at each call. */
+export function ownPuff(): OwnPuff {
+  ownCanvas ??= document.body.appendChild(document.createElement('canvas'));
+  return puff.create(ownCanvas);
+}
+
+let ownCanvas: HTMLCanvasElement | undefined;
+let lastDrawn: HTMLCanvasElement | null = null;
+
+/** Number of colours that remain on the canvas of the page; 1 without a canvas. */
+export async function colorsLeft(): Promise<number> {
+  const canvas = document.querySelector('canvas');
+  return canvas ? colorsOn(canvas) : 1;
+}
+
+/** A call that lasts: how it ends, once its smoke is drawn. */
+export async function puffs(one: Puff): Promise<{ ends: Promise<string> }> {
+  const call = { isOver: false };
+  const ends = one({ x: 80, y: 60 }, { count: 100, speed: 0.1, duration: 60 }).then(
+    () => 'done',
+    (error: Error) => `${error.name}: ${error.message}`,
+  );
+  void ends.then(() => (call.isOver = true));
+  for (; !call.isOver; await new Promise(requestAnimationFrame)) {
+    const canvas = document.querySelector('canvas');
+    // The last one keeps its picture until the next one takes its place.
+    if (!canvas || canvas === lastDrawn || (await colorsOn(canvas)) < 4) continue;
+    lastDrawn = canvas;
+    break;
+  }
+  return { ends };
 }
 
 /** Adds elements and removes each as soon as it plays. */

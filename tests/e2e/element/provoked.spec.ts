@@ -86,6 +86,43 @@ for (const thread of ['main', 'worker'] as const) {
   });
 }
 
+for (const thread of ['main', 'worker'] as const) {
+  for (const place of ['the page', 'a canvas of the page'] as const) {
+    test(`puff() on ${place} draws on a new context after one that is lost for good: ${thread}`, async ({
+      load,
+      blank,
+    }) => {
+      const cases = await load<Cases>(CASES);
+      const drawing = () => (thread === 'main' ? blank : blank.workers().at(-1)!);
+      let puff = await cases.evaluateHandle((module, given) => module.puffOn(...given), [place, thread] as const);
+      const begin = () => cases.evaluateHandle((module, one) => module.puffs(one), puff);
+      for (const makesAnother of [false, true]) {
+        const call = await begin();
+        await setTimeouts(drawing(), 'none');
+        await changeContext(drawing(), 'loseContext');
+        expect(await call.evaluate(({ ends }) => ends)).toMatch(/^ContextError/);
+        await expect.poll(() => cases.evaluate((module) => module.colorsLeft())).toBe(1);
+        if (makesAnother && place !== 'the page') puff = await cases.evaluateHandle((module) => module.ownPuff());
+      }
+      const call = await begin();
+      await puff.evaluate((one) => one.clear());
+      expect(await call.evaluate(({ ends }) => ends)).toBe('done');
+      expect(await blank.locator('canvas').count()).toBeLessThan(2);
+    });
+  }
+}
+
+test('puff() draws on a canvas whose last puff was disposed', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const round of [1, 2, 3]) {
+    const puff = await cases.evaluateHandle((module) => module.ownPuff());
+    const call = await cases.evaluateHandle((module, one) => module.puffs(one), puff);
+    await puff.evaluate((one) => one.dispose());
+    expect(await call.evaluate(({ ends }) => ends), `puff ${round}`).toBe('done');
+    await expect.poll(() => cases.evaluate((module) => module.colorsLeft())).toBe(1);
+  }
+});
+
 /** Advances the clock by this number of heartbeat intervals. */
 async function beats(page: Page, count: number): Promise<void> {
   for (let beat = 0; beat < count; ++beat) await page.clock.fastForward(10_000);

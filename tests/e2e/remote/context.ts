@@ -1,4 +1,4 @@
-import type { Worker } from '@playwright/test';
+import type { Page, Worker } from '@playwright/test';
 
 type Shared = typeof import('../../../src/remote/sharedDevice.ts');
 
@@ -41,6 +41,27 @@ export async function setTimeouts(thread: Thread, timeout: 'endless' | 'none'): 
     };
     Object.assign(globalThis, { setTimeout: wait });
   }, timeout);
+}
+
+/** Keeps the latest context of each document of a page, for pages whose modules cannot be imported. */
+export async function keepContexts(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+      const native = prototype.getContext as (...given: unknown[]) => RenderingContext | null;
+      prototype.getContext = function (this: unknown, kind: string, ...rest: unknown[]) {
+        const context = native.call(this, kind, ...rest);
+        const losing = kind === 'webgl2' && (context as WebGL2RenderingContext | null);
+        if (losing) Object.assign(globalThis, { losing: losing.getExtension('WEBGL_lose_context') });
+        return context;
+      } as never;
+    }
+  });
+}
+
+/** Loses the latest context that was kept, for good. */
+export async function loseForGood(thread: Thread): Promise<void> {
+  await setTimeouts(thread, 'none');
+  await thread.evaluate(() => (globalThis as { losing?: WEBGL_lose_context | null }).losing!.loseContext());
 }
 
 /** Restores a context that its device has given up. */
