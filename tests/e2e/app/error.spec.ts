@@ -1,5 +1,6 @@
 import { expect, test } from '../../support/fixtures.ts';
-import { ask, LIGHT, open } from './page.ts';
+import { keepContexts, loseForGood, restoreLate } from '../remote/context.ts';
+import { ask, isComplete, LIGHT, open } from './page.ts';
 
 test('without WebGL2 the page shows an error and advice', async ({ page }) => {
   await page.addInitScript(() => {
@@ -29,6 +30,33 @@ test.describe('a download that fails', () => {
     await page.waitForFunction(() => window.cartoonSmoke !== undefined);
     await expect(alert).toHaveCount(0);
   });
+});
+
+test.describe('a context that is lost for good', () => {
+  test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i });
+
+  for (const query of ['', 'paused=1&']) {
+    test(`shows an error until the browser restores it or the page is loaded again: ?${query}`, async ({ page }) => {
+      await keepContexts(page);
+      await open(page, `?${query}t=1${LIGHT}`);
+      const alert = page.getByRole('alert');
+      const usable = page.locator('#interface > :not([inert], [role=alert])');
+      const time = () => ask(page, (stage) => stage.stats.time);
+      const before = await time();
+      await loseForGood(page);
+      await expect(alert.getByRole('heading')).toHaveText('The graphics context was lost');
+      expect(await usable.count()).toBe(0);
+      await restoreLate(page);
+      await expect(alert).toHaveCount(0);
+      expect(await usable.count()).toBeGreaterThan(0);
+      if (query) expect(await time()).toBe(before);
+      else await expect.poll(time).toBeGreaterThan(before);
+      await loseForGood(page);
+      await alert.getByRole('button', { name: 'Reload' }).click();
+      await isComplete(page);
+      await expect(alert).toHaveCount(0);
+    });
+  }
 });
 
 test('a GPU that ignores written depth draws flat smoke, with a message', async ({ page }) => {

@@ -5,6 +5,7 @@ import type { ConsoleMessage } from '@playwright/test';
 import { expect, test } from '../../support/fixtures.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
 import { script } from '../../support/server.ts';
+import { keepContexts, loseForGood, restoreLate } from '../remote/context.ts';
 
 interface ServeScript {
   serveSite(
@@ -168,6 +169,35 @@ test.describe('without the physics module', () => {
     expect(rejected).toMatchObject({ name: 'LoadError', isOurs: true });
     expect(rejected?.message).toContain('could not be fetched');
     await expect(blank.frameLocator('iframe').locator('cartoon-smoke p')).toBeVisible();
+  });
+});
+
+test.describe('a frame whose context is lost for good', () => {
+  test.use({ ownPage: true, allowed: /context lost|context restored|CONTEXT_LOST/i });
+
+  test('restarts by a late restoration or by its button, and stays connected', async ({ load, blank, baseURL }) => {
+    await keepContexts(blank);
+    const frames = await load<FrameCases>(FRAMES);
+    const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
+      `${baseURL}/embed.html${WISP}`,
+      SANDBOX,
+    ] as const);
+    const errors = await framed.evaluateHandle(({ stage }) => {
+      const names: string[] = [];
+      stage.on('error', ({ name }) => names.push(name));
+      return names;
+    });
+    const inside = blank.frames()[1];
+    const button = (name: string) => inside.getByRole('button', { name });
+    for (const restart of [() => restoreLate(inside), () => button('Restart smoke').click(), undefined]) {
+      await errors.evaluate((names) => names.splice(0));
+      await framed.evaluate(({ stage }) => stage.step(3));
+      await loseForGood(inside);
+      await expect.poll(() => errors.jsonValue()).toEqual(['ContextError']);
+      await expect(button('Restart smoke')).toBeVisible();
+      await restart?.();
+      if (restart) await expect(button('Play smoke')).toBeVisible();
+    }
   });
 });
 

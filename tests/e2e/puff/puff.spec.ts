@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 import type { Puff } from '../../../src/puff/puff.ts';
 import { expect, frames, scrollPage, test as base } from '../../support/embed.ts';
 import { watchConsole } from '../../support/consoleErrors.ts';
+import { keepContexts, loseForGood } from '../remote/context.ts';
 
 declare const puff: Puff;
 
@@ -446,25 +447,18 @@ test.describe('without the simulator', () => {
 });
 
 test('a context that is lost for good rejects with a ContextError, and vanish hides', async ({ page, host }) => {
-  await page.addInitScript(() => {
-    Reflect.deleteProperty(window, 'Worker');
-    const native = OffscreenCanvas.prototype.getContext as (...given: unknown[]) => unknown;
-    OffscreenCanvas.prototype.getContext = function (this: OffscreenCanvas, kind: string, ...rest: unknown[]) {
-      const context = native.call(this, kind, ...rest);
-      if (kind === 'webgl2') Reflect.set(window, 'gl', context);
-      return context;
-    } as never;
-  });
+  await keepContexts(page);
+  await page.addInitScript(() => void Reflect.deleteProperty(window, 'Worker'));
   await host();
-  const found = await page.evaluate(async () => {
-    await puff.preload();
+  await page.evaluate(() => puff.preload());
+  const over = page.evaluate(async () => {
     const button = document.querySelector('button')!;
-    const call = puff(button, { effect: 'vanish', duration: 60 }).catch((error: Error) => error.name);
-    await new Promise((resolve) => setTimeout(resolve, 300));
-    (Reflect.get(window, 'gl') as WebGL2RenderingContext).getExtension('WEBGL_lose_context')!.loseContext();
-    return [await call, getComputedStyle(button).visibility];
+    const error = await puff(button, { effect: 'vanish', duration: 60 }).catch(({ name }: Error) => name);
+    return [error, getComputedStyle(button).visibility];
   });
-  expect(found).toEqual(['ContextError', 'hidden']);
+  await visibleSmoke(page);
+  await loseForGood(page);
+  expect(await over).toEqual(['ContextError', 'hidden']);
   await expect(canvases(page)).toHaveCount(0);
 });
 
