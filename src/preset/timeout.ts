@@ -74,14 +74,4 @@ export class LazyModules<Some extends Imports> {
   async load<Name extends keyof Some>(name: Name, what: string): Promise<Modules<Some>[Name]> {
     return (this.loaded[name] ??= await fetched(what, this.imports[name]() as Promise<Modules<Some>[Name]>));
   }
-
-  /**
-   * Returns a loaded module.
-   * @throws LoadError if it is not loaded
-   */
-  get<Name extends keyof Some>(name: Name): Modules<Some>[Name] {
-    const module = this.loaded[name];
-    if (!module) throw new LoadError(`The module ${String(name)} is not loaded.`);
-    return module;
-  }
 }

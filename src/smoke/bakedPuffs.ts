@@ -5,7 +5,7 @@ import { LruCache } from '../puffs/lru.ts';
 import { LOBE_SHAPES } from '../puffs/lobeShapes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { finished, type Work } from '../work.ts';
-import { modules } from './extraPasses.ts';
+import { codeOf, loaded } from './extraPasses.ts';
 
 /** Baked puffs by shape. Smokes with the same object share their textures on a device. */
 const cache = new LruCache<BakedPuffs>(8);
@@ -33,7 +33,7 @@ export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
   yield* sharing(key, () => adding(key, shapes));
   const puffs = cache.get(key)!;
-  const { caps, billboards } = modules.loaded;
+  const { caps, billboards } = loaded;
   if (parts.caps && caps) yield* sharing(`caps ${key}`, () => caps.bakingCaps(shapes, FIRST_BORDER));
   if (parts.billboards) yield* billboards?.bakingBillboards(shapes) ?? [];
   return puffs;
@@ -63,12 +63,12 @@ function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
     lobes: {
       ...lobes,
       get caps() {
-        caps ??= finished(modules.get('caps').bakingCaps(shapes, FIRST_BORDER));
+        caps ??= finished(codeOf('caps').bakingCaps(shapes, FIRST_BORDER));
         return caps;
       },
     },
     get billboards() {
-      billboards ??= finished(modules.get('billboards').bakingBillboards(shapes));
+      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes));
       return billboards;
     },
   };

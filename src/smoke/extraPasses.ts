@@ -9,12 +9,13 @@ import type { SellePass } from '../passes/selle.ts';
 import type { SimplifyPass } from '../passes/simplify/simplify.ts';
 import type { StrokesPass } from '../passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
+import { LoadError } from '../preset/errors.ts';
 import { LazyModules } from '../preset/timeout.ts';
 import type { DebugViews } from './debugViews.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Volumes } from './style.ts';
 
-export const modules = new LazyModules({
+const modules = new LazyModules({
   caps: () => import('../puffs/bake/lobeCaps.ts'),
   billboards: () => import('./billboards.ts'),
   selle: () => import('../passes/selle.ts'),
@@ -25,7 +26,8 @@ export const modules = new LazyModules({
   strokes: () => import('../passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
 });
-const { loaded } = modules;
+/** The modules that are loaded. */
+export const { loaded } = modules;
 
 type Name = keyof typeof loaded;
 
@@ -98,6 +100,16 @@ export async function fetchExtras(kind: PictureKind): Promise<void> {
   await Promise.all(missing(kind).map(([name, what]) => modules.load(name, what)));
 }
 
+/**
+ * Returns a loaded module.
+ * @throws LoadError if it is not loaded
+ */
+export function codeOf<Each extends Name>(name: Each): NonNullable<(typeof loaded)[Each]> {
+  const code = loaded[name];
+  if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
+  return code;
+}
+
 function missing(kind: PictureKind): [Name, string][] {
   return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !loaded[name]);
 }
@@ -163,7 +175,7 @@ export class ExtraPasses implements FrameExtras {
 
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined {
-    return form === 'billboards' ? modules.get('billboards').billboardShaders : undefined;
+    return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
   }
 
   /** Releases render targets until the next frame. */

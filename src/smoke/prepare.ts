@@ -14,7 +14,7 @@ import { lobeBodyShaders } from '../passes/bodies.ts';
 import { volumeShaders } from '../passes/volumes.ts';
 import type { Values } from '../preset/parameter.ts';
 import { coarserSurfaces } from './detail.ts';
-import { fetchExtras, hasStrokes, isSimplified, modules } from './extraPasses.ts';
+import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
@@ -72,10 +72,10 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   const isStroked = hasStrokes(style);
   if (isShaded || isStroked) await fetchExtras(style);
   if (isShaded) {
-    const { SimplifyPass } = modules.get('simplify');
+    const { SimplifyPass } = codeOf('simplify');
     programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
   }
-  if (isStroked) programs.compilePass(renderer, modules.get('strokes').strokeMaterials(eye, isDeformed));
+  if (isStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
   await programs.finished(renderer);
   if (device.writesDepth) return;
   compileBodies(true);

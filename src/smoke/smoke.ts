@@ -15,7 +15,7 @@ import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
-import { ExtraPasses, hasExtras, hasStrokes, isSimplified, modules } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
 import { createShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
@@ -157,7 +157,7 @@ export class SmokeRenderer {
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
-    this.puffs.bites = style.isEroded ? modules.get('bites').bitesOf(this.puffs) : undefined;
+    this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
     extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
