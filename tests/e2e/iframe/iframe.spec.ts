@@ -138,7 +138,7 @@ test('reads hash and query like the demo, and loads physics only if needed', asy
   const frames = await load<FrameCases>(FRAMES);
   const address = `${baseURL}/embed.html?paused=1&t=0.5`;
   const framed = await frames.evaluateHandle((module, [url, sandbox]) => module.connect(url, sandbox), [
-    `${address}#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7`,
+    `${address}#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300&seed=7#?secret=abc123`,
     SANDBOX,
   ] as const);
   const before = await frames.evaluate((module, { stage }) => module.stateOf(stage), framed);

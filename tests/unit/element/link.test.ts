@@ -28,6 +28,16 @@ test('a src with a hash is read without a notice, with the time of its query', a
   expect(await read('?t=3#v=1&preset=wisp')).toEqual({ scene: 'wisp', start: 3, notices: [] });
 });
 
+test.each(['#?secret=abc123', '#secret', ':~:text=smoke', '?utm_source=mail'])(
+  'what a host appends to a src, or to the address of a frame, ends the link: %s',
+  async (suffix) => {
+    for (const address of ['?t=3', 'https://example.org/embed.html?interactive=0&t=3']) {
+      const link = `${address}#v=1&preset=wisp`;
+      expect(await read(link + suffix), link).toEqual({ scene: 'wisp', start: 3, notices: [] });
+    }
+  },
+);
+
 test('an invalid src is reported once', async () => {
   const { notices } = await read('https://[');
   expect(notices.map(({ code, key }) => [code, key])).toEqual([['damaged', 'src']]);

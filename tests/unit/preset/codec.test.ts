@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { fetchValues } from '../../../src/preset/byScene/fetchValues.ts';
 import { decode, defaultState, encode, type State } from '../../../src/preset/codec.ts';
 import { migrate, type Migration } from '../../../src/preset/migrations.ts';
 import { DECODED_LIMIT, pack, packBytes } from '../../../src/preset/packing.ts';
@@ -236,7 +237,11 @@ it.each([
   '?fbclid=1#anchor',
 ])('what a host appends ends the link: %s', async (suffix) => {
   for (const link of ['#v=1&preset=wisp', '#v=1&preset=wisp&emission.rate=40', await packedWisp()]) {
-    expect(await decode(link + suffix), link).toEqual(await decode(link));
+    const decoded = await decode(link);
+    expect(await decode(link + suffix), link).toEqual(decoded);
+    // As the preset of a call.
+    for (const address of ['', 'https://example.org/', 'https://example.org/?t=2'])
+      expect(await fetchValues(address + link + suffix), address + link).toEqual(decoded.state.values);
   }
 });
 

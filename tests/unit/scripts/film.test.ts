@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { cameraAt } from '../../../src/app/film/cameraPath.ts';
 import { nameOf, type Keyframe } from '../../../src/app/film/order.ts';
+import { decode } from '../../../src/preset/codec.ts';
 // @ts-expect-error -- a script without declarations
 import * as options from '../../../scripts/film/options.mjs';
 // @ts-expect-error -- a script without declarations
@@ -51,6 +52,16 @@ describe('options', () => {
     expect(given().order.link).toBe('?t=2#v=1&preset=lamp');
     expect(read(['#v=1', '--frames', '3', '--out', 'out'])).toMatchObject({ order: { link: '#v=1' }, frames: [3] });
   });
+
+  it.each(['', 'https://example.org/', 'https://example.org/?t=2'])(
+    'a second # ends the link after %j',
+    async (page) => {
+      const { order } = read([`${page}#v=1&preset=wisp#?secret=abc123`, '--frames', '0-9', '--out', 'out']);
+      const { hash, search } = new URL(order.link, page || 'https://example.org/');
+      expect(await decode(hash)).toEqual(await decode('#v=1&preset=wisp'));
+      expect(search).toBe(page.includes('?') ? '?t=2' : '');
+    },
+  );
 
   it.each([
     ['640x360', 1],
