@@ -14,6 +14,24 @@ test('smoke appears and plays, and nothing is requested from another host', asyn
   expect(requests.filter((url) => !url.startsWith(own) && !url.startsWith('data:'))).toEqual([]);
 });
 
+test('only the smoke is printed', async ({ page }) => {
+  await page.setViewportSize({ width: 1100, height: 700 });
+  await open(page, `?paused=1&t=1${LAMP}&emission.rate=bad`);
+  const printed = () =>
+    page.evaluate(() =>
+      [...document.body.querySelectorAll('*')]
+        .filter((each) => each.checkVisibility())
+        .map(({ localName }) => localName),
+    );
+  for (const key of ['', 's', 'Escape', '?', 'Escape', 'c']) {
+    if (key) await page.keyboard.press(key);
+    await page.emulateMedia({ media: 'print' });
+    expect(await printed(), `after ${key}`).toEqual(['main', 'div', 'canvas']);
+    await page.emulateMedia({ media: 'screen' });
+    expect((await printed()).length).toBeGreaterThan(20);
+  }
+});
+
 test('loading shows progress', async ({ page }) => {
   let letGo: () => void = () => undefined;
   const seen = new Promise<void>((resolve) => (letGo = resolve));

@@ -43,6 +43,19 @@ test('has a pause button, also by keyboard, and stays paused out of view and bac
   expect(await steps()).toBe(before);
 });
 
+test('its button is not printed', async ({ page, openPage }) => {
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
+  await stands(page);
+  const frame = page.locator('cartoon-smoke').locator('.frame');
+  for (const state of ['shown', 'shown still', 'failed lost']) {
+    await frame.evaluate((element, name) => (element.className = `frame ${name}`), state);
+    await page.emulateMedia({ media: 'print' });
+    await expect(frame.locator('button'), state).toBeHidden();
+    await page.emulateMedia({ media: 'screen' });
+    await expect(frame.locator('button'), state).toBeVisible();
+  }
+});
+
 test('emits statechange once when it pauses and once when it plays', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke>`);
   await stands(page);

@@ -462,6 +462,26 @@ test('a context that is lost for good rejects with a ContextError, and vanish hi
   await expect(canvases(page)).toHaveCount(0);
 });
 
+for (const target of ['button', 'dialog button']) {
+  test(`its canvas is not printed: ${target}`, async ({ page, host }) => {
+    await host({ body: `${BODY}<dialog><button>Press</button></dialog>` });
+    await page.evaluate(() => document.querySelector('dialog')!.showModal());
+    const call = { count: 300, speed: 0.1, duration: 60 };
+    const over = page.evaluate(([selector, options]) => puff(document.querySelector(selector), options), [
+      target,
+      call,
+    ] as const);
+    await visibleSmoke(page);
+    const isShown = () => page.evaluate(() => document.querySelector('canvas')!.checkVisibility());
+    for (const media of ['screen', 'print', 'screen'] as const) {
+      await page.emulateMedia({ media });
+      expect(await isShown(), media).toBe(media === 'screen');
+    }
+    await page.evaluate(() => puff.clear());
+    await over;
+  });
+}
+
 test('the script for CDNs sets window.puff', async ({ page, host, server }) => {
   await host({ script: '<script type="module" src="/package/dist/puff.min.js"></script>' });
   await page.evaluate(() => puff(undefined, { count: 3 }));
