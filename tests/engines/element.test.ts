@@ -50,6 +50,11 @@ test('a morph of the page changes nothing that the user has paused or started', 
   expect(await page.changesOverUser()).toEqual([]);
 });
 
+test('a morph of the page changes nothing that a call of set() has changed', async ({ load }) => {
+  const page = await load<Page>(ELEMENT);
+  expect(await page.changesOverSet()).toEqual([]);
+});
+
 const zoomed: Record<string, string>[] = [
   {},
   ...[0.5, 0.9, 1.25, 1.5, 2].map((zoom) => ({ html: `zoom: ${zoom}` })),

@@ -26,8 +26,10 @@ export default mergeConfig(site, {
   optimizeDeps: {
     include: [
       '@hotwired/turbo',
+      'htmx.org',
       'idiomorph',
       'morphdom',
+      'react-dom',
       '@vue/reactivity',
       'postprocessing',
       'three/examples/jsm/objects/Reflector.js',

@@ -48,7 +48,7 @@ test('its button is not printed', async ({ page, openPage }) => {
   await stands(page);
   const frame = page.locator('cartoon-smoke').locator('.frame');
   for (const state of ['shown', 'shown still', 'failed lost']) {
-    await frame.evaluate((element, name) => (element.className = `frame ${name}`), state);
+    await frame.evaluate((element, name) => element.setAttribute('class', `frame ${name}`), state);
     await page.emulateMedia({ media: 'print' });
     await expect(frame.locator('button'), state).toBeHidden();
     await page.emulateMedia({ media: 'screen' });

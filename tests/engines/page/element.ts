@@ -2,8 +2,12 @@
 // oxlint-disable-next-line import/no-unassigned-import -- it defines the element
 import '../../../src/element/define.ts';
 import { morphBodyElements, morphElements } from '@hotwired/turbo';
+import htmx from 'htmx.org';
 import { Idiomorph } from 'idiomorph';
 import morphdom from 'morphdom';
+import { createElement } from 'react';
+import { createRoot } from 'react-dom/client';
+import { flushSync } from 'react-dom';
 import type { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
 import { OnPage } from '../../../src/element/layout/onPage.ts';
 import { PointerControls } from '../../../src/element/pointers.ts';
@@ -99,6 +103,11 @@ const CHANGES: Record<string, Change> = {
     body.append(fragment(html));
     morphBodyElements(document.body, body);
   },
+  // Its own algorithm, since version 4.
+  'outerMorph of htmx': (element, html) => htmx.swap({ text: html, target: element, swap: 'outerMorph' }),
+  'innerMorph of htmx of the body': (_, html) => htmx.swap({ text: html, target: document.body, swap: 'innerMorph' }),
+  'outerSync of htmx': (element, html) => htmx.swap({ text: html, target: element, swap: 'outerSync' }),
+  'React, another property': (element) => renderIn.get(element)!({ emissionLifetime: 3 }),
   'attributes in turn': (element, html) => {
     const next = fragment(html).firstElementChild!;
     for (const name of element.getAttributeNames()) if (!next.hasAttribute(name)) element.removeAttribute(name);
@@ -117,6 +126,12 @@ const CHANGES: Record<string, Change> = {
 const PLAYS: Record<string, Change> = {
   'the property paused': (element) => (element.paused = false),
   'the attribute paused': (element) => element.removeAttribute('paused'),
+  'React, paused and then false': (element) => {
+    for (const paused of [true, false]) renderIn.get(element)!({ paused });
+  },
+  'React, paused and then nothing': (element) => {
+    for (const props of [{ paused: true }, {}]) renderIn.get(element)!(props);
+  },
   'play() without a user gesture': (element) => {
     // Code that a test evaluates counts as user activation.
     Object.defineProperty(navigator, 'userActivation', { value: { isActive: false }, configurable: true });
@@ -125,13 +140,35 @@ const PLAYS: Record<string, Change> = {
   },
 };
 
+/** How React renders its elements again, with these properties besides those of the first time. */
+const renderIn = new WeakMap<Element, (props: object) => void>();
+
+function putInReact(attributes: Record<string, string>): CartoonSmokeElement {
+  const root = createRoot(document.body.appendChild(document.createElement('div')));
+  const all = {
+    ...ATTRIBUTES,
+    ...attributes,
+    ...('paused' in attributes && { paused: true }),
+    style: { width: 160, height: 120 },
+  };
+  const render = (props: object) => flushSync(() => root.render(createElement('cartoon-smoke', { ...all, ...props })));
+  render({});
+  const element = document.body.lastElementChild!.firstElementChild as CartoonSmokeElement;
+  renderIn.set(element, render);
+  return element;
+}
+
+/** The element of a page that makes this change. */
+const putFor = (change: string, attributes: Record<string, string>) =>
+  (change.startsWith('React') ? putInReact : put)(attributes);
+
 const fragment = (html: string) => document.createRange().createContextualFragment(html);
 
 /** The changes of the page that undo a click on the button. */
 async function overUser(changes: Record<string, Change>, attributes: Record<string, string>): Promise<string[]> {
   const wrong: string[] = [];
   for (const [name, change] of Object.entries(changes)) {
-    const element = put({ preset: 'wisp', thread: 'main', ...attributes });
+    const element = putFor(name, { preset: 'wisp', thread: 'main', ...attributes });
     const html = element.outerHTML;
     try {
       await element.ready;
@@ -153,7 +190,7 @@ async function overUser(changes: Record<string, Change>, attributes: Record<stri
 async function overLink(attributes: Record<string, string>): Promise<string[]> {
   const wrong: string[] = [];
   for (const [name, change] of Object.entries(CHANGES)) {
-    const element = put({ thread: 'main', ...attributes });
+    const element = putFor(name, { thread: 'main', ...attributes });
     const html = element.outerHTML;
     try {
       await element.ready;
@@ -175,6 +212,43 @@ export async function changesOverUser(): Promise<string[]> {
     ...(await overLink(link)).map((name) => `${name}, paused by a link`),
     ...(await overUser(CHANGES, { paused: '' })).map((name) => `${name}, started`),
   ];
+}
+
+const SET = {
+  seed: 5,
+  'emission.rate': 77,
+  'camera.azimuth': 40,
+  'style.outlineWidth': 2.5,
+  'vortices.0.circulation': 2,
+};
+
+/** The changes of the page that undo values which a call of set() has changed, or start the smoke again. */
+export async function changesOverSet(): Promise<string[]> {
+  const wrong: string[] = [];
+  for (const [name, change] of Object.entries(CHANGES)) {
+    const element = putFor(name, { preset: 'wisp', thread: 'main', 'emission-rate': '30' });
+    const html = element.outerHTML.replace('preset=', 'emission-lifetime="3" preset=');
+    try {
+      await element.ready;
+      await element.set(SET);
+      await element.step(2);
+      await change(element, html);
+      await element.ready;
+      let values: object = await element.get();
+      // The new value arrives later.
+      const wanted = element.hasAttribute('emission-lifetime') ? { ...SET, 'emission.lifetime': 3 } : SET;
+      for (let at = 0; at < 20 && Reflect.get(values, 'emission.lifetime') !== 3; ++at) {
+        await new Promise((resolve) => setTimeout(resolve, 10));
+        values = await element.get();
+      }
+      const kept = Object.entries(wanted).every(([key, value]) => Reflect.get(values, key) === value);
+      if (!kept || (await element.stats()).steps < 2) wrong.push(name);
+    } finally {
+      element.remove();
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+  return wrong;
 }
 
 /** A stage that looks straight at a plane of 1 cm for each CSS pixel, and notes what it is told. */
