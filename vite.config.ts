@@ -2,7 +2,7 @@ import { fileURLToPath } from 'node:url';
 import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
-import { smallThree } from './scripts/package/smallThree.mjs';
+import { smallThree } from './scripts/patches/three.mjs';
 import { addresses, preloads, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));

@@ -18,7 +18,7 @@ const environment = { GENERATE: '1' };
 const FILES = [
   ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
-    'lists.json and singles.json in src/preset, src/sim/layout.ts',
+    'lists.json, singles.json and words/lists.json in src/preset, src/sim/layout.ts',
     (say) => cargoNative('test', ['--test', 'all', 'simulator::page_table'], say, environment),
   ],
   ['src/preset/valueTypes.ts', (say) => vitest('preset/valueTypes', 'are those of the table', say)],

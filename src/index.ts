@@ -22,7 +22,8 @@ export {
 } from './preset/errors.ts';
 export type { AnyValues, ShareLink, Value, Values } from './preset/parameter.ts';
 export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './preset/valueTypes.ts';
-export { presets, presetValues, type Preset } from './preset/presets.ts';
+export { presetValues } from './preset/presets.ts';
+export { presets, type Preset } from './preset/words/presets.ts';
 export type { DebugView, Quality } from './preset/quality.ts';
 export type { PlainMesh } from './puffs/fit/closedMesh.ts';
 export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fit/fitPuff.ts';

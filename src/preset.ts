@@ -7,8 +7,13 @@ export { FileError, ParameterError, SmokeError } from './preset/errors.ts';
 export { readFile, writeFile, type SmokeFile } from './preset/file.ts';
 export type { Notice } from './preset/notice.ts';
 export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './preset/valueTypes.ts';
+export type { AnyValues, Reader, ShareLink, Value, Values } from './preset/parameter.ts';
+export { presetValues } from './preset/presets.ts';
+export { defaults, validate } from './preset/values.ts';
+export { itemGroups } from './preset/words/lists.ts';
+export { defaultPreset, findPreset, presets, type Preset } from './preset/words/presets.ts';
+export { findParameter, groups, table } from './preset/words/table.ts';
 export type {
-  AnyValues,
   ChoiceParameter,
   ColorParameter,
   CurveParameter,
@@ -16,12 +21,5 @@ export type {
   Parameter,
   ParameterDescription,
   RampParameter,
-  Reader,
-  ShareLink,
   ToggleParameter,
-  Value,
-  Values,
-} from './preset/parameter.ts';
-export { defaultPreset, findPreset, presets, presetValues, type Preset } from './preset/presets.ts';
-export { findParameter, groups, itemGroups, table } from './preset/table.ts';
-export { defaults, validate } from './preset/values.ts';
+} from './preset/words/words.ts';

@@ -4,12 +4,9 @@ import { copyFileSync, mkdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { rolldown } from 'rolldown';
+import glsl from 'vite-plugin-glsl';
 import { inRoot, root } from '../lib/paths.mjs';
-import { shortMembers } from './shortMembers.mjs';
-import { shadersTogether, shortShaders } from './shortShaders.mjs';
-import { smallThree } from './smallThree.mjs';
-import { withoutFallbacks } from './withoutFallbacks.mjs';
-import { withoutPresetWords, withoutWords } from './withoutWords.mjs';
+import { smallThree } from '../patches/three.mjs';
 
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
@@ -28,13 +25,18 @@ const SCRIPTS = {
 const ALONE = { codeSplitting: false, postBanner: LICENSES };
 /**
  * Groups modules that are fetched together into one file, which also compresses better: the code that waits for the
- * viewport; the code between an element and its stage, with the parts of the table that every scene needs; the
- * renderer; and the models that most scenes share.
+ * viewport; the code between an element and its stage, with the table; the renderer, and the shaders that each smoke
+ * needs, which compress better side by side; and the models that most scenes share.
  */
 const TOGETHER = [
   // What `puff()` and the element have in common before their first smoke.
   { name: 'zoom', test: /page\/zoom\.ts$/, priority: 4 },
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  {
+    name: 'shaders',
+    test: /\/shaders\/(backdrop|bodies\/lobes|lib|mask|meshVolumes|resolve|selfTest|surfaces|volumes)\b/,
+    priority: 4,
+  },
   {
     name: 'cartoonSmokeElement',
     test: /element\/(cartoonSmokeElement|attributes\/names)\.ts$/,
@@ -73,7 +75,7 @@ const WRAPPED = {
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleAll(folder, plugins = shortening()) {
+export async function bundleAll(folder, plugins = shrinking()) {
   const modules = {
     index: 'src/index.ts',
     element: 'src/element/define.ts',
@@ -93,7 +95,7 @@ export async function bundleAll(folder, plugins = shortening()) {
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
   await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
-  // A separate build, because it includes the texts of the table. It shares the error classes with the other modules.
+  // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleWarnings(join(folder, 'development'));
   for (const name of Object.keys(SCRIPTS))
@@ -118,10 +120,10 @@ async function bundleWarnings(folder) {
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleScript(name, folder, plugins = shortening()) {
+export async function bundleScript(name, folder, plugins = shrinking()) {
   const input = entries({ [name]: SCRIPTS[name] });
   const output = name.endsWith('.min') ? ALONE : { ...ALONE, minify: false, sourcemap: false };
-  await bundle({ input, plugins: [...plugins, withoutPresetWords(), workerAt(`./${name}.js`)] }, folder, output);
+  await bundle({ input, plugins: [...plugins, workerAt(`./${name}.js`)] }, folder, output);
   copyWasm(folder);
 }
 
@@ -131,13 +133,11 @@ export async function bundleScript(name, folder, plugins = shortening()) {
  * @param {string} folder
  */
 export async function bundleFilmPage(folder) {
-  // The table's texts are in its errors.
-  const plugins = [shortShaders(), shadersTogether(), shortMembers(), ...smallThree()];
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
   const input = entries({ page: 'src/app/film/page.ts' });
   // Only for the list of licences.
-  await bundle({ input, plugins, checks }, folder, { sourcemap: 'hidden' });
+  await bundle({ input, plugins: shrinking(), checks }, folder, { sourcemap: 'hidden' });
 }
 
 /**
@@ -151,9 +151,9 @@ export async function bundleCommand(folder) {
   await build.close();
 }
 
-/** Plugins that reduce the size further than a minifier can. */
-export function shortening() {
-  return [shortShaders(), shadersTogether(), shortMembers(), withoutWords(), ...smallThree(), withoutFallbacks()];
+/** Plugins that load the shaders without comments and white space, and three.js without what no pass uses. */
+export function shrinking() {
+  return [glsl({ minify: true }), ...smallThree()];
 }
 
 /**
@@ -170,9 +170,8 @@ export const SMALL = {
     define: { 'import.meta.env.DEV': 'false' },
     typescript: { removeClassFieldsWithoutInitializer: true },
   },
-  // Modules of the table have no effects: without this, unused texts of lists stay in index.js.
+  // Modules of the table have no effects: without this, it stays in files that do not use it.
   treeshake: { moduleSideEffects: (id) => !/src\/preset\//.test(id) },
-  experimental: { nativeMagicString: true },
   // Shaders have no source maps. A busy machine is no reason for a warning. An entry keeps its 'use client'.
   checks: { sourcemapBroken: false, bundlerTimings: false, moduleLevelDirective: false },
 };

@@ -7,7 +7,7 @@ import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /**
- * @typedef {import('../../src/preset/parameter.ts').Parameter} Parameter
+ * @typedef {import('../../src/preset/words/words.ts').Parameter} Parameter
  * @typedef {{ name: string, type: { text: string }, description: string, default?: string }} Described
  */
 

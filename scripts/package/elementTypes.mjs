@@ -9,7 +9,7 @@ import { typeOf } from './customElements.mjs';
 import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
-/** @typedef {import('../../src/preset/parameter.ts').Parameter} Parameter */
+/** @typedef {import('../../src/preset/words/words.ts').Parameter} Parameter */
 
 /** @type {typeof import('../../src/element/documentation.ts')} */
 const { attributes } = await sourceModule('src/element/documentation.ts');

@@ -2,10 +2,10 @@
 
 import { sourceModule } from './sourceModule.mjs';
 
-/** @typedef {import('../../src/preset/parameter.ts').Parameter} Parameter */
+/** @typedef {import('../../src/preset/words/words.ts').Parameter} Parameter */
 
 /** @type {{ table: Parameter[] }} */
-export const { table } = await sourceModule('src/preset/table.ts');
+export const { table } = await sourceModule('src/preset/words/table.ts');
 /** @type {typeof import('../../src/element/attributes/names.ts')} */
 export const { names } = await sourceModule('src/element/attributes/names.ts');
 

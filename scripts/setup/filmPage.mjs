@@ -7,7 +7,7 @@ import { digestOf } from './sources.mjs';
 export const title = 'Film page';
 export const FOLDER = '.cache/film';
 
-const SOURCES = ['package-lock.json', 'scripts/package', 'shaders', 'src'];
+const SOURCES = ['package-lock.json', 'scripts/package', 'scripts/patches', 'shaders', 'src'];
 const STAMP = '.cache/film.txt';
 
 export function isFresh() {

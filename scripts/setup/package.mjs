@@ -22,6 +22,7 @@ const SOURCES = [
   'scripts/film',
   'scripts/lib',
   'scripts/package',
+  'scripts/patches',
   'shaders',
   'src',
   'tsconfig.json',

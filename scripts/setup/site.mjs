@@ -19,6 +19,7 @@ const SOURCES = [
   'public',
   'puff.html',
   'scripts/package',
+  'scripts/patches',
   'scripts/site',
   'shaders',
   'src',

@@ -10,6 +10,7 @@ export const title = 'WASM build';
 
 // Inputs and outputs of the build. Keep in sync with sim-wasm/xtask/src/stamp.rs and build.rs.
 const SOURCES = [
+  '../scripts/patches/rapier.rs',
   '.cargo/config.toml',
   'Cargo.lock',
   'Cargo.toml',

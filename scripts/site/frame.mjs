@@ -10,7 +10,7 @@ import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
-import { shortening, SMALL } from '../package/bundle.mjs';
+import { shrinking, SMALL } from '../package/bundle.mjs';
 
 const ENTRY = '<script type="module" src="./src/iframe/frame.ts"></script>';
 
@@ -33,7 +33,7 @@ async function scriptOf(physics) {
   const build = await rolldown({
     ...SMALL,
     input: inRoot('src/iframe/frame.ts'),
-    plugins: shortening(),
+    plugins: shrinking(),
     transform: { ...SMALL.transform, define: { ...SMALL.transform?.define, ...define } },
     // This script contains everything it needs, so it does not use URLs relative to import.meta.
     checks: { ...SMALL.checks, emptyImportMeta: false },

@@ -9,7 +9,7 @@ import { sourceModule } from '../package/sourceModule.mjs';
 
 const PICTURE = { width: 192, height: 128 };
 
-/** @typedef {import('../../src/preset/presets.ts').Preset} Preset */
+/** @typedef {import('../../src/preset/words/presets.ts').Preset} Preset */
 /** @typedef {typeof import('../../src/app/share/embed.ts')} Embed */
 
 /**
@@ -19,7 +19,7 @@ const PICTURE = { width: 192, height: 128 };
  */
 export async function writeOembed(folder, base = '../') {
   /** @type {{ presets: Preset[] }} */
-  const { presets } = await sourceModule('src/preset/presets.ts');
+  const { presets } = await sourceModule('src/preset/words/presets.ts');
   /** @type {Embed} */
   const embed = await sourceModule('src/app/share/embed.ts');
   for (const name of ['oembed', 'gallery']) mkdirSync(join(folder, name), { recursive: true });

@@ -56,13 +56,16 @@ export const CHECKS = [
 ];
 
 /**
- * Only the long run lints xtask, because checking its dependencies takes a minute.
+ * Only the long run lints and tests xtask, because compiling its dependencies takes a minute.
  *
  * @type {Runner[]}
  */
 export const LONG_CHECKS = [
   checkOfCargo('clippy-xtask', 'Lint of xtask (cargo clippy)', (say) =>
     cargo(['clippy', '--locked', '--all-targets', '--package', 'xtask', '--', '-D', 'warnings'], say),
+  ),
+  checkOfCargo('xtask', 'Tests of xtask (cargo test)', (say) =>
+    cargo(['test', '--locked', '--package', 'xtask', '--profile', 'xtask'], say),
   ),
   check('fuzz', 'A minute of fuzzing', (say) => fuzz([], say)),
   check('fuzz-rigids', 'A minute of fuzzing with rigids', (say) => fuzz(['--rigids'], say)),

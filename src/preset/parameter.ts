@@ -1,6 +1,6 @@
 /**
- * Types of parameter table rows. The rows define the panel, the share link, the attributes of the element, the table in
- * docs/parameters.md and the values for the simulator.
+ * Types of parameter table rows. The rows define the share link, the attributes of the element and the values for the
+ * simulator. What the panel and the documents say of them is in `words/`, which widgets do not load.
  */
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
@@ -26,17 +26,9 @@ export type Reader = 'simulator' | 'style' | 'light' | 'camera' | 'stage';
 export interface ParameterDescription {
   /** Flat dotted key, identical in links and Rust. Attributes use dashes. */
   readonly key: string;
-  /** Key of the panel group, see `groups`. */
-  readonly group: string;
-  /** Short display name, without the unit. */
-  readonly label: string;
-  /** One sentence about the effect. */
-  readonly text: string;
   readonly reader: Reader;
   /** The key can be absent from values. The parameter then has the scene's value. */
   readonly isOptional?: true;
-  /** A change requires rebaking the puffs. */
-  readonly isBaked?: true;
 }
 
 /** A quantity in a closed range. */
@@ -48,10 +40,6 @@ export interface NumberParameter extends ParameterDescription {
   readonly max: number;
   /** Maximum in a link, if lower than `max`. */
   readonly linkMax?: number;
-  /** Increment of one arrow key press. */
-  readonly step: number;
-  /** Slider scale: `even` is linear, `fine` is cubic and gives small values most of the track. */
-  readonly slider: 'even' | 'fine';
   readonly default: number;
 }
 
@@ -61,10 +49,10 @@ export interface ToggleParameter extends ParameterDescription {
   readonly default: 0 | 1;
 }
 
-/** One of several values, each with a display name. */
+/** One of several values. */
 export interface ChoiceParameter extends ParameterDescription {
   readonly kind: 'choice';
-  readonly options: readonly { readonly value: Value; readonly label: string }[];
+  readonly options: readonly { readonly value: Value }[];
   readonly default: Value;
 }
 

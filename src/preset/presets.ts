@@ -45,7 +45,7 @@ export function findPreset(name: string): Preset | undefined {
  * Defaults of all parameters that are not optional, overridden by the values of a preset.
  * @throws ParameterError for an unknown name
  */
-export function presetValues(preset: PresetName | Pick<Preset, 'values'>): Values {
+export function presetValues(preset: PresetName | { readonly values: Values }): Values {
   const found = typeof preset === 'string' ? findPreset(preset) : preset;
   if (typeof found?.values !== 'object')
     throw new ParameterError('preset', preset, `a preset, or its name: ${[...byName.keys()].join(', ')}`);

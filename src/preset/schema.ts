@@ -3,10 +3,10 @@ import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
-import type { Parameter } from './parameter.ts';
 import { presets } from './presets.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
-import { table } from './table.ts';
+import { table } from './words/table.ts';
+import type { Parameter } from './words/words.ts';
 
 type Schema = Readonly<Record<string, unknown>>;
 

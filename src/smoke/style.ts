@@ -3,8 +3,7 @@ import type { StyleUniforms } from '../device/frameView.ts';
 import type { PuffForm } from '../device/puffTextures.ts';
 import { writeColor, type Color, type Tone } from '../device/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../preset/parameter.ts';
-import type { styleRows } from '../preset/rows/style.ts';
-import { table } from '../preset/table.ts';
+import { styleRows } from '../preset/rows/style.ts';
 import { defaults } from '../preset/values.ts';
 import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
@@ -86,8 +85,7 @@ export function automaticColors(values: Values): Values {
   return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
 }
 
-// Not `styleRows`: the package replaces the table by one without texts, which pages do not show.
-const rows = table.filter(({ key, reader }) => key.startsWith('style.') && reader === 'style');
+const rows = styleRows.filter(({ reader }) => reader === 'style');
 
 /** Builds a style from flat values, which must have every key of the table that is not optional. */
 export function styleOf(values: Values): Style {

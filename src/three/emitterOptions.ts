@@ -66,7 +66,6 @@ interface Field {
 
 const PREFIX = 'emitters.0.';
 /** Parameters of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
-// By key, since rows have no group in the package.
 const PARAMETERS = table.filter(({ key }) => key.startsWith(PREFIX)) as (NumberParameter | ChoiceParameter)[];
 /** The mesh surfaces that the shape `surface` needs are not part of this API. */
 function withoutSurface<Kind extends NumberParameter | ChoiceParameter>(parameter: Kind): Kind {

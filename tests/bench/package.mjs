@@ -7,7 +7,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import glsl from 'vite-plugin-glsl';
-import { bundleAll, shortening } from '../../scripts/package/bundle.mjs';
+import { bundleAll, shrinking } from '../../scripts/package/bundle.mjs';
 import { kilobytes } from '../../scripts/package/measure.mjs';
 
 /**
@@ -15,7 +15,9 @@ import { kilobytes } from '../../scripts/package/measure.mjs';
  * @type {Record<string, string[]>}
  */
 const FILES = {
-  core: 'element cartoonSmokeElement session stage errors core wisp wispPresets models rolldown-runtime'.split(' '),
+  core: 'element cartoonSmokeElement session zoom stage shaders errors core wisp wispPresets models rolldown-runtime'.split(
+    ' ',
+  ),
   worker: ['worker'],
   cdn: ['cartoon-smoke.min'],
 };
@@ -23,9 +25,9 @@ const FILES = {
 /** @param {import('./support/page.mjs').Choice} choice @returns {Promise<import('../../scripts/bench/table.mjs').Figure[]>} */
 export async function run({ say }) {
   say('with all steps');
-  const sizes = await sizesWith(shortening());
+  const sizes = await sizesWith(shrinking());
   const figures = Object.entries(sizes).map(([name, value]) => figure(name, value, 'gzip'));
-  for (const [step, plugins] of variants(shortening())) {
+  for (const [step, plugins] of variants(shrinking())) {
     say(`without ${step}`);
     for (const [name, value] of Object.entries(await sizesWith(plugins)))
       figures.push(figure(`${name}.${step}`, value - sizes[name], 'saved'));
@@ -33,10 +35,10 @@ export async function run({ say }) {
   return figures;
 }
 
-/** A pair of a step and the plugins without it. Shaders are always loaded, with the minifier of their plugin. */
+/** A pair of a step and the plugins without it. Shaders are always loaded. */
 function variants([shaders, ...others]) {
   const without = (step) => [shaders, ...others.filter((plugin) => plugin !== step)];
-  return [['short-shaders', [glsl({ minify: true }), ...others]], ...others.map((step) => [step.name, without(step)])];
+  return [['shader-minifier', [glsl(), ...others]], ...others.map((step) => [step.name, without(step)])];
 }
 
 function figure(name, value, note) {

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::folders::Folders;
-use crate::trim::trim;
+use crate::rapier::trim;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// See `Cargo.toml`.

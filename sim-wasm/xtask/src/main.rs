@@ -6,8 +6,9 @@
 
 mod build;
 mod folders;
+#[path = "../../../scripts/patches/rapier.rs"]
+mod rapier;
 mod stamp;
-mod trim;
 
 use std::process::ExitCode;
 

@@ -14,6 +14,7 @@ use crate::build::{FILES, VARIANTS};
 use crate::folders::Folders;
 
 const SINGLE_FILES: &[&str] = &[
+    "../scripts/patches/rapier.rs",
     ".cargo/config.toml",
     "Cargo.lock",
     "Cargo.toml",

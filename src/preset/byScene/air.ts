@@ -3,8 +3,6 @@ import type { Preset } from './preset.ts';
 export const airPresets: readonly Preset[] = [
   {
     name: 'air',
-    label: 'Open air',
-    text: 'Only smoke, to flow over pages and around their elements.',
     values: {
       scene: 'air',
       'emission.rate': 16,
@@ -28,8 +26,6 @@ export const airPresets: readonly Preset[] = [
   },
   {
     name: 'air-comic-explosion',
-    label: 'Comic explosion',
-    text: 'A burst from yellow to red in thick ink, again every two seconds.',
     values: {
       scene: 'air',
       'emission.rate': 1,

@@ -34,14 +34,10 @@ const morning: Values = {
 export const airplanePresets: readonly Preset[] = [
   {
     name: 'airplane',
-    label: 'Airplane',
-    text: 'A little biplane that parts the morning clouds. Steer it.',
     values: morning,
   },
   {
     name: 'airplane-ukiyo-e',
-    label: 'Ukiyo-e',
-    text: 'Indigo on rice paper, like a woodcut.',
     values: {
       ...smoke,
       'style.ramp': '0:5f88a4,.42:f3e8cf',
@@ -62,8 +58,6 @@ export const airplanePresets: readonly Preset[] = [
   },
   {
     name: 'airplane-air-show',
-    label: 'Air show',
-    text: 'Pink and yellow smoke rolls up behind the wings.',
     values: {
       ...morning,
       'emission.rate': 200,

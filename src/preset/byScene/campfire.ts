@@ -3,8 +3,6 @@ import type { Preset } from './preset.ts';
 export const campfirePresets: readonly Preset[] = [
   {
     name: 'campfire',
-    label: 'Campfire',
-    text: 'Fire that cools to smoke under a night sky.',
     values: {
       scene: 'campfire',
       'emission.rate': 70,

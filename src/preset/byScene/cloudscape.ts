@@ -23,8 +23,6 @@ const smoke: Values = {
 export const cloudscapePresets: readonly Preset[] = [
   {
     name: 'cloudscape',
-    label: 'Cloudscape',
-    text: 'Clouds drift over a meadow, and the sun moves on.',
     values: {
       ...smoke,
       'style.ramp': '0:bcb8e2,.28:fffaf0',
@@ -39,8 +37,6 @@ export const cloudscapePresets: readonly Preset[] = [
   },
   {
     name: 'cloudscape-gouache',
-    label: 'Gouache',
-    text: 'Evening clouds in three broad tones, painted without a line.',
     values: {
       ...smoke,
       'style.simplify': 5,
@@ -57,8 +53,6 @@ export const cloudscapePresets: readonly Preset[] = [
   },
   {
     name: 'cloudscape-cumulus',
-    label: 'Cumulus',
-    text: 'Great white summer clouds in three broad tones under a deep blue sky.',
     values: {
       ...smoke,
       'puff.size': 1.2,
@@ -79,8 +73,6 @@ export const cloudscapePresets: readonly Preset[] = [
   },
   {
     name: 'cloudscape-ink-wash',
-    label: 'Ink wash',
-    text: 'Wet grey washes on paper, and a brush line that swells below.',
     values: {
       ...smoke,
       'style.simplify': 6,

@@ -3,8 +3,6 @@ import type { Preset } from './preset.ts';
 export const dustPresets: readonly Preset[] = [
   {
     name: 'dust',
-    label: 'Dust',
-    text: 'Falling objects raise dust. Throw the red ball, or leave it to the mole.',
     values: {
       scene: 'dust',
       'emission.rate': 5000,

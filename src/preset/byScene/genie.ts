@@ -20,8 +20,6 @@ const smoke: Values = {
 export const geniePresets: readonly Preset[] = [
   {
     name: 'genie',
-    label: 'Genie',
-    text: 'A genie of smoke at your service. Drag him anywhere.',
     values: {
       ...smoke,
       'style.smokeColor': '#8ccbf0',
@@ -34,8 +32,6 @@ export const geniePresets: readonly Preset[] = [
   },
   {
     name: 'genie-sumi-e',
-    label: 'Sumi-e',
-    text: 'Brush and black ink on white paper; the lines tremble.',
     values: {
       ...smoke,
       'style.ramp': '0:c9c6c0,.36:fbf9f2',

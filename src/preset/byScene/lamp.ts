@@ -32,8 +32,6 @@ const eroding: Values = {
 export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp',
-    label: 'Lamp',
-    text: 'White smoke in two tones that rises from the spout and curls.',
     values: {
       ...curl,
       'style.strokes': 0.5,
@@ -41,8 +39,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-noir',
-    label: 'Noir',
-    text: 'White, one grey and heavy ink, as printed in black and white.',
     values: {
       ...curl,
       'style.ramp': '0:8b867f,.3:fbf7ec',
@@ -59,8 +55,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-sunset',
-    label: 'Sunset',
-    text: 'Three warm tones under a low sun.',
     values: {
       ...curl,
       'emission.lifetime': 7.5,
@@ -78,8 +72,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-ghost',
-    label: 'Ghost',
-    text: 'Pale smoke without ink that hangs in the air and thins out.',
     values: {
       ...curl,
       ...eroding,
@@ -94,8 +86,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-ember',
-    label: 'Ember',
-    text: 'Fire that leaves the spout and cools to dark smoke.',
     values: {
       ...curl,
       'emission.rate': 34,
@@ -111,8 +101,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-storm',
-    label: 'Storm',
-    text: 'Dark smoke torn by gusts from the right.',
     values: {
       ...curl,
       'emission.rate': 48,
@@ -130,8 +118,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-blueprint',
-    label: 'Blueprint',
-    text: 'White lines on blue, without light and shade.',
     values: {
       ...curl,
       'style.shading': 0,
@@ -149,8 +135,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-newspaper',
-    label: 'Newspaper',
-    text: 'Two greys on yellowed paper, as in an old comic strip.',
     values: {
       ...curl,
       'style.ramp': '0:aaa293,.3:f8f0dc',
@@ -165,8 +149,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-candy',
-    label: 'Candy',
-    text: 'Three tones from violet through pink to vanilla.',
     values: {
       ...curl,
       'style.ramp': '0:9a6fd0,.34:ff8fc0,.7:fff0c8',
@@ -183,8 +165,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-papercut',
-    label: 'Paper cut',
-    text: 'Sheets of paper without ink that fade upwards.',
     values: {
       ...curl,
       ...eroding,
@@ -202,8 +182,6 @@ export const lampPresets: readonly Preset[] = [
   },
   {
     name: 'lamp-wind-waker',
-    label: 'Wind waker',
-    text: 'Round white smoke under a saturated sky, with light along its edges.',
     values: {
       ...curl,
       'emission.rate': 30,

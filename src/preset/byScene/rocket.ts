@@ -3,8 +3,6 @@ import type { Preset } from './preset.ts';
 export const rocketPresets: readonly Preset[] = [
   {
     name: 'rocket',
-    label: 'Rocket launch',
-    text: 'A rocket that takes off in a ring of cloud, and returns.',
     values: {
       scene: 'rocket',
       'emission.rate': 110,

@@ -21,8 +21,6 @@ const smoke: Values = {
 export const trainPresets: readonly Preset[] = [
   {
     name: 'train',
-    label: 'Steam train',
-    text: 'A toy train in a circle, with a puff for each piston stroke.',
     values: {
       ...smoke,
       'style.smokeColor': '#fffaf0',
@@ -34,8 +32,6 @@ export const trainPresets: readonly Preset[] = [
   },
   {
     name: 'train-night-mail',
-    label: 'Night mail',
-    text: 'Moonlight from behind on the last train of the day.',
     values: {
       ...smoke,
       'style.ramp': '0:4a5288,.45:8e9ccc,.75:e8ecff',
@@ -52,8 +48,6 @@ export const trainPresets: readonly Preset[] = [
   },
   {
     name: 'train-rubber-hose',
-    label: 'Rubber hose',
-    text: 'Few round puffs and thick, even ink of the 1930s, drawn on twos.',
     values: {
       ...smoke,
       'emission.rate': 40,
@@ -79,8 +73,6 @@ export const trainPresets: readonly Preset[] = [
   },
   {
     name: 'train-ghost-fog',
-    label: 'Ghost-train fog',
-    text: 'Violet fog that lies on the track, and green smoke above it at night.',
     values: {
       ...smoke,
       'emission.rate': 110,

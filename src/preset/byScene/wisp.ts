@@ -24,8 +24,6 @@ const smoke: Values = {
 export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp',
-    label: 'Cup of tea',
-    text: 'Steam from a friendly cup of tea.',
     values: {
       ...smoke,
       'vortices.0.circulation': -1.6,
@@ -38,8 +36,6 @@ export const wispPresets: readonly Preset[] = [
   },
   {
     name: 'wisp-matcha',
-    label: 'Matcha',
-    text: 'One green in three tones.',
     values: {
       ...smoke,
       'style.ramp': '0:7fa878,.34:bcd6a4,.7:f2f7dc',

@@ -1,42 +1,35 @@
 /** Factories for rows of the parameter table. */
 import singles from '../singles.json' with { type: 'json' };
-import type { ChoiceParameter, Keyed, NumberParameter, Parameter, Reader } from '../parameter.ts';
+import type { ChoiceParameter, Keyed, NumberParameter, Reader, Value } from '../parameter.ts';
 
-type Named = Pick<Parameter, 'label' | 'text'>;
-export type Quantity = Named & Partial<NumberParameter> & Pick<NumberParameter, 'min' | 'max' | 'step' | 'default'>;
+type Quantity = Pick<NumberParameter, 'min' | 'max' | 'default'> &
+  Partial<Pick<NumberParameter, 'kind' | 'unit' | 'linkMax'>>;
 
-/** A number parameter with its key, group of the panel, and reader. */
+/** A number parameter with its key and reader. */
 export function quantity<const Key extends string, const By extends Reader>(
   key: Key,
-  group: string,
   reader: By,
   rest: Quantity,
 ): Keyed<NumberParameter, Key, By> {
-  return { kind: 'number', unit: '', slider: 'even', ...rest, key, group, reader };
+  return { kind: 'number', unit: '', ...rest, key, reader };
 }
 
 /** Key of a number that exists once in the simulator. */
-export type SingleKey = keyof typeof singles;
-
-type Shown = Named & Pick<NumberParameter, 'step'> & Partial<Pick<NumberParameter, 'slider' | 'unit' | 'isBaked'>>;
+type SingleKey = keyof typeof singles;
 
 /**
  * A number that the simulator reads. Its range, default and unit are those of the simulator (see
- * sim-wasm/sim/tests/simulator/page_table.rs). A dimensionless number can show a unit.
+ * sim-wasm/sim/tests/simulator/page_table.rs).
  */
-export function simulated<const Key extends SingleKey>(
-  key: Key,
-  group: string,
-  rest: Shown,
-): Keyed<NumberParameter, Key, 'simulator'> {
+export function simulated<const Key extends SingleKey>(key: Key): Keyed<NumberParameter, Key, 'simulator'> {
   const { unit, min, max, default: initial, whole } = singles[key];
-  const range = { kind: whole ? 'integer' : 'number', unit: unitOf(unit), min, max, default: initial } as const;
-  return quantity(key, group, 'simulator', { ...range, ...rest });
-}
-
-/** An optional simulator parameter that overrides the scene's value. */
-export function ofScene(key: SingleKey, group: string, rest: Named & Partial<Shown>): NumberParameter {
-  return { ...simulated(key, group, { step: 0.05, slider: 'fine', ...rest }), isOptional: true };
+  return quantity(key, 'simulator', {
+    kind: whole ? 'integer' : 'number',
+    unit: unitOf(unit),
+    min,
+    max,
+    default: initial,
+  });
 }
 
 /** The simulator's unit as displayed: without `1`, and with raised powers. */
@@ -45,27 +38,24 @@ export function unitOf(unit: string): string {
 }
 
 /** A choice of the simulator. */
-export function choiceOf(key: SingleKey, group: string, rest: Named, labels: readonly string[]): ChoiceParameter {
+export function simulatedChoice<const Key extends SingleKey>(key: Key): Keyed<ChoiceParameter, Key, 'simulator'> {
   const { names, default: initial } = singles[key];
-  const options = names.map((name, index) => [name, labels[index]] as const);
-  return choice(key, group, 'simulator', { ...rest, default: names[initial] }, options);
+  return choice(key, 'simulator', names[initial], names);
 }
 
-/** An optional choice of the simulator. */
-export function choiceOfScene(key: SingleKey, group: string, rest: Named, labels: readonly string[]): ChoiceParameter {
-  return { ...choiceOf(key, group, rest, labels), isOptional: true };
+/** An optional parameter, which overrides the scene's value. */
+export function ofScene<Row>(row: Row): Row & { readonly isOptional: true } {
+  return { ...row, isOptional: true };
 }
 
 /** A choice with the literal types of its values. */
-type ChoiceOf<Option> = ChoiceParameter & { readonly default: Option };
+type ChoiceOf<Option extends Value> = ChoiceParameter & { readonly default: Option };
 
-export function choice<const Key extends string, const By extends Reader, const Option extends string | number>(
+export function choice<const Key extends string, const By extends Reader, const Option extends Value>(
   key: Key,
-  group: string,
   reader: By,
-  rest: Named & { readonly default: NoInfer<Option> },
-  options: readonly (readonly [value: Option, label: string])[],
+  initial: NoInfer<Option>,
+  values: readonly Option[],
 ): Keyed<ChoiceOf<Option>, Key, By> {
-  const list = options.map(([value, label]) => ({ value, label }));
-  return { kind: 'choice', key, group, reader, ...rest, options: list };
+  return { kind: 'choice', key, reader, default: initial, options: values.map((value) => ({ value })) };
 }

@@ -1,55 +1,90 @@
-import type { Parameter } from '../parameter.ts';
-import { choiceOf, ofScene, simulated } from './row.ts';
+import type { Keyed, NumberParameter, Parameter } from '../parameter.ts';
+import { choice, ofScene, quantity, simulated, simulatedChoice } from './row.ts';
+
+const SCENES = [
+  'lamp',
+  'airplane',
+  'train',
+  'campfire',
+  'rocket',
+  'genie',
+  'dust',
+  'cloudscape',
+  'wisp',
+  'air',
+] as const;
+
+/** Scene and seed. */
+export const sceneRows = [
+  choice('scene', 'stage', 'lamp', SCENES),
+  quantity('seed', 'stage', { kind: 'integer', min: 0, max: 4294967295, default: 1 }),
+] as const satisfies readonly Parameter[];
 
 /** Emission rate, lifetime and size of puffs. */
-export const smokeRows: readonly Parameter[] = [
-  simulated('emission.rate', 'emission', {
-    step: 5,
-    slider: 'fine',
-    label: 'Rate',
-    text: 'Number of new puffs per second.',
+export const smokeRows = [
+  simulated('emission.rate'),
+  simulated('emission.lifetime'),
+  simulated('emission.growthTime'),
+  { kind: 'curve', key: 'emission.density', reader: 'simulator', default: '0:1,1:0' },
+  simulatedChoice('emission.dissolve'),
+  ofScene(simulated('emission.entrainment')),
+  simulated('puff.size'),
+] as const satisfies readonly Parameter[];
+
+/** Shape of the puffs. */
+export const puffRows = [
+  simulated('puff.variations'),
+  simulated('puff.turn'),
+  simulated('puff.stretch'),
+  simulated('puff.billow'),
+  choice('puff.form', 'style', 'lobes', ['lobes', 'billboards']),
+  lobeShape('lumpiness', 0.8),
+  lobeShape('flatness', 0.2),
+  lobeShape('roughness', 0.6),
+  quantity('puff.lobes', 'style', { kind: 'integer', min: 5, max: 12, default: 10 }),
+  quantity('puff.seed', 'style', { kind: 'integer', min: 0, max: 9999, default: 0 }),
+] as const satisfies readonly Parameter[];
+
+/** Forces on smoke: multipliers, wind, turbulence, gravity, buoyancy and drag. */
+export const airRows = [
+  simulated('forces.gravity'),
+  simulated('forces.buoyancy'),
+  simulated('forces.turbulence'),
+  simulated('forces.vortex'),
+  simulated('forces.drag'),
+  simulated('forces.wind.x'),
+  simulated('forces.wind.y'),
+  simulated('forces.wind.z'),
+  simulated('turbulence.speed'),
+  simulated('turbulence.scale'),
+  simulated('turbulence.octaves'),
+  simulated('turbulence.evolution'),
+  ofScene(simulated('gravity.acceleration')),
+  ofScene(simulated('buoyancy.acceleration')),
+  ofScene(simulated('buoyancy.coolingTime')),
+  ofScene(simulated('drag.rate')),
+  ofScene(simulated('drag.quadratic')),
+  ofScene(simulated('wind.gusts')),
+  ofScene(simulated('wind.gustTime')),
+  ofScene(simulated('wind.shear')),
+  ofScene(simulated('wind.height')),
+] as const satisfies readonly Parameter[];
+
+/** Integrator and capacity. */
+export const simulationRows = [
+  ofScene(simulatedChoice('simulation.integrator')),
+  quantity('simulation.maxParticles', 'stage', {
+    kind: 'integer',
+    min: 1,
+    max: 1000000,
+    linkMax: 50000,
+    default: 4000,
   }),
-  simulated('emission.lifetime', 'emission', {
-    step: 0.1,
-    slider: 'fine',
-    label: 'Lifetime',
-    text: 'Lifetime of a puff.',
-  }),
-  simulated('emission.growthTime', 'emission', {
-    step: 0.05,
-    slider: 'fine',
-    label: 'Growth time',
-    text: 'Time in which a new puff grows to full size; 0 starts at full size, as in the paper.',
-  }),
-  {
-    kind: 'curve',
-    key: 'emission.density',
-    group: 'emission',
-    reader: 'simulator',
-    label: 'Density',
-    text: 'Size of a puff over its life, from birth to death; it always ends at 0.',
-    default: '0:1,1:0',
-  },
-  choiceOf(
-    'emission.dissolve',
-    'emission',
-    {
-      label: 'Dissolving',
-      text: 'How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the renderer selle have no holes.',
-    },
-    ['Shrink', 'Erode'],
-  ),
-  ofScene('emission.entrainment', 'emission', {
-    slider: 'even',
-    step: 0.01,
-    label: 'Entrainment',
-    text: 'How much puffs grow with the distance they travel through the air.',
-  }),
-  simulated('puff.size', 'emission', {
-    step: 0.05,
-    unit: '\u00d7',
-    slider: 'fine',
-    label: 'Puff size',
-    text: 'Makes every puff larger or smaller.',
-  }),
-];
+] as const satisfies readonly Parameter[];
+
+function lobeShape<const Name extends string>(
+  name: Name,
+  initial: number,
+): Keyed<NumberParameter, `puff.${Name}`, 'style'> {
+  return quantity(`puff.${name}`, 'style', { min: 0, max: 1, default: initial });
+}

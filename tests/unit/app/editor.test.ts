@@ -3,9 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { Editor, type Changes } from '../../../src/app/editor/editor.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../../src/app/panel/slider.ts';
 import { defaultState } from '../../../src/preset/codec.ts';
-import type { NumberParameter, Value, Values } from '../../../src/preset/parameter.ts';
-import { findParameter, table } from '../../../src/preset/table.ts';
+import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { isAccepted } from '../../../src/preset/values.ts';
+import { findParameter, table } from '../../../src/preset/words/table.ts';
+import type { NumberParameter } from '../../../src/preset/words/words.ts';
 
 const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
 const RATE = 'emission.rate';

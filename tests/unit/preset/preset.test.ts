@@ -1,10 +1,13 @@
 import { describe, expect, it } from 'vitest';
 import { readEnvironment } from '../../../src/preset/environment.ts';
 import { ParameterError } from '../../../src/preset/errors.ts';
+import type { ChoiceParameter, NumberParameter } from '../../../src/preset/parameter.ts';
 import { fetchPreset, FIRST_PRESET } from '../../../src/preset/byScene/fetchPreset.ts';
 import { defaultPreset, findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
-import { findParameter, groups, itemGroups, table } from '../../../src/preset/table.ts';
 import { defaults, isAccepted, validate } from '../../../src/preset/values.ts';
+import { itemGroups } from '../../../src/preset/words/lists.ts';
+import { findParameter, groups, table } from '../../../src/preset/words/table.ts';
+import type { WordsOf } from '../../../src/preset/words/words.ts';
 import { sceneNamed } from '../../../src/scenes/scenes.ts';
 
 /** Public names, used by links and pages. */
@@ -70,6 +73,29 @@ describe('table', () => {
       expect(label, key).not.toBe('');
       expect(text, key).toMatch(/^[A-Z].*\.$/);
     }
+  });
+
+  it('has words that compile for exactly its rows, their kinds and their options', () => {
+    type Number = { kind: 'number'; key: 'style.rim' } & NumberParameter;
+    type Choice = { kind: 'choice'; key: 'style.volumes' } & ChoiceParameter;
+    type Checked = WordsOf<[Number, Choice]>;
+    const words = { label: 'Rim', text: 'A rim.' };
+    const rim = { 'style.rim': { ...words, step: 1 } };
+    const volumes = { 'style.volumes': { ...words, options: { receiver: 'One', counted: 'Two' } } };
+    const accepted: Checked = { ...rim, ...volumes };
+    const rejected: Checked[] = [
+      // @ts-expect-error no words of the choice
+      { ...rim },
+      // @ts-expect-error no step of the number
+      { ...volumes, 'style.rim': words },
+      // @ts-expect-error no words of an option
+      { ...rim, 'style.volumes': { ...words, options: { receiver: 'One' } } },
+      // @ts-expect-error no such row
+      { ...rim, ...volumes, 'style.ring': words },
+      // @ts-expect-error no such option
+      { ...rim, 'style.volumes': { ...words, options: { receiver: 'One', counted: 'Two', both: 'Three' } } },
+    ];
+    expect(rejected).not.toContainEqual(accepted);
   });
 
   it('has keys that need no escaping in links', () => {

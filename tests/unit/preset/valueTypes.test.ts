@@ -1,9 +1,9 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { LIST_LIMIT, listNames } from '../../../src/preset/lists.ts';
-import type { Parameter } from '../../../src/preset/parameter.ts';
 import { presets } from '../../../src/preset/presets.ts';
-import { table } from '../../../src/preset/table.ts';
+import { table } from '../../../src/preset/words/table.ts';
+import type { Parameter } from '../../../src/preset/words/words.ts';
 
 const FILE = new URL('../../../src/preset/valueTypes.ts', import.meta.url);
 

@@ -4,8 +4,8 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
 import { attributes, cssParts, cssProperties, events, slots } from '../../../src/element/documentation.ts';
-import type { Parameter } from '../../../src/preset/parameter.ts';
-import { table } from '../../../src/preset/table.ts';
+import { table } from '../../../src/preset/words/table.ts';
+import type { Parameter } from '../../../src/preset/words/words.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const MAX_README_LINES = 150;

@@ -4,13 +4,11 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
-import { rolldown, type Plugin } from 'rolldown';
 import { beforeAll, expect, it } from 'vitest';
 import { names } from '../../../src/element/attributes/names.ts';
 import { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
-import { presets } from '../../../src/preset/presets.ts';
-import { table } from '../../../src/preset/table.ts';
-import * as emitterOptions from '../../../src/three/emitterOptions.ts';
+import { presets } from '../../../src/preset/words/presets.ts';
+import { table } from '../../../src/preset/words/table.ts';
 import { hiddenTypes } from './signatures.ts';
 
 interface PackageScript {
@@ -111,7 +109,7 @@ it.each(['index', 'element', 'fiber', 'preset', ...WARNING])('can import %s with
   expect(Number(said)).toBeGreaterThan(0);
 });
 
-it('has a source map for each module, and no labels of the table in the code of widgets', () => {
+it('has a source map for each module, and no texts of parameters and presets in the code of widgets', () => {
   const files = readdirSync(join(FOLDER, 'dist'));
   // Code that the bundler adds has no sources, and neither has a module that passes on the exports of another.
   const hasSources = (file: string) =>
@@ -121,9 +119,11 @@ it('has a source map for each module, and no labels of the table in the code of 
   const isPlain = (file: string) => file.endsWith('.development.js');
   const modules = files.filter((file) => file.endsWith('.js') && !isPlain(file) && hasSources(file));
   expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
-  const isWordy = (code: string) => table.some(({ text }) => code.includes(text));
-  const wordy = modules.filter((file) => isWordy(codeOf(file)));
-  expect(wordy).toEqual(['preset.js']);
+  const wordy = (rows: readonly { text: string }[]) =>
+    modules.filter((file) => rows.some(({ text }) => codeOf(file).includes(text)));
+  expect(wordy(table)).toEqual(['preset.js']);
+  // Both export the presets.
+  expect(wordy(presets)).toEqual(['index.js', 'preset.js']);
 });
 
 it('contains React in the module of React Three Fiber only', () => {
@@ -161,53 +161,6 @@ it('contains no fault injection', () => {
   const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
   const knows = (file: string, name: string) => readFileSync(join(dist, file), 'utf8').includes(name);
   expect(built.filter((file) => faults.some(([, name]) => knows(file, name)))).toEqual([]);
-});
-
-/** A module with the parameter table of the package. */
-async function withoutWords<Module>(path: string): Promise<Module> {
-  const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
-  const module = (await import(script)) as { withoutWords(): Plugin };
-  const build = await rolldown({ input: join(ROOT, path), plugins: [module.withoutWords()] });
-  const { output } = await build.generate();
-  await build.close();
-  return (await import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`)) as Module;
-}
-
-it('passes the same numbers of emitters and bursts to the simulator', async () => {
-  const options = { shape: 'ring', speed: 3, tint: 2, extent: { x: 1, y: 2, z: 3 } } as const;
-  const bare = await withoutWords<typeof emitterOptions>('src/three/emitterOptions.ts');
-  for (const { emitterNumbers, burstNumbers } of [emitterOptions, bare]) {
-    const expected = [...emitterOptions.emitterNumbers('emitFrom', { ...options, rate: 7 })];
-    expect([...emitterNumbers('emitFrom', { ...options, rate: 7 })]).toEqual(expected);
-    expect(expected).toContain(7);
-    const burst = { ...options, count: 3, position: { x: 4, y: 5, z: 6 } };
-    expect([...burstNumbers(burst)]).toEqual([...emitterOptions.burstNumbers(burst)]);
-  }
-});
-
-it('has the same ranges and defaults without labels and texts', async () => {
-  type Table = Pick<typeof import('../../../src/preset/table.ts'), 'table' | 'findParameter'>;
-  const bare = await withoutWords<Table>('src/preset/table.ts');
-  expect(bare.table.map(({ key }) => key)).toEqual(table.map(({ key }) => key));
-  for (const whole of table) {
-    const row = bare.findParameter(whole.key)!;
-    const { options, ...rest } = { options: undefined, ...row };
-    expect(whole).toMatchObject(rest);
-    const values = (each?: readonly { value: unknown }[]) => each?.map(({ value }) => value);
-    expect(values(options)).toEqual(whole.kind === 'choice' ? values(whole.options) : undefined);
-    expect(row).not.toHaveProperty('text');
-  }
-});
-
-it('has the same values of presets without names and sentences in scripts for CDNs', async () => {
-  const script = pathToFileURL(join(ROOT, 'scripts/package/withoutWords.mjs')).href;
-  const { withoutPresetWords } = (await import(script)) as { withoutPresetWords(): Plugin };
-  const build = await rolldown({ input: join(ROOT, 'src/preset/presets.ts'), plugins: [withoutPresetWords()] });
-  const { output } = await build.generate();
-  await build.close();
-  const module = `data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`;
-  const bare = (await import(module)) as Pick<typeof import('../../../src/preset/presets.ts'), 'presets'>;
-  expect(bare.presets).toEqual(presets.map(({ name, values }) => ({ name, values })));
 });
 
 it('lists the bundled packages and linked crates with their licences', () => {

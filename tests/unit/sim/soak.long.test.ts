@@ -2,8 +2,9 @@
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { expect, it } from 'vitest';
-import { listNames, startValues } from '../../../src/preset/lists.ts';
+import { listNames } from '../../../src/preset/lists.ts';
 import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
+import { startValues } from '../../../src/preset/words/lists.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';

@@ -1,5 +1,5 @@
 //! `npm run generate` writes what the page shares with the simulator: the ranges and defaults of parameters in
-//! `src/preset/lists.json` and `singles.json`, and the layouts of views and rows in `src/sim/layout.ts`.
+//! `src/preset/lists.json` and `singles.json`, what the panel says of lists in `src/preset/words/lists.json`, and the layouts of views and rows in `src/sim/layout.ts`.
 
 use std::fs;
 use std::path::Path;
@@ -8,13 +8,14 @@ use sim::arrange::row_layout::{
     ATTRIBUTE_BITS, ATTRIBUTE_WORDS, Bits, END, END_STEPS, MAX_TEMPERATURE, NO_END, PLACE_FLOATS,
 };
 use sim::arrange::view_layout::{LIFTERS_LIMIT, VIEW_LENGTH, VIEW_PARTS};
-use sim::layout::parameters::{lists_as_json, rows, singles_as_json};
+use sim::layout::parameters::{list_words_as_json, lists_as_json, rows, singles_as_json};
 use sim::layout::scope::parts::FIRST_PART;
 use sim::math::pose::POSE_FLOATS;
 
 #[test]
 fn the_page_has_the_parameters_of_the_simulator() {
     is_generated("src/preset/lists.json", &lists_as_json());
+    is_generated("src/preset/words/lists.json", &list_words_as_json());
     is_generated("src/preset/singles.json", &singles_as_json());
 }
 

@@ -1,7 +1,7 @@
 /** Every row of the table at both ends of the range that links accept, applied to the stage of the page. */
 import type { Page } from '@playwright/test';
 import type { AnyValues, Parameter, Value, Values } from '../../../../src/preset/parameter.ts';
-import { table } from '../../../../src/preset/table.ts';
+import { table } from '../../../../src/preset/words/table.ts';
 
 /** One row, or all rows of a list item. */
 export interface Trial {

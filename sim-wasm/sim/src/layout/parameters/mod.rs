@@ -154,12 +154,31 @@ pub fn rows() -> Vec<Row> {
     rows
 }
 
-/// The lists as JSON: name and label of each list, and the [`Meta`] of each parameter, one per line.
+/// The lists as JSON: key, unit, range, default and names of the values of each parameter, one per line.
 #[cfg(not(target_family = "wasm"))]
 pub fn lists_as_json() -> String {
-    let lists: Vec<String> = sections()
-        .filter(|section| section.is_list())
-        .map(list_as_json)
+    lists_as_json_by(|section| {
+        let lines = fields(section).map(|(meta, ends)| format!("    {}", field_as_json(meta, ends)));
+        format!("[\n{}\n  ]", lines.collect::<Vec<_>>().join(",\n"))
+    })
+}
+
+/// What the panel says of the lists as JSON: the label of each list, and the label, the text and the value of a newly
+/// added item of each parameter, one per line.
+#[cfg(not(target_family = "wasm"))]
+pub fn list_words_as_json() -> String {
+    lists_as_json_by(|section| {
+        let lines = fields(section).map(|(meta, _)| format!("      {}", words_as_json(section, meta)));
+        let (label, lines) = (section.label(), lines.collect::<Vec<_>>().join(",\n"));
+        format!("{{\n    \"label\": \"{label}\",\n    \"fields\": {{\n{lines}\n    }}\n  }}")
+    })
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn lists_as_json_by(json: impl Fn(&dyn Section) -> String) -> String {
+    let lists = sections().filter(|section| section.is_list());
+    let lists: Vec<String> = lists
+        .map(|section| format!("  \"{}\": {}", section.name(), json(section)))
         .collect();
     format!("{{\n{}\n}}\n", lists.join(",\n"))
 }
@@ -186,17 +205,7 @@ pub fn singles_as_json() -> String {
 }
 
 #[cfg(not(target_family = "wasm"))]
-fn list_as_json(section: &dyn Section) -> String {
-    let fields: Vec<String> = fields(section)
-        .map(|(meta, ends)| format!("      {}", field_as_json(section, meta, ends)))
-        .collect();
-    let (name, label) = (section.name(), section.label());
-    let fields = fields.join(",\n");
-    format!("  \"{name}\": {{\n    \"label\": \"{label}\",\n    \"fields\": [\n{fields}\n    ]\n  }}")
-}
-
-#[cfg(not(target_family = "wasm"))]
-fn field_as_json(section: &dyn Section, meta: &Meta, ends: &[&str]) -> String {
+fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
     let Meta {
         key,
         unit,
@@ -205,17 +214,27 @@ fn field_as_json(section: &dyn Section, meta: &Meta, ends: &[&str]) -> String {
         default,
         whole,
         names,
+        ..
+    } = meta;
+    let default = &default[..ends.len()];
+    format!(
+        "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}, \
+         \"whole\": {whole}, \"names\": {names:?} }}"
+    )
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn words_as_json(section: &dyn Section, meta: &Meta) -> String {
+    let Meta {
+        key,
         start,
         label,
         text,
+        ..
     } = meta;
-    let default = &default[..ends.len()];
     let start = start.or_else(|| section.start(key));
     let start = start.map(|start| format!(", \"start\": {start}")).unwrap_or_default();
-    format!(
-        "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}{start}, \
-         \"whole\": {whole}, \"names\": {names:?}, \"label\": \"{label}\", \"text\": \"{text}\" }}"
-    )
+    format!("\"{key}\": {{ \"label\": \"{label}\", \"text\": \"{text}\"{start} }}")
 }
 
 /// The table as text with one line per key: `key min max default whole|real unit`.

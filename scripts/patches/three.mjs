@@ -1,6 +1,7 @@
 /**
- * Bundler plugins that remove code of three.js that no pass uses. The renderer has only its own raw shaders for smoke, surfaces
- * and ink. Do not use them on pages that render anything else with the same three.js. All apply to builds only.
+ * A patch of three.js: bundler plugins that remove code that no pass uses. The renderer has only its own raw shaders for
+ * smoke, surfaces and ink. Do not use them on pages that render anything else with the same three.js. All apply to builds
+ * only. A build fails if three.js no longer has the code.
  */
 
 /** @typedef {import('rolldown').Plugin & { apply: 'build' }} BuildPlugin */
@@ -20,8 +21,8 @@ const CORE = /three\/build\/three\.core\.js$/;
  * @type {Removal[]}
  */
 const SHADERS = [
-  { pattern: /^((?:var|const) [\w$]+ = )"(?:[^"\\]|\\.)*\\n(?:[^"\\]|\\.)*";$/gm, replacement: '$1"";', atLeast: 100 },
-  { pattern: /`\s+(?:#define|precision|uniform|varying|void) [^`]*`/g, replacement: '""', atLeast: 10 },
+  { pattern: /^((?:var|const) [\w$]+ = )"(?:[^"\\]|\\.)*\\n(?:[^"\\]|\\.)*";$/gm, replacement: '$1"";', atLeast: 140 },
+  { pattern: /`\s+(?:#define|precision|uniform|varying|void) [^`]*`/g, replacement: '""', atLeast: 11 },
 ];
 
 /** What the renderer calls although no session ever starts. */
@@ -44,13 +45,13 @@ const HEADSETS = [
  * @type {Removal[]}
  */
 const ANIMATION = [
-  { pattern: /^\w*KeyframeTrack\.prototype\.\w+ = .*;$/gm, atLeast: 15 },
+  { pattern: /^\w*KeyframeTrack\.prototype\.\w+ = .*;$/gm, atLeast: 19 },
   { pattern: /^PropertyBinding\.(?:prototype\.)?\w+ = (?:\w+|\{.*?\n\}|\[.*?\n\]);$/gms, atLeast: 5 },
   { pattern: /^Loader\.DEFAULT_MATERIAL_NAME = .*;$/gm, atLeast: 1 },
 ];
 
 /** @type {Removal[]} */
-const JSON_METHODS = [{ pattern: /^\t(?:static )?(?:toJSON|fromJSON)\(.*?^\t\}$/gms, atLeast: 10 }];
+const JSON_METHODS = [{ pattern: /^\t(?:static )?(?:toJSON|fromJSON)\(.*?^\t\}$/gms, atLeast: 90 }];
 
 /**
  * Shaders are about 110 kB.
@@ -85,7 +86,9 @@ function removed(part) {
   return (/** @type {string} */ code, /** @type {Removal} */ { pattern, replacement = '', atLeast }) => {
     const count = code.match(pattern)?.length ?? 0;
     if (count < atLeast)
-      throw new Error(`Only ${count} pieces of the ${part} of three.js were found to remove: ${pattern}`);
+      throw new Error(
+        `Only ${count} pieces of the ${part} of three.js were found to remove, not ${atLeast}: update scripts/patches/three.mjs for ${pattern}.`,
+      );
     return code.replace(pattern, replacement);
   };
 }

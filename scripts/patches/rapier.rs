@@ -1,5 +1,6 @@
-//! Removes functions that Rapier runs only for soft bodies, multibodies or unsupported shapes. The linker cannot know
-//! that there are none: they are a sixth of the module.
+//! A patch of Rapier, compiled into `sim-wasm/xtask`: removes functions that it runs only for soft bodies, multibodies or
+//! unsupported shapes. The linker cannot know that there are none: they are a sixth of the module. The build fails if
+//! Rapier or the compiler has other names for them.
 
 use anyhow::{Result, bail};
 use walrus::{FunctionBuilder, FunctionId, FunctionKind, LocalFunction, Module};
@@ -75,7 +76,7 @@ fn empty(module: &mut Module, part: &str, fill: impl Fn(&mut walrus::InstrSeqBui
         .map(|(id, _)| id)
         .collect();
     if found.is_empty() {
-        bail!("no function has {part} in its name; see xtask/src/trim.rs");
+        bail!("no function has {part} in its name: update scripts/patches/rapier.rs");
     }
     for id in found {
         let body = body_like(module, id, &fill);
@@ -92,4 +93,27 @@ fn body_like(module: &mut Module, id: FunctionId, fill: impl Fn(&mut walrus::Ins
     let mut builder = FunctionBuilder::new(&mut module.types, &parameters, &results);
     fill(&mut builder.func_body());
     builder.local_func(arguments)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_module_without_one_of_the_functions_is_an_error() {
+        let mut module = Module::default();
+        let message = trim(&module.emit_wasm()).unwrap_err().to_string();
+        assert!(message.contains(CALLED_WITH_ONE[0]), "{message}");
+    }
+
+    #[test]
+    fn smaller_functions_with_the_name_do_not_count() {
+        let mut module = Module::default();
+        let mut builder = FunctionBuilder::new(&mut module.types, &[], &[]);
+        builder.name(CALLED_WITH_ONE[0].to_owned());
+        builder.func_body().unreachable();
+        let small = builder.finish(vec![], &mut module.funcs);
+        module.exports.add("small", small);
+        assert!(trim(&module.emit_wasm()).is_err());
+    }
 }

@@ -1,0 +1,60 @@
+/** What the panel says of the simulator's lists. The simulator generates lists.json, as the one in the parent folder. */
+import { endsOf, LIST_LIMIT, listNames, lists } from '../lists.ts';
+import type { Parameter } from '../parameter.ts';
+import source from './lists.json' with { type: 'json' };
+import type { AnyWords } from './words.ts';
+
+interface FieldWords {
+  readonly label: string;
+  readonly text: string;
+  /** Initial value of a newly added item, if it differs from the default. */
+  readonly start?: number;
+}
+
+const words: Readonly<
+  Record<string, { readonly label: string; readonly fields: Readonly<Record<string, FieldWords>> }>
+> = source;
+
+/** Label of an item, such as 'Vortex 2' for the second vortex. */
+export function itemLabel(list: string, index: number): string {
+  return `${words[list].label} ${index + 1}`;
+}
+
+/** Singular label of a list, such as 'Vortex'. */
+export function listLabel(list: string): string {
+  return words[list].label;
+}
+
+/** One group of the panel per possible list item. The panel shows it once the item is added. */
+export const itemGroups: readonly { readonly key: string; readonly list: string; readonly label: string }[] =
+  listNames.flatMap((list) =>
+    Array.from({ length: LIST_LIMIT }, (_, index) => ({
+      key: `${list}.${index}`,
+      list,
+      label: itemLabel(list, index),
+    })),
+  );
+
+/** Values by flat key that create item `index` of a list with a visible effect. */
+export function startValues(list: string, index: number): Record<string, number> {
+  const startOf = (key: string) => words[list].fields[key].start;
+  const starting = lists[list].filter(({ key }) => startOf(key) !== undefined);
+  const chosen = starting.length > 0 ? starting : lists[list].filter((field) => field.names.length === 0).slice(0, 1);
+  return Object.fromEntries(
+    chosen.map((field) => [`${list}.${index}.${field.key}${endsOf(field)[0]}`, startOf(field.key) ?? field.default[0]]),
+  );
+}
+
+/**
+ * The words of a parameter of an item, such as `vortices.0.axis.x`; undefined for other keys. Large ranges have a few
+ * hundred steps, and fine ones near zero, where most values are.
+ */
+export function itemWords(row: Parameter): AnyWords | undefined {
+  const [, list, index, field, axis] = /^(\w+)\.(\d)\.(.+?)(?:\.([xyz]))?$/.exec(row.key) ?? [];
+  if (!list) return undefined;
+  const { label, text } = words[list].fields[field];
+  const shown = { group: `${list}.${index}`, label: axis ? `${label} ${axis}` : label, text };
+  if (row.kind === 'integer') return { ...shown, step: 1 };
+  if (row.kind !== 'number') return shown;
+  return row.max - row.min > 5 ? { ...shown, step: 0.05, slider: 'fine' } : { ...shown, step: 0.01 };
+}
