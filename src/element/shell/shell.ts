@@ -5,8 +5,11 @@ const BUTTONS = {
   restart: ['Restart smoke', 'M10 3.5a7 7 0 1 0 7 7h-3a4 4 0 1 1-4-4v3.3L16 5 10 .2z'],
 } as const;
 
-/** Whether nothing can be drawn here, as in the simulated DOMs of unit tests: the element then shows its poster. */
-export const isInert = (): boolean => !('WebGL2RenderingContext' in globalThis);
+/**
+ * Whether nothing can be drawn here, as in older browsers and in the simulated DOMs of unit tests: the element then shows
+ * its content.
+ */
+export const isInert = (): boolean => !(globalThis.WebGL2RenderingContext && document.adoptedStyleSheets);
 
 /** What the shell shows: the poster, the smoke, the failure state, or that with a button to restart. */
 export type Showing = 'poster' | 'smoke' | 'failure' | 'lost';
@@ -68,13 +71,14 @@ export class Shell {
     this.dress();
     this.container.className = 'frame';
     this.container.setAttribute('part', 'frame');
-    this.container.append(sizer(), layer('poster', 'poster'), layer('fallback'), this.buildButton());
+    this.container.append(layer('poster', 'poster'), layer('fallback'));
+    if (!isInert()) this.container.append(sizer(), this.buildButton());
     root.append(this.container);
   }
 
   /**
    * Adopts the style sheet; called again for each new document. Documents of templates have no window and are never
-   * rendered. Simulated DOMs have no style sheets.
+   * rendered.
    */
   dress(): void {
     const { ownerDocument } = this.root;

@@ -175,3 +175,48 @@ test.describe('without JavaScript', () => {
     expect(server.sent).toEqual([]);
   });
 });
+
+/** What older browsers lack, of what the package or its dependencies use, and the versions from which they have it. */
+const LACKING: Record<string, string> = {
+  'Array.prototype.at': 'Chrome 92, Safari 15.4',
+  'Object.hasOwn': 'Chrome 93, Safari 15.4',
+  'Array.prototype.findLastIndex': 'Chrome 97, Firefox 104',
+  'AbortSignal.prototype.throwIfAborted': 'Chrome 100, Firefox 97',
+  'Document.prototype.adoptedStyleSheets': 'and new CSSStyleSheet(), Firefox 101, Safari 16.4',
+  'URL.canParse': 'Chrome 120, Firefox 115',
+  'Array.prototype.toSorted': 'Chrome 110, Firefox 115',
+  DecompressionStream: 'Firefox 113, Safari 16.4',
+  structuredClone: 'Chrome 98, Firefox 94',
+  WebGL2RenderingContext: 'Safari 15',
+  WebAssembly: 'Safari 11',
+  OffscreenCanvas: 'Firefox 105, Safari 16.4',
+  IntersectionObserver: 'Safari 12.1',
+  ResizeObserver: 'Safari 13.1',
+};
+
+for (const [feature, since] of Object.entries(LACKING)) {
+  test(`in a browser without ${feature} (${since}), the page has its content or the smoke, and no error`, async ({
+    page,
+    openPage,
+  }) => {
+    await page.addInitScript((path) => {
+      const names = path.split('.');
+      const last = names.pop()!;
+      const owner: object = names.reduce((each, name) => Reflect.get(each, name) as object, window as object);
+      Reflect.deleteProperty(owner, last);
+      if (last !== 'adoptedStyleSheets') return;
+      Reflect.deleteProperty(ShadowRoot.prototype, last);
+      window.CSSStyleSheet = function () {
+        throw new TypeError('Illegal constructor');
+      } as never;
+    }, feature);
+    await openPage(failing('auto', 'simulation-max-particles="300" loading="eager"'));
+    await page.waitForFunction(() => document.readyState === 'complete');
+    const showsSmoke = await page.evaluate(async () => {
+      const element = document.querySelector('cartoon-smoke') as HTMLElement & { ready?: Promise<void> };
+      await element.ready?.catch(() => undefined);
+      return Boolean(element.shadowRoot?.querySelector('.shown'));
+    });
+    if (!showsSmoke) await expectPoster(page);
+  });
+}
