@@ -2,10 +2,10 @@
  * Warnings of development builds, which bundlers choose by the export condition `development`. The modules in this folder
  * wrap the published ones from outside, so builds for production contain nothing of them. docs/warnings.md lists the warnings.
  */
-import { HANDED_ON } from '../element/methods.ts';
+import { methodNames } from '../remote/methods.ts';
 
 /** What programs use of a stage. */
-export const STAGE_MEMBERS = [...HANDED_ON, 'ready', 'camera', 'on', 'play', 'pause', 'clear', 'emit', 'dispose'];
+export const STAGE_MEMBERS = [...methodNames, 'ready', 'camera', 'on', 'emit', 'dispose'];
 
 const warned = new Set<string>();
 

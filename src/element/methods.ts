@@ -1,35 +1,10 @@
-import type { RemoteMethods } from '../remote/contract.ts';
+import { methodNames, type MethodName, type RemoteMethods } from '../remote/methods.ts';
 
-/** Methods that the element passes to its stage unchanged. It implements all others itself. */
-export const HANDED_ON = [
-  'step',
-  'seek',
-  'advance',
-  'clear',
-  'restart',
-  'enter',
-  'set',
-  'unset',
-  'get',
-  'picture',
-  'save',
-  'restore',
-  'take',
-  'readTake',
-  'playTake',
-  'hash',
-  'stats',
-  'pointer',
-  'blow',
-  'steer',
-  'drop',
-  'nudge',
-  'orbit',
-  'zoom',
-  'pan',
-  'resetView',
-  'plane',
-] as const satisfies readonly (keyof RemoteMethods)[];
+/** Methods of a stage that the element does itself, or that follow from its place on the page. */
+const OWN = ['play', 'pause', 'resize', 'setBackground', 'setVisible'] as const satisfies readonly MethodName[];
 
 /** Methods of a stage that the element has unchanged. */
-export type StageMethods = Pick<RemoteMethods, (typeof HANDED_ON)[number]>;
+export type StageMethods = Omit<RemoteMethods, (typeof OWN)[number]>;
+
+/** Methods that the element passes to its stage unchanged. */
+export const HANDED_ON = methodNames.filter((name): name is keyof StageMethods => !OWN.includes(name as never));

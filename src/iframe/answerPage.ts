@@ -1,6 +1,9 @@
+import type { CartoonSmokeElement } from '../element/cartoonSmokeElement.ts';
+import { HANDED_ON } from '../element/methods.ts';
 import { SimulatorError } from '../preset/errors.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { isHandshake, handshake } from '../remote/handshake.ts';
+import { makeMethods } from '../remote/methods.ts';
 import { packError } from '../remote/packedErrors.ts';
 import { OPENING } from '../remote/protocol.ts';
 import { serveStage } from '../remote/serveStage.ts';
@@ -37,6 +40,40 @@ export function answerPage(stage: RemoteStage, allowed: string | undefined, star
     for (const port of connected) port.postMessage({ id: OPENING, error });
   });
   window.parent.postMessage(handshake('here'), allowed ?? '*');
+}
+
+/** Adapts an element to the RemoteStage interface. The element handles its size and visibility itself. */
+export function elementStage(element: CartoonSmokeElement): RemoteStage {
+  return {
+    ...makeMethods(HANDED_ON, async (name, args) => {
+      // A disconnected element would wait until it is inserted again.
+      if (!element.isConnected) throw new SimulatorError('This stage was disposed; connect again.');
+      return (element[name] as (...args: unknown[]) => Promise<unknown>)(...args);
+    }),
+    play: async () => element.play(),
+    pause: async () => element.pause(),
+    setBackground: async (isShown) => void (element.transparent = !isShown),
+    resize: async () => {},
+    setVisible: async () => {},
+    ready: element.ready,
+    thread: 'frame',
+    on(event, listener) {
+      let end = () => {};
+      // A restart after a lost context has another stage.
+      const attach = async () => {
+        const stage = await element.stage;
+        end();
+        end = stage.on(event, listener);
+      };
+      attach().catch(() => undefined);
+      element.addEventListener('ready', attach);
+      return () => {
+        element.removeEventListener('ready', attach);
+        end();
+      };
+    },
+    dispose: async () => element.remove(),
+  };
 }
 
 /**

@@ -1,9 +1,7 @@
 /** Entry of `embed.html`, the page for iframes. It reads the same hash and query as the demo page but has no panel. */
 import { CartoonSmokeElement } from '../element/define.ts';
-import { answerPage, originOf } from './answerPage.ts';
-import { HANDED_ON } from '../element/methods.ts';
-import { SimulatorError, LoadError } from '../preset/errors.ts';
-import type { RemoteMethods, RemoteStage } from '../remote/contract.ts';
+import { answerPage, elementStage, originOf } from './answerPage.ts';
+import { LoadError } from '../preset/errors.ts';
 import { unpackBytes } from '../preset/packing.ts';
 import { takeWasmFrom } from '../sim/load.ts';
 
@@ -16,7 +14,6 @@ declare const PHYSICS_SCRIPT: string;
 
 /** Callback that the physics script calls. */
 type Bring = (packed: string) => void;
-type Asked = (...given: never[]) => Promise<unknown>;
 
 const MAX_BYTES = 16 * 1024 * 1024;
 
@@ -35,44 +32,6 @@ function begin(smoke: CartoonSmokeElement): void {
     return smoke.stage;
   };
   answerPage(elementStage(smoke), originOf(location.search), stand);
-}
-
-/** Adapts an element to the RemoteStage interface. The element handles its size and visibility itself. */
-function elementStage(element: CartoonSmokeElement): RemoteStage {
-  const handedOn = HANDED_ON.map((name) => [
-    name,
-    async (...given: never[]) => {
-      // A disconnected element would wait until it is inserted again.
-      if (!element.isConnected) throw new SimulatorError('This stage was disposed; connect again.');
-      return (element[name] as Asked)(...given);
-    },
-  ]);
-  return {
-    ...(Object.fromEntries(handedOn) as Pick<RemoteMethods, (typeof HANDED_ON)[number]>),
-    play: async () => element.play(),
-    pause: async () => element.pause(),
-    setBackground: async (isShown) => void (element.transparent = !isShown),
-    resize: async () => {},
-    setVisible: async () => {},
-    ready: element.ready,
-    thread: 'frame',
-    on(event, listener) {
-      let end = () => {};
-      // A restart after a lost context has another stage.
-      const attach = async () => {
-        const stage = await element.stage;
-        end();
-        end = stage.on(event, listener);
-      };
-      attach().catch(() => undefined);
-      element.addEventListener('ready', attach);
-      return () => {
-        element.removeEventListener('ready', attach);
-        end();
-      };
-    },
-    dispose: async () => element.remove(),
-  };
 }
 
 /**

@@ -2,8 +2,8 @@ import { SimulatorError } from '../preset/errors.ts';
 import type { LoadProgress } from '../sim/load.ts';
 import type { StageEvents } from '../stage/contract.ts';
 import { Listeners } from '../stage/listeners.ts';
-import { calls } from './calls.ts';
-import type { RemoteMethods, RemoteStage, Thread } from './contract.ts';
+import type { RemoteStage, Thread } from './contract.ts';
+import { makeMethods, methodNames, methods } from './methods.ts';
 import { OPENING, packArgument, readReply, readNotification, type EventName, type Method } from './protocol.ts';
 
 interface Waiting {
@@ -63,13 +63,11 @@ export class PortStage {
   }
 
   private makeFace(thread: Thread): RemoteStage {
-    const names = Object.keys(calls) as (keyof RemoteMethods)[];
-    // Extra arguments that only local stages accept, such as functions, cannot be cloned.
-    const sent = (name: keyof RemoteMethods, args: unknown[]) =>
-      args.slice(0, calls[name].takes.length).map(packArgument);
-    const methods = names.map((name) => [name, (...args: unknown[]) => this.call(name, sent(name, args))]);
     return {
-      ...(Object.fromEntries(methods) as RemoteMethods),
+      // Extra arguments that only a stage accepts, such as functions, cannot be cloned.
+      ...makeMethods(methodNames, (name, args) =>
+        this.call(name, args.slice(0, methods[name].takes.length).map(packArgument)),
+      ),
       ready: this.opened,
       thread,
       on: (event, listener) => this.listen(event, listener),

@@ -11,24 +11,22 @@
 import { ParameterError } from '../preset/errors.ts';
 import type { StageEvents } from '../stage/contract.ts';
 import type { Take } from '../stage/take.ts';
-import { calls } from './calls.ts';
-import type { RemoteMethods } from './contract.ts';
+import { methodNames, methods, type MethodEntry, type MethodName } from './methods.ts';
 import { packError, unpackError, type PackedError } from './packedErrors.ts';
-import { figures, flag, integer, isPlain, oneOf, record, type Check } from './shapes.ts';
+import { figures, flag, integer, isPlain, nothing, oneOf, record, type Shape } from './shapes.ts';
 
 /** The id of the stage's first message, which answers no request. */
 export const OPENING = 0;
 
 export type EventName = keyof StageEvents;
 
-/** Requests other than the methods of a stage. */
-const talk: Readonly<Record<string, readonly Check[]>> = {
-  listen: [oneOf('statechange', 'error', 'frame')],
-  unlisten: [oneOf('statechange', 'error', 'frame')],
-  dispose: [],
-};
+type Exchange = Pick<MethodEntry, 'takes' | 'gives'>;
 
-export type Method = keyof RemoteMethods | 'listen' | 'unlisten' | 'dispose';
+const ofEvent = { takes: [oneOf('statechange', 'error', 'frame')], gives: nothing };
+const exchanges = { ...methods, listen: ofEvent, unlisten: ofEvent, dispose: { takes: [], gives: nothing } };
+
+/** A method of a stage, or another request. */
+export type Method = MethodName | 'listen' | 'unlisten' | 'dispose';
 
 export interface Request {
   readonly id: number;
@@ -53,30 +51,25 @@ const MAX_ARGUMENTS = 8;
 export function readRequest(message: unknown): ReadRequest | undefined {
   if (!isPlain(message) || !isId(message.id)) return undefined;
   const { id, method, args = [] } = message as { id: number; method: unknown; args: unknown };
-  const takes = takenBy(method);
-  if (!takes) return { id, error: new ParameterError('method', describe(method), Object.keys(calls).join(', ')) };
+  if (!isMethod(method)) return { id, error: new ParameterError('method', describe(method), methodNames.join(', ')) };
   if (!Array.isArray(args) || args.length > MAX_ARGUMENTS)
     return { id, error: new ParameterError('args', describe(args), `an array of at most ${MAX_ARGUMENTS}`) };
-  const wrong = takes.findIndex((check, place) => !check(args[place]));
-  if (wrong >= 0) {
-    const error = demandedBy(method as keyof RemoteMethods, args[0]);
-    if (error) return { id, error };
-    const name = `argument ${wrong + 1} of ${String(method)}`;
-    return { id, error: new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
-  }
-  return { id, method: method as Method, args: args.slice(0, takes.length) as unknown[] };
+  const { takes }: Exchange = exchanges[method];
+  const wrong = takes.findIndex((isRight, place) => !isRight(args[place]));
+  if (wrong < 0) return { id, method, args: args.slice(0, takes.length) as unknown[] };
+  const error = demandedBy(takes[wrong], args[wrong]);
+  const name = `argument ${wrong + 1} of ${method}`;
+  return { id, error: error ?? new ParameterError(name, describe(args[wrong]), takes[wrong].words) };
 }
 
-function takenBy(method: unknown): readonly Check[] | undefined {
-  if (typeof method !== 'string') return undefined;
-  if (Object.hasOwn(calls, method)) return calls[method as keyof RemoteMethods].takes;
-  return Object.hasOwn(talk, method) ? talk[method] : undefined;
+function isMethod(name: unknown): name is Method {
+  return typeof name === 'string' && Object.hasOwn(exchanges, name);
 }
 
-/** The error that the stage itself throws for the first argument; undefined if the stage accepts it. */
-function demandedBy(method: keyof RemoteMethods, first: unknown): Error | undefined {
+/** The error that the stage itself throws for an argument; undefined if the stage accepts it. */
+function demandedBy({ demand }: Shape, argument: unknown): Error | undefined {
   try {
-    calls[method]?.demand?.(typeof first === 'number' ? first : describe(first));
+    demand?.(typeof argument === 'number' ? argument : describe(argument));
     return undefined;
   } catch (error) {
     return error as Error;
@@ -104,10 +97,8 @@ export function readReply(
   if (!method) return undefined;
   const thrown = unpackError(error);
   if (thrown) return { id, thrown };
-  const isRight = Object.hasOwn(calls, method)
-    ? calls[method as keyof RemoteMethods].gives(value)
-    : value === undefined;
-  return isRight ? { id, value: unpackValue(method, value) } : undefined;
+  const { gives }: Exchange = exchanges[method];
+  return gives(value) ? { id, value: gives.unpack ? gives.unpack(value) : value } : undefined;
 }
 
 const details: Readonly<Record<Notification['event'], (detail: unknown) => boolean>> = {
@@ -130,9 +121,6 @@ export function notificationOf(event: Notification['event'], detail: unknown): N
   return { event, detail: event === 'error' ? packError(detail) : detail };
 }
 
-/** Methods that return a take. A take contains a function, so it is sent as its bytes. */
-const TAKES: ReadonlySet<Method> = new Set(['take', 'readTake']);
-
 /** Converts an argument to a cloneable value: a take becomes its bytes, and a Proxy of values or keys a copy. */
 export function packArgument(argument: unknown): unknown {
   const { toBytes } = (argument ?? {}) as Partial<Take>;
@@ -142,20 +130,8 @@ export function packArgument(argument: unknown): unknown {
 }
 
 /** Converts a result to a cloneable value, with the objects to transfer instead of copying. */
-export function packValue(method: Method, value: unknown): { value: unknown; moved: Transferable[] } {
-  if (TAKES.has(method)) {
-    const take = value as Take;
-    const bytes = take.toBytes();
-    return { value: { ...take, toBytes: undefined, bytes }, moved: [bytes.buffer] };
-  }
-  if (value instanceof Uint8Array && value.byteLength === value.buffer.byteLength) {
-    return { value, moved: [value.buffer as ArrayBuffer] };
-  }
-  return { value, moved: [] };
-}
-
-function unpackValue(method: Method, value: unknown): unknown {
-  if (!TAKES.has(method)) return value;
-  const { bytes, ...rest } = value as Omit<Take, 'toBytes'> & { bytes: Uint8Array<ArrayBuffer> };
-  return { ...rest, toBytes: () => bytes.slice() } satisfies Take;
+export function packValue(method: Method, result: unknown): { value: unknown; moved: Transferable[] } {
+  const { gives }: Exchange = exchanges[method];
+  const value = gives.pack ? gives.pack(result) : result;
+  return { value, moved: gives.transferred?.(value) ?? [] };
 }

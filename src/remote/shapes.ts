@@ -1,72 +1,88 @@
 /** Validators for untrusted messages: whether a value has the expected shape. They never throw. */
+import type { Values } from '../preset/parameter.ts';
+import type { StageStats } from '../stage/contract.ts';
 
-export interface Check {
-  (value: unknown): boolean;
+/** A shape of messages. Unless it has `pack` and `unpack`, the messages are the values themselves. */
+export interface Shape<Value = unknown> {
+  (message: unknown): boolean;
   /** The accepted values, in words that complete the sentence 'it takes ...'. */
   readonly words: string;
+  /** The stage's own check, which throws, so that both report the same error. */
+  readonly demand?: (value: unknown) => void;
+  /** Converts a value that cannot be cloned. */
+  pack?(value: Value): unknown;
+  unpack?(message: unknown): Value;
+  /** The parts of a message to transfer instead of copying. */
+  transferred?(message: unknown): Transferable[];
 }
+
+type ValueOf<Of> = Of extends Shape<infer Value> ? Value : never;
 
 const KEY = /^[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$/;
 const LONGEST_KEY = 100;
 const LONGEST_TEXT = 8192;
 const MAX_VALUES = 4000;
 
-function shape(words: string, passes: (value: unknown) => boolean): Check {
+function shape<Value>(words: string, passes: (value: unknown) => boolean): Shape<Value> {
   return Object.assign((value: unknown) => passes(value), { words });
 }
 
-export const anything = shape('anything', () => true);
+export const anything = shape<unknown>('anything', () => true);
 
-export const nothing = shape('nothing', (value) => value === undefined);
+export const nothing = shape<undefined>('nothing', (value) => value === undefined);
 
-export const flag = shape('true or false', (value) => typeof value === 'boolean');
+export const flag = shape<boolean>('true or false', (value) => typeof value === 'boolean');
 
 /** Between `min` and `max`; `min` defaults to -max, so NaN and infinities fail. */
-export function number(max: number, min = -max): Check {
+export function number(max: number, min = -max): Shape<number> {
   return shape(`a number from ${min} to ${max}`, (value) => typeof value === 'number' && value >= min && value <= max);
 }
 
-export function integer(min: number, max: number): Check {
+export function integer(min: number, max: number): Shape<number> {
   return shape(
     `a whole number from ${min} to ${max}`,
     (value) => Number.isInteger(value) && (value as number) >= min && (value as number) <= max,
   );
 }
 
-export const text = shape('a string', (value) => typeof value === 'string' && value.length <= LONGEST_TEXT);
+export const text = shape<string>('a string', (value) => typeof value === 'string' && value.length <= LONGEST_TEXT);
 
-export function oneOf(...values: readonly unknown[]): Check {
-  return shape(values.join(', '), (value) => values.includes(value));
+export function oneOf<const Options extends readonly unknown[]>(...options: Options): Shape<Options[number]> {
+  return shape(options.join(', '), (value) => options.includes(value));
 }
 
-export function optional(check: Check): Check {
-  return shape(check.words, (value) => value === undefined || check(value));
+export function optional<Value>(of: Shape<Value>): Shape<Value | undefined> {
+  return shape(of.words, (value) => value === undefined || of(value));
 }
 
-export function bytes(max: number): Check {
-  return shape(
-    `a Uint8Array of at most ${max} bytes`,
-    (value) => value instanceof Uint8Array && value.byteLength <= max,
-  );
+export function bytes(max: number): Shape<Uint8Array> {
+  const isRight = (value: unknown) => value instanceof Uint8Array && value.byteLength <= max;
+  return Object.assign(shape<Uint8Array>(`a Uint8Array of at most ${max} bytes`, isRight), {
+    // A part of a buffer is copied: the rest of the buffer, such as WASM memory, must stay.
+    transferred: ({ buffer, byteLength }: Uint8Array<ArrayBuffer>) =>
+      byteLength === buffer.byteLength ? [buffer] : [],
+  });
 }
 
-export const blob = shape('a Blob', (value) => value instanceof Blob);
+export const blob = shape<Blob>('a Blob', (value) => value instanceof Blob);
 
 /** A flat dotted parameter key. */
-export const key = shape(
+export const key = shape<string>(
   'a key',
   (value) => typeof value === 'string' && value.length <= LONGEST_KEY && KEY.test(value),
 );
 
-export function list(check: Check, max: number): Check {
+export function list<Value>(of: Shape<Value>, max: number): Shape<Value[]> {
   return shape(
-    `an array of at most ${max}, each ${check.words}`,
-    (value) => Array.isArray(value) && value.length <= max && value.every(check),
+    `an array of at most ${max}, each ${of.words}`,
+    (value) => Array.isArray(value) && value.length <= max && value.every(of),
   );
 }
 
 /** A plain object with these fields and no others. */
-export function record(fields: Readonly<Record<string, Check>>): Check {
+export function record<Fields extends Readonly<Record<string, Shape>>>(
+  fields: Fields,
+): Shape<{ [Name in keyof Fields]: ValueOf<Fields[Name]> }> {
   const names = Object.keys(fields);
   return shape(`an object of ${names.join(', ')}`, (value) => {
     if (!isPlain(value)) return false;
@@ -75,7 +91,7 @@ export function record(fields: Readonly<Record<string, Check>>): Check {
 }
 
 /** Flat parameter values by key. The stage checks whether the keys exist. */
-export const values = shape('an object of numbers and strings by parameter key', (value) => {
+export const values = shape<Values>('an object of numbers and strings by parameter key', (value) => {
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
   return (
@@ -84,12 +100,12 @@ export const values = shape('an object of numbers and strings by parameter key',
 });
 
 /** A plain object of finite numbers and booleans. */
-export const figures = shape(
+export const figures = shape<StageStats>(
   'an object of numbers and booleans',
   (value) => isPlain(value) && Object.values(value).every((each) => Number.isFinite(each) || flag(each)),
 );
 
-function hasRight(value: Readonly<Record<string, unknown>>, fields: Readonly<Record<string, Check>>) {
+function hasRight(value: Readonly<Record<string, unknown>>, fields: Readonly<Record<string, Shape>>) {
   return (name: string) => fields[name](Object.hasOwn(value, name) ? value[name] : undefined);
 }
 

@@ -1,4 +1,4 @@
-import { calls } from '../../src/remote/calls.ts';
+import { methodNames, methods } from '../../src/remote/methods.ts';
 import { random as seeded } from '../visual/random.ts';
 
 const STRANGE = [
@@ -15,7 +15,7 @@ const STRANGE = [
   'x'.repeat(1e5),
 ];
 const METHODS = [
-  ...Object.keys(calls),
+  ...methodNames,
   'listen',
   'unlisten',
   'dispose',
@@ -27,7 +27,7 @@ const METHODS = [
 ];
 
 /** Calls without arguments: with an empty argument list they would be valid. */
-const NO_ARGUMENTS = new Set(Object.keys(calls).filter((name) => calls[name as keyof typeof calls].takes.length === 0));
+const NO_ARGUMENTS = new Set<string>(methodNames.filter((name) => methods[name].takes.length === 0));
 const NO_LISTS = [7, 'args', { length: 1e9 }, { 0: 1, length: 1 }, null];
 const WRONG_LISTS = [[NaN], ['x'.repeat(1e4)], [{ 'emission.rate': 'many' }], [[{}]], [-Infinity], [new Uint8Array(9)]];
 
@@ -45,7 +45,7 @@ export function* hostileMessages(count: number, seed: number): Generator {
     return kind === 5 ? inner : Object.fromEntries(inner.map((each) => [pick(METHODS), each]));
   };
   const args = (method: string): unknown => {
-    const needsNone = method === 'step' || !Object.hasOwn(calls, method) || NO_ARGUMENTS.has(method);
+    const needsNone = method === 'step' || !Object.hasOwn(methods, method) || NO_ARGUMENTS.has(method);
     return pick(needsNone ? NO_LISTS : [...NO_LISTS, ...WRONG_LISTS]);
   };
   for (let message = 0; message < count; ++message) {

@@ -1,11 +1,9 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { HANDED_ON } from '../../../src/element/methods.ts';
 import { keyOfAttribute, names } from '../../../src/element/attributes/names.ts';
 import type { Parameter } from '../../../src/preset/parameter.ts';
 import { listNames } from '../../../src/preset/lists.ts';
 import { table } from '../../../src/preset/table.ts';
-import { calls } from '../../../src/remote/calls.ts';
 
 const FILE = new URL('../../../src/element/attributes/names.json', import.meta.url);
 
@@ -50,11 +48,6 @@ it('has each parameter once, in the order of the table', () => {
 it('has unique attributes and properties', () => {
   expect(new Set(names.map(({ property }) => property)).size).toBe(names.length);
   expect(keyOfAttribute.size).toBe(names.length);
-});
-
-it('forwards every method of a stage except those that it implements itself', () => {
-  const own = Object.keys(calls).filter((name) => !(HANDED_ON as readonly string[]).includes(name));
-  expect(own).toEqual(['play', 'pause', 'resize', 'setBackground', 'setVisible']);
 });
 
 it('writes keys in kebab and camel case', () => {

@@ -9,7 +9,7 @@ import {
   SmokeError,
   UnsupportedError,
 } from '../../../src/preset/errors.ts';
-import { calls } from '../../../src/remote/calls.ts';
+import { methodNames } from '../../../src/remote/methods.ts';
 import { packError, unpackError } from '../../../src/remote/packedErrors.ts';
 import { PortStage } from '../../../src/remote/portStage.ts';
 import {
@@ -141,7 +141,7 @@ test('options that need the same thread are not sent', async () => {
 });
 
 test('a reply of the wrong shape is rejected', () => {
-  for (const name of Object.keys(calls) as (keyof typeof calls)[]) {
+  for (const name of methodNames) {
     const strange = { id: 1, value: { length: 1, x: {} } };
     expect(
       readReply(strange, () => name),
