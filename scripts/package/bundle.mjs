@@ -32,6 +32,8 @@ const TOGETHER = [
   // What `puff()` and the element have in common before their first smoke.
   { name: 'zoom', test: /page\/zoom\.ts$/, priority: 4 },
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  // What the element, `puff()` and every kind of stage have in common.
+  { name: 'methods', test: /remote\/(methods|shapes)\.ts$/, priority: 4 },
   {
     name: 'shaders',
     test: /\/shaders\/(backdrop|bodies\/lobes|lib|mask|meshVolumes|resolve|selfTest|surfaces|volumes)\b/,
