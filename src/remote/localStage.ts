@@ -11,8 +11,8 @@ export function localStage(stage: Stage, thread: Thread = 'main', release?: () =
   let isDisposed = false;
   const call = async (name: MethodName, args: unknown[]) => {
     if (isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
-    const { takes, run }: MethodEntry = methods[name];
-    return run(stage, ...args.slice(0, takes.length));
+    const entry: MethodEntry = methods[name];
+    return entry.run(stage, ...args.slice(0, entry.takes.length));
   };
   return {
     ...makeMethods(methodNames, call),

@@ -12,7 +12,7 @@ import type { Stage } from '../stage/stage.ts';
 import type { Take } from '../stage/take.ts';
 import {
   blob,
-  bytes,
+  byteArray,
   figures,
   flag,
   integer,
@@ -24,7 +24,7 @@ import {
   optional,
   record,
   text,
-  values,
+  valuesByKey,
   type Shape,
 } from './shapes.ts';
 
@@ -54,9 +54,9 @@ const blow = record({
   radius: optional(place),
   seconds: optional(place),
 });
-const seconds = demanding(number(MAX_SECONDS, 0), (value) => requireFinite({ seconds: value }, 0));
-const steps = demanding(optional(integer(0, MAX_STEPS)), (value) => requireWhole('n', value));
-const state = bytes(MAX_BYTES);
+const duration = demanding(number(MAX_SECONDS, 0), (value) => requireFinite({ seconds: value }, 0));
+const stepCount = demanding(optional(integer(0, MAX_STEPS)), (value) => requireWhole('n', value));
+const state = byteArray(MAX_BYTES);
 const vector = list(place, 3) as Shape as Shape<Vector>;
 const plane = record({ middle: vector, right: vector, up: vector });
 
@@ -64,9 +64,9 @@ const plane = record({ middle: vector, right: vector, up: vector });
 interface PackedTake extends Omit<Take, 'toBytes'> {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
-const take: Shape<Take> = Object.assign(
+const recording: Shape<Take> = Object.assign(
   record({
-    values,
+    values: valuesByKey,
     seed: number(2 ** 53),
     inputs: number(FAR),
     start: number(2 ** 53),
@@ -118,7 +118,7 @@ export const methods = {
   pause: method({ takes: [], gives: nothing, run: (stage) => stage.pause() }),
   /** @param n an integer of at least 0. Default: 1. At most 36,000 in a worker or an iframe */
   step: method({
-    takes: [steps],
+    takes: [stepCount],
     gives: nothing,
     run: async (stage, n?: number) => {
       await completed(stage);
@@ -126,10 +126,10 @@ export const methods = {
     },
   }),
   /** @param seconds simulated time, at least 0; at most 600 in a worker or an iframe */
-  seek: method({ takes: [seconds], gives: nothing, run: (stage, seconds: number) => stage.seek(seconds) }),
+  seek: method({ takes: [duration], gives: nothing, run: (stage, seconds: number) => stage.seek(seconds) }),
   /** @param seconds simulated time, at least 0; at most 600 in a worker or an iframe */
   advance: method({
-    takes: [seconds],
+    takes: [duration],
     gives: nothing,
     run: async (stage, seconds: number) => {
       await completed(stage);
@@ -140,21 +140,21 @@ export const methods = {
   clear: method({ takes: [], gives: nothing, run: (stage) => stage.clear() }),
   restart: method({ takes: [], gives: nothing, run: (stage) => stage.restart() }),
   /** Loads another scene, or restarts the current one. Omitted values get their defaults. */
-  enter: method({ takes: [values], gives: nothing, run: (stage, values: Values) => stage.enter(values) }),
-  set: method({ takes: [values], gives: nothing, run: (stage, values: Values) => stage.set(values) }),
+  enter: method({ takes: [valuesByKey], gives: nothing, run: (stage, values: Values) => stage.enter(values) }),
+  set: method({ takes: [valuesByKey], gives: nothing, run: (stage, values: Values) => stage.set(values) }),
   unset: method({
     takes: [list(key, MAX_KEYS)],
     gives: nothing,
     run: (stage, keys: readonly string[]) => stage.unset(keys),
   }),
-  get: method({ takes: [], gives: values, run: (stage) => stage.get() }),
+  get: method({ takes: [], gives: valuesByKey, run: (stage) => stage.get() }),
   /** A PNG at full resolution, also while the canvas is not visible. */
   picture: method({ takes: [], gives: blob, run: (stage) => stage.picture() }),
   save: method({ takes: [], gives: state, run: (stage) => stage.save() }),
   restore: method({ takes: [state], gives: nothing, run: (stage, bytes: Uint8Array) => stage.restore(bytes) }),
-  take: method({ takes: [], gives: take, run: (stage) => stage.take() }),
+  take: method({ takes: [], gives: recording, run: (stage) => stage.take() }),
   /** Reads the metadata of a take without playing it. */
-  readTake: method({ takes: [state], gives: take, run: (stage, bytes: Uint8Array) => stage.readTake(bytes) }),
+  readTake: method({ takes: [state], gives: recording, run: (stage, bytes: Uint8Array) => stage.readTake(bytes) }),
   /** @param take the result of `take()`, or its bytes */
   playTake: method({
     takes: [state],

@@ -55,7 +55,7 @@ export function optional<Value>(of: Shape<Value>): Shape<Value | undefined> {
   return shape(of.words, (value) => value === undefined || of(value));
 }
 
-export function bytes(max: number): Shape<Uint8Array> {
+export function byteArray(max: number): Shape<Uint8Array> {
   const isRight = (value: unknown) => value instanceof Uint8Array && value.byteLength <= max;
   return Object.assign(shape<Uint8Array>(`a Uint8Array of at most ${max} bytes`, isRight), {
     // A part of a buffer is copied: the rest of the buffer, such as WASM memory, must stay.
@@ -91,7 +91,7 @@ export function record<Fields extends Readonly<Record<string, Shape>>>(
 }
 
 /** Flat parameter values by key. The stage checks whether the keys exist. */
-export const values = shape<Values>('an object of numbers and strings by parameter key', (value) => {
+export const valuesByKey = shape<Values>('an object of numbers and strings by parameter key', (value) => {
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
   return (
