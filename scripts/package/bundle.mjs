@@ -32,8 +32,6 @@ const TOGETHER = [
   // What `puff()` and the element have in common before their first smoke.
   { name: 'zoom', test: /page\/zoom\.ts$/, priority: 4 },
   { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
-  // What the element, `puff()` and every kind of stage have in common.
-  { name: 'methods', test: /remote\/(methods|shapes)\.ts$/, priority: 4 },
   {
     name: 'shaders',
     test: /\/shaders\/(backdrop|bodies\/lobes|lib|mask|meshVolumes|resolve|selfTest|surfaces|volumes)\b/,
@@ -46,7 +44,7 @@ const TOGETHER = [
   },
   {
     name: 'session',
-    test: /src\/(preset\/(assetUrls|table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/openStage|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
+    test: /src\/(preset\/(assetUrls|table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/(openStage|methods|shapes)|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },

@@ -1,10 +1,11 @@
-import { methodNames, type MethodName, type RemoteMethods } from '../remote/methods.ts';
+import type { RemoteMethods } from '../remote/methods.ts';
+import names from './methods.json' with { type: 'json' };
 
-/** Methods of a stage that the element does itself, or that follow from its place on the page. */
-const OWN = ['play', 'pause', 'resize', 'setBackground', 'setVisible'] as const satisfies readonly MethodName[];
+/** Methods of a stage that the element has unchanged. It does the others itself, by attributes and its place. */
+export type StageMethods = Omit<RemoteMethods, 'play' | 'pause' | 'resize' | 'setBackground' | 'setVisible'>;
 
-/** Methods of a stage that the element has unchanged. */
-export type StageMethods = Omit<RemoteMethods, (typeof OWN)[number]>;
-
-/** Methods that the element passes to its stage unchanged. */
-export const HANDED_ON = methodNames.filter((name): name is keyof StageMethods => !OWN.includes(name as never));
+/**
+ * Their names. The list of methods with its checks is loaded with the smoke; before that, the element has only the
+ * names, which `npm run generate` writes of the list.
+ */
+export const HANDED_ON = names.split(' ') as (keyof StageMethods)[];

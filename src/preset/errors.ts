@@ -39,27 +39,6 @@ export function requireOptions(call: string, options: unknown, known: readonly s
   }
 }
 
-/**
- * Validates numbers that are not in the table, because NaN would persist in the simulation.
- * @param numbers by their names in the error
- * @param min 0 if they must not be negative
- * @throws ParameterError for the first that is not finite or is below `min`
- */
-export function requireFinite(numbers: Readonly<Record<string, unknown>>, min?: 0): void {
-  for (const [key, value] of Object.entries(numbers)) {
-    if (!Number.isFinite(value) || (value as number) < min!) {
-      throw new ParameterError(key, value, min === 0 ? 'a number from 0' : 'a finite number');
-    }
-  }
-}
-
-/** @throws ParameterError if the value is not an unsigned 32-bit integer */
-export function requireWhole(key: string, value: unknown): void {
-  if (!Number.isInteger(value) || (value as number) < 0 || (value as number) > 0xffffffff) {
-    throw new ParameterError(key, value, 'a whole number from 0 to 4294967295');
-  }
-}
-
 /** A mesh or shape cannot be used as a puff. The message has the fault and what is accepted. */
 export class ShapeError extends SmokeError {
   override name = 'ShapeError';

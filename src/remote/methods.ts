@@ -3,7 +3,7 @@
  * make the messages of it, `localStage.ts` the stage of this thread, `src/iframe` that of a frame and `src/element` the
  * methods of the element. Pages import it without a stage, so it imports only types of `src/stage`.
  */
-import { requireFinite, requireWhole } from '../preset/errors.ts';
+import { requireFinite, requireWhole } from '../preset/values.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Vector } from '../scenes/scene.ts';
 import type { BlowInput } from '../stage/blow.ts';

@@ -1,5 +1,6 @@
 /** Wraps one WASM simulator: owns its handle, the typed-array views on its memory, and its lifetime. */
-import { requireWhole, SimulatorError } from '../preset/errors.ts';
+import { SimulatorError } from '../preset/errors.ts';
+import { requireWhole } from '../preset/values.ts';
 import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';

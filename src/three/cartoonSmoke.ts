@@ -14,17 +14,11 @@ import {
 } from 'three';
 import type { Device } from '../device/device.ts';
 import type { BakedPuffs } from '../device/puffTextures.ts';
-import {
-  requireFinite,
-  requireWhole,
-  SimulatorError,
-  SmokeError,
-  UnsupportedError,
-  type LoadError,
-} from '../preset/errors.ts';
+import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
 import { runOnSelf } from '../preset/onSelf.ts';
 import type { AnyValues, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
+import { requireFinite, requireWhole } from '../preset/values.ts';
 import { Clock, STEP_SECONDS } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';

@@ -1,10 +1,21 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { keyOfAttribute, names } from '../../../src/element/attributes/names.ts';
+import type { StageMethods } from '../../../src/element/methods.ts';
 import type { Parameter } from '../../../src/preset/parameter.ts';
 import { listNames } from '../../../src/preset/lists.ts';
 import { table } from '../../../src/preset/table.ts';
+import { methodNames, type MethodName } from '../../../src/remote/methods.ts';
 
+const METHODS = new URL('../../../src/element/methods.json', import.meta.url);
+/** Does not compile without each method that the element does itself. */
+const OWN: Readonly<Record<Exclude<MethodName, keyof StageMethods>, true>> = {
+  play: true,
+  pause: true,
+  resize: true,
+  setBackground: true,
+  setVisible: true,
+};
 const FILE = new URL('../../../src/element/attributes/names.json', import.meta.url);
 
 function isNumber(row: Parameter): boolean {
@@ -36,6 +47,12 @@ function expected(): string {
 it('lists the keys of the table (npm run generate writes them)', () => {
   if (process.env.GENERATE) writeFileSync(FILE, expected());
   else expect(readFileSync(FILE, 'utf8')).toBe(expected());
+});
+
+it('lists the methods of a stage that the element has unchanged (npm run generate writes them)', () => {
+  const names = `${JSON.stringify(methodNames.filter((name) => !Object.hasOwn(OWN, name)).join(' '))}\n`;
+  if (process.env.GENERATE) writeFileSync(METHODS, names);
+  else expect(readFileSync(METHODS, 'utf8')).toBe(names);
 });
 
 it('has each parameter once, in the order of the table', () => {
