@@ -50,9 +50,9 @@ it('lists the keys of the table (npm run generate writes them)', () => {
 });
 
 it('lists the methods of a stage that the element has unchanged (npm run generate writes them)', () => {
-  const names = `${JSON.stringify(methodNames.filter((name) => !Object.hasOwn(OWN, name)).join(' '))}\n`;
-  if (process.env.GENERATE) writeFileSync(METHODS, names);
-  else expect(readFileSync(METHODS, 'utf8')).toBe(names);
+  const text = `${JSON.stringify(methodNames.filter((name) => !Object.hasOwn(OWN, name)).join(' '))}\n`;
+  if (process.env.GENERATE) writeFileSync(METHODS, text);
+  else expect(readFileSync(METHODS, 'utf8')).toBe(text);
 });
 
 it('has each parameter once, in the order of the table', () => {
