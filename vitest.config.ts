@@ -5,7 +5,14 @@ import glsl from 'vite-plugin-glsl';
 const isLong = Boolean(process.env.TEST_LONG);
 const LONG = 'tests/unit/**/*.long.test.ts';
 // No other file may use their modules before: the first measures the memory of the simulator's, the second replaces one.
-const ISOLATED = ['tests/unit/sim/life.test.ts', 'tests/unit/smoke/completion.test.ts'];
+// The others replace globals, or need those of Node.
+const ISOLATED = [
+  'tests/unit/sim/life.test.ts',
+  'tests/unit/smoke/completion.test.ts',
+  'tests/unit/element/simulated.test.ts',
+  'tests/unit/remote/startWorker.test.ts',
+  'tests/unit/scripts/devServers.test.ts',
+];
 const include = isLong ? [LONG] : ['tests/unit/**/*.test.ts'];
 const exclude = isLong ? [] : [LONG];
 

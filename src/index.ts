@@ -40,7 +40,7 @@ export type { SmokeHandle } from './three/handle.ts';
 export type { KeyLight } from './three/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';
 export type { RemoteStage, RemoteStageOptions, Thread } from './remote/contract.ts';
-export type { RemoteMethods } from './remote/methods.ts';
+export type { MethodName, RemoteMethod, RemoteMethods } from './remote/methods.ts';
 export { connectFrame, type ConnectOptions } from './remote/connectFrame.ts';
 export { openStage } from './remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
