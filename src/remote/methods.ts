@@ -239,15 +239,16 @@ export type MethodName = keyof typeof methods;
 export const methodNames = Object.keys(methods) as readonly MethodName[];
 
 /** A method as its callers see it. */
-export type RemoteMethod<Of> =
-  Of extends MethodEntry<infer Given, infer Result> ? (...args: Given) => Promise<Result> : never;
+export type RemoteMethod<Run> = Run extends (stage: never, ...args: infer Given) => infer Result
+  ? (...args: Given) => Promise<Awaited<Result>>
+  : never;
 
 /**
  * The asynchronous methods of a remote stage, named as in `Stage`. Each rejects with the error that `Stage` would
  * throw, as the same class, and with a SimulatorError after disposal. A stage in a worker or an iframe rejects values
  * outside the ranges given here with a ParameterError.
  */
-export type RemoteMethods = { [Name in MethodName]: RemoteMethod<(typeof methods)[Name]> };
+export type RemoteMethods = { [Name in MethodName]: RemoteMethod<(typeof methods)[Name]['run']> };
 
 /** Makes methods of these names from one function that calls any of them. */
 export function makeMethods<Name extends MethodName>(
