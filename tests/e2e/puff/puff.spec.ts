@@ -475,7 +475,7 @@ for (const target of ['button', 'dialog button']) {
     const isShown = () => page.evaluate(() => document.querySelector('canvas')!.checkVisibility());
     for (const media of ['screen', 'print', 'screen'] as const) {
       await page.emulateMedia({ media });
-      expect(await isShown(), media).toBe(media === 'screen');
+      await expect.poll(isShown, { message: media }).toBe(media === 'screen');
     }
     await page.evaluate(() => puff.clear());
     await over;
