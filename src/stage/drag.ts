@@ -1,5 +1,7 @@
 import { Box3, Plane, Ray, Sphere, Vector3, type Camera, type Matrix4, type Vector2 } from 'three';
 import type { Handle } from '../scenes/scene.ts';
+import { POSE_FLOATS } from '../sim/layout.ts';
+import type { Mover, Simulation } from './simulation.ts';
 
 /** A pointer within this many radii of the centre grabs the rigid: fingers are less precise than mice. */
 const GRAB_RADII = 1.3;
@@ -7,16 +9,19 @@ const GRAB_RADII = 1.3;
  * Takes store positions in whole millimetres. Rounding the anchor when it is grabbed keeps the centre inside its box.
  */
 const PARTS_A_METRE = 1000;
+/** After this many steps, the spring has closed all but 1/10,000 of the distance to the release position. */
+const SETTLING_STEPS = 30;
 
 /**
- * The target of a draggable rigid, moved by pointers or by steps. Inputs are plain numbers, so it does not access the
- * DOM.
+ * Drags the movable rigid of a scene: moves its target by pointers or by steps, and the rigid to its target. Inputs are
+ * plain numbers, so it does not access the DOM.
  */
-export class Drag {
+export class Drag implements Mover {
   /** Target position of the centre, within the handle's box. */
-  readonly target: Vector3;
+  readonly target = new Vector3();
   /** The grabbed point, in the rigid's local space. */
   readonly anchor = new Vector3();
+  private readonly simulation: Simulation;
   private readonly handle: Handle;
   private readonly box: Box3;
   private readonly plane = new Plane();
@@ -24,31 +29,42 @@ export class Drag {
   private readonly arm = new Vector3();
   private readonly ray = new Ray();
   private pointer: number | undefined;
+  /** Step at which the spring releases the rigid; undefined while the spring is inactive. */
+  private heldUntil: number | undefined;
+  private heldFrom = 0;
 
-  constructor(handle: Handle) {
+  constructor(simulation: Simulation, handle: Handle) {
+    this.simulation = simulation;
     this.handle = handle;
-    this.target = new Vector3(...handle.start);
     this.box = new Box3(new Vector3(...handle.min), new Vector3(...handle.max));
+    simulation.mover = this;
+    this.reset();
   }
 
-  get isHeld(): boolean {
-    return this.pointer !== undefined;
+  /** The rigid while the spring moves it. */
+  get heldRigid(): number | undefined {
+    return this.heldUntil === undefined ? undefined : this.handle.rigid;
   }
 
-  /** Target position of the anchor, in world space. */
-  get grip(): Vector3 {
-    return this.arm.clone().add(this.target);
+  /** Whether a guide moves the rigid to its target. The guide takes several steps. */
+  get isSteered(): boolean {
+    return this.handle.steers !== undefined;
+  }
+
+  /** World transform of the rigid, as last drawn. */
+  get transform(): Matrix4 {
+    return this.simulation.matrices[this.handle.rigid];
   }
 
   /**
    * Grabs the rigid where the pointer hits it, if it is under the pointer.
    * @param at normalized device coordinates, -1 to 1, y up
-   * @param transform of the rigid as drawn
    */
-  grab(pointer: number, at: Vector2, camera: Camera, transform: Matrix4): boolean {
+  grab(pointer: number, at: Vector2, camera: Camera): boolean {
+    const { transform } = this;
     this.aim(at, camera);
     const centre = new Vector3().setFromMatrixPosition(transform);
-    if (this.isHeld || this.ray.distanceToPoint(centre) > this.handle.radius * GRAB_RADII) return false;
+    if (this.pointer !== undefined || this.ray.distanceToPoint(centre) > this.handle.radius * GRAB_RADII) return false;
     this.pointer = pointer;
     const hit = this.hitOf(centre);
     this.plane.setFromNormalAndCoplanarPoint(camera.getWorldDirection(new Vector3()), hit);
@@ -65,7 +81,7 @@ export class Drag {
     if (pointer !== this.pointer) return false;
     this.aim(at, camera);
     const hit = this.ray.intersectPlane(this.plane, new Vector3());
-    if (hit) this.moveTo(hit.sub(this.arm));
+    this.moveTo(hit ? hit.sub(this.arm) : this.target);
     return true;
   }
 
@@ -76,16 +92,60 @@ export class Drag {
   release(pointer: number): boolean {
     if (pointer !== this.pointer) return false;
     this.pointer = undefined;
+    this.letGo();
     return true;
   }
 
   /** Moves the target by metres, as the arrow keys do. */
   nudge(by: Vector3): void {
     this.moveTo(by.add(this.target));
+    if (this.pointer === undefined) this.letGo();
   }
 
-  private moveTo(place: Vector3): void {
+  /** Moves the target to a position in its box, and the rigid to it: by a spring, or by steering the scene's guide. */
+  moveTo(place: Vector3): void {
     this.box.clampPoint(place, this.target);
+    if (this.isSteered) return this.steer();
+    const [anchor, grip] = [this.anchor.toArray(), this.arm.clone().add(this.target).toArray()];
+    this.simulation.input((simulator) => simulator.inputDrag(this.handle.rigid, anchor, grip));
+    if (this.heldUntil !== Infinity) this.heldFrom = this.simulation.simulator.steps;
+    this.heldUntil = Infinity;
+  }
+
+  /**
+   * Releases the rigid after it reaches its target, because the target may have been set while paused. A dynamic rigid
+   * is released at once if it has been held for at least one step, so that it can be thrown.
+   */
+  letGo(): void {
+    const { simulator, scene } = this.simulation;
+    const isThrown = scene.rigids[this.handle.rigid].kind === 'dynamic' && simulator.steps > this.heldFrom;
+    if (this.heldUntil === Infinity) this.heldUntil = simulator.steps + (isThrown ? 0 : SETTLING_STEPS);
+  }
+
+  /** Releases the rigid when it has settled. */
+  beforeStep(): void {
+    if (this.heldUntil === undefined || this.simulation.simulator.steps < this.heldUntil) return;
+    this.simulation.input((simulator) => simulator.inputRelease(this.handle.rigid));
+    this.heldUntil = undefined;
+  }
+
+  /** Ends the drag. The target is where the rigid is. */
+  reset(): void {
+    this.heldUntil = undefined;
+    this.pointer = undefined;
+    this.anchor.set(0, 0, 0);
+    this.arm.set(0, 0, 0);
+    this.target.fromArray(this.simulation.simulator.rigidPoses(1), POSE_FLOATS * this.handle.rigid);
+  }
+
+  private steer(): void {
+    const { min, max, steers } = this.handle;
+    const place = this.target.toArray();
+    steers!.forEach((channel, axis) => {
+      const half = (max[axis] - min[axis]) / 2;
+      const value = (place[axis] - min[axis]) / half - 1;
+      if (half > 0) this.simulation.input((simulator) => simulator.inputSteer(channel, value));
+    });
   }
 
   /** The intersection of the ray with the rigid, or the point of the ray nearest to its centre if it misses. */

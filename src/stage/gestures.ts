@@ -1,6 +1,7 @@
 import { Plane, Ray, Vector3, type Camera, type Matrix4, type Vector2 } from 'three';
 import { blowOf, type BlowInput } from './blow.ts';
 import type { PointerInput } from './contract.ts';
+import { Drag } from './drag.ts';
 import type { Picture } from './picture.ts';
 import type { Simulation } from './simulation.ts';
 
@@ -8,11 +9,15 @@ import type { Simulation } from './simulation.ts';
 export class Gestures {
   private readonly simulation: Simulation;
   private readonly picture: Picture;
+  /** Undefined in a scene without a movable rigid. */
+  private readonly drag: Drag | undefined;
   private movedWhilePaused = false;
 
   constructor(simulation: Simulation, picture: Picture) {
+    const { handle } = simulation.scene;
     this.simulation = simulation;
     this.picture = picture;
+    this.drag = handle && new Drag(simulation, handle);
   }
 
   /**
@@ -20,18 +25,13 @@ export class Gestures {
    * @param onMove called when the target of the rigid changes
    */
   pointer({ type, id, x, y }: PointerInput, onMove: () => void): 'rigid' | null {
-    const { drag } = this.simulation;
+    const { drag } = this;
     if (!drag || !this.picture.isVisible) return null;
     const at = this.picture.deviceCoordinates(x, y);
     const { camera } = this.picture.eye;
-    if (type === 'down') return drag.grab(id, at, camera, this.simulation.handleTransform()) ? 'rigid' : null;
-    if (type !== 'move') {
-      if (!drag.release(id)) return null;
-      this.simulation.releaseHandle();
-      return 'rigid';
-    }
+    if (type === 'down') return drag.grab(id, at, camera) ? 'rigid' : null;
+    if (type !== 'move') return drag.release(id) ? 'rigid' : null;
     if (!drag.follow(id, at, camera)) return null;
-    this.simulation.dragHandle();
     onMove();
     return 'rigid';
   }
@@ -41,12 +41,8 @@ export class Gestures {
    * @returns whether the scene has a movable rigid
    */
   nudge(dx: number, dy: number, dz: number): boolean {
-    const { drag } = this.simulation;
-    if (!drag) return false;
-    drag.nudge(new Vector3(dx, dy, dz));
-    this.simulation.dragHandle();
-    if (!drag.isHeld) this.simulation.releaseHandle();
-    return true;
+    this.drag?.nudge(new Vector3(dx, dy, dz));
+    return this.drag !== undefined;
   }
 
   /** @throws ParameterError naming the value that is out of range */
@@ -64,8 +60,14 @@ export class Gestures {
   drop(x: number, y: number): boolean {
     if (this.simulation.dropCount === 0 || !this.picture.isVisible) return false;
     const { camera, centre } = this.picture.eye;
-    this.simulation.drop(placeBefore(this.picture.deviceCoordinates(x, y), camera, centre));
+    const place = placeBefore(this.picture.deviceCoordinates(x, y), camera, centre);
+    this.simulation.drop(place, this.drag?.heldRigid);
     return true;
+  }
+
+  /** Whether a guide moves the rigid to its target, which takes several steps. */
+  get isSteered(): boolean {
+    return this.drag?.isSteered ?? false;
   }
 
   /** Draws the rigid at its target from now on, although the spring moves it there only in the next steps. */
@@ -82,9 +84,8 @@ export class Gestures {
    * World transforms of the rigids as drawn, by index, interpolated between the previous step (0) and the latest (1).
    */
   rigids(blend: number): readonly Matrix4[] {
-    const { simulation } = this;
-    const rigids = simulation.rigids(blend);
-    if (this.movedWhilePaused) simulation.handleTransform().setPosition(simulation.drag!.target);
+    const rigids = this.simulation.rigids(blend);
+    if (this.movedWhilePaused) this.drag!.transform.setPosition(this.drag!.target);
     return rigids;
   }
 }

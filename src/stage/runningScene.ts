@@ -250,7 +250,7 @@ export class RunningScene implements FrameTasks {
 
   /** Shows the moved rigid while paused. While playing, the spring moves it over the next frames. */
   showMoved(): void {
-    if (!this.loop.isPlaying && !this.simulation.isSteered) this.show(() => this.gestures.showMoved());
+    if (!this.loop.isPlaying && !this.gestures.isSteered) this.show(() => this.gestures.showMoved());
   }
 
   notifyState(): void {

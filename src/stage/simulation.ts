@@ -7,34 +7,37 @@ import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
-import { Drag } from './drag.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { SavedStates } from './states.ts';
 
 const UNSCALED = new Vector3(1, 1, 1);
 /** A state is saved once per second: saving one takes about as long as two steps. */
 const STEPS_BETWEEN_STATES = 60;
-/** After this many steps, the spring has closed all but 1/10,000 of the distance to the release position. */
-const SETTLING_STEPS = 30;
 
-/** A scene's simulator with its saved states and its movable rigid. */
+/** What moves a rigid between steps. */
+export interface Mover {
+  /** Called before each step. */
+  beforeStep(): void;
+  /** Called after the simulator took another state. */
+  reset(): void;
+}
+
+/** A scene's simulator with its saved states. */
 export class Simulation {
   /** Milliseconds per step in the latest batch. */
   stepMs = 0;
-  drag: Drag | undefined;
+  mover: Mover | undefined;
+  readonly scene: Scene;
+  /** World transforms of the rigids by index, as last read by `rigids`. */
+  readonly matrices: readonly Matrix4[];
   /** Optional parameters that the scene sets. */
   readonly rig: AnyValues;
   private readonly factory: SimulatorFactory;
-  private readonly scene: Scene;
-  private readonly matrices: Matrix4[];
   private readonly states: SavedStates;
   private current: Simulator;
   private start: Values;
   private inputsSeen = 0;
   private readonly dropped: Dropped | undefined;
-  /** Step at which the spring releases the movable rigid; undefined while the spring is inactive. */
-  private heldUntil: number | undefined;
-  private heldFrom = 0;
 
   /** @param historyBytes memory budget for saved states */
   constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
@@ -46,7 +49,6 @@ export class Simulation {
     this.states = new SavedStates(historyBytes);
     this.current = this.create(values);
     this.start = values;
-    this.resetDrag();
   }
 
   /** Replaced on each restart. */
@@ -89,14 +91,14 @@ export class Simulation {
     this.current.restore(bytes);
     this.states.clear();
     this.start = this.valuesIn(values);
-    this.resetDrag();
+    this.reset();
     return this.start;
   }
 
   /** Goes to a saved state of the current take. The following steps replay the inputs after it. */
   rewind(state: Uint8Array): void {
     this.current.rewind(state);
-    this.resetDrag();
+    this.reset();
   }
 
   /** `values`, with the simulator's current values for every parameter that it reads. */
@@ -117,45 +119,19 @@ export class Simulation {
     this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
   }
 
-  /** Moves the rigid towards the drag target by a spring, or steers the scene's guide towards it. */
-  dragHandle(): void {
-    const { drag } = this;
-    if (!drag) return;
-    if (this.scene.handle!.steers) return this.steerHandle(drag);
-    const [anchor, grip] = [drag.anchor.toArray(), drag.grip.toArray()];
-    this.input((simulator) => simulator.inputDrag(this.scene.handle!.rigid, anchor, grip));
-    if (this.heldUntil !== Infinity) this.heldFrom = this.current.steps;
-    this.heldUntil = Infinity;
-  }
-
-  /** Whether a guide moves the rigid to its target. The guide takes several steps. */
-  get isSteered(): boolean {
-    return this.scene.handle?.steers !== undefined;
-  }
-
-  /**
-   * Releases the rigid after it reaches its target, because the target may have been set while paused. A dynamic rigid
-   * is released at once if it has been held for at least one step, so that it can be thrown.
-   */
-  releaseHandle(): void {
-    const { steps } = this.current;
-    const isThrown = this.scene.rigids[this.scene.handle!.rigid].kind === 'dynamic' && steps > this.heldFrom;
-    if (this.heldUntil === Infinity) this.heldUntil = steps + (isThrown ? 0 : SETTLING_STEPS);
-  }
-
   /** How many objects can be dropped; 0 in scenes without any. */
   get dropCount(): number {
     return this.dropped?.count ?? 0;
   }
 
   /**
-   * Drops an object at a position, in metres: the one farthest away that is not held. Unused objects are very far away.
+   * Drops an object at a position, in metres: the one farthest away. Unused objects are very far away.
+   * @param held a rigid that is not dropped
    */
-  drop(place: Vector3): void {
+  drop(place: Vector3, held?: number): void {
     const { dropped } = this;
     if (!dropped) return;
     const from = dropped.above(place);
-    const held = this.heldUntil === undefined ? undefined : this.scene.handle!.rigid;
     const rigid = dropped.next(from, this.current.rigidPoses(1), held);
     if (rigid === undefined) return;
     this.input((simulator) => simulator.inputPose(rigid, from.toArray(), dropped.tumbled));
@@ -182,7 +158,7 @@ export class Simulation {
     if (steps === 0) return;
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
-      this.letGoWhenSettled();
+      this.mover?.beforeStep();
       this.dropped?.clear();
       this.guide();
       this.sendParts();
@@ -208,7 +184,7 @@ export class Simulation {
     const state = this.states.latest(goal);
     if (steps <= goal && (state?.step ?? 0) <= steps) return;
     this.current.rewind(state?.bytes);
-    this.resetDrag();
+    this.reset();
   }
 
   /** World transforms of the rigids by index, interpolated between the previous step (0) and the latest (1). */
@@ -230,11 +206,6 @@ export class Simulation {
     });
   }
 
-  /** World transform of the movable rigid, as last drawn. */
-  handleTransform(): Matrix4 {
-    return this.matrices[this.scene.handle!.rigid];
-  }
-
   dispose(): void {
     this.current.dispose();
   }
@@ -254,7 +225,7 @@ export class Simulation {
     this.current = next;
     this.start = values;
     this.states.clear();
-    this.resetDrag();
+    this.reset();
   }
 
   /** Runs the scene's guide and rule for the next step. Neither is recorded as an input. */
@@ -302,29 +273,9 @@ export class Simulation {
     };
   }
 
-  private steerHandle({ target }: Drag): void {
-    const { min, max, steers } = this.scene.handle!;
-    const place = target.toArray();
-    steers!.forEach((channel, axis) => {
-      const half = (max[axis] - min[axis]) / 2;
-      if (half > 0) this.input((simulator) => simulator.inputSteer(channel, (place[axis] - min[axis]) / half - 1));
-    });
-  }
-
-  private letGoWhenSettled(): void {
-    if (this.heldUntil === undefined || this.current.steps < this.heldUntil) return;
-    this.input((simulator) => simulator.inputRelease(this.scene.handle!.rigid));
-    this.heldUntil = undefined;
-  }
-
-  /** Starts a new drag at the rigid's current position. */
-  private resetDrag(): void {
-    const { handle } = this.scene;
-    this.heldUntil = undefined;
+  private reset(): void {
     this.dropped?.clear();
-    if (!handle) return;
-    this.drag = new Drag(handle);
-    this.drag.target.fromArray(this.current.rigidPoses(1), POSE_FLOATS * handle.rigid);
+    this.mover?.reset();
   }
 
   private keepState(): void {

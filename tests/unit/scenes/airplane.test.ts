@@ -8,6 +8,7 @@ import type { Scene } from '../../../src/scenes/scene.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
 import type { RigidPart } from '../../../src/sim/rigid.ts';
 import type { Simulator } from '../../../src/sim/simulator.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -229,8 +230,7 @@ describe('in flight', () => {
   });
 
   function steer(simulation: Simulation, place: readonly number[]): void {
-    simulation.drag!.target.set(place[0], place[1], place[2]);
-    simulation.dragHandle();
+    new Drag(simulation, simulation.scene.handle!).moveTo(new Vector3(...place));
   }
 });
 

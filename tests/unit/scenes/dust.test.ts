@@ -1,4 +1,5 @@
 /** Dust: a harder impact on the sand raises more of it, and without motion there is none. */
+import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { dust } from '../../../src/scenes/dust.ts';
@@ -6,6 +7,7 @@ import { BY_HIT, DUST_RATE, POWER } from '../../../src/scenes/dustRule.ts';
 import type { Scene, Vector } from '../../../src/scenes/scene.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
 import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -84,10 +86,10 @@ test('a rolling ball leaves a trail, and resting objects raise no dust', () => {
   const still = alone(BALL, [0, 0.42, 0]);
   still.advance(120);
   expect(still.simulator.alive).toBe(0);
-  still.drag!.target.set(1.5, 0.45, 0);
-  still.dragHandle();
+  const drag = new Drag(still, still.scene.handle!);
+  drag.moveTo(new Vector3(1.5, 0.45, 0));
   still.advance(6);
-  still.releaseHandle();
+  drag.letGo();
   still.advance(50);
   const { x } = readParticles(still.simulator);
   expect(Math.max(...x) - Math.min(...x)).toBeGreaterThan(0.8);
@@ -101,12 +103,12 @@ test('the preset has the rate that the rule assumes', () => {
 test('a thrown ball keeps its velocity', () => {
   const simulation = new Simulation(factory, dust(), values, 1e6);
   simulation.advance(10);
+  const drag = new Drag(simulation, simulation.scene.handle!);
   for (let step = 0; step < 20; step++) {
-    simulation.drag!.target.set(-1 + 0.1 * step, 2.5, 0);
-    simulation.dragHandle();
+    drag.moveTo(new Vector3(-1 + 0.1 * step, 2.5, 0));
     simulation.advance(1);
   }
-  simulation.releaseHandle();
+  drag.letGo();
   simulation.advance(2);
   const [before] = simulation.simulator.rigidPoses(1);
   simulation.advance(10);
@@ -117,9 +119,9 @@ test('a thrown ball keeps its velocity', () => {
 test('a ball dragged while paused moves there before it falls', () => {
   const simulation = alone(BALL, [0, 0.42, 0]);
   simulation.advance(10);
-  simulation.drag!.target.set(1, 2, 0);
-  simulation.dragHandle();
-  simulation.releaseHandle();
+  const drag = new Drag(simulation, simulation.scene.handle!);
+  drag.moveTo(new Vector3(1, 2, 0));
+  drag.letGo();
   simulation.advance(29);
   const [x, y] = simulation.simulator.rigidPoses(1);
   expect(Math.hypot(x - 1, y - 2)).toBeLessThan(0.05);

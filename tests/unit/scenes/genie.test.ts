@@ -1,8 +1,10 @@
 /** The genie: at every called position his chest follows him and his tail connects him to the lamp without a gap. */
+import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { genie } from '../../../src/scenes/genie.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -21,8 +23,7 @@ function calledTo(place: readonly number[], changed: Record<string, number> = {}
   const simulation = new Simulation(factory, scene, values, 1e6);
   simulation.simulator.set(changed);
   simulation.advance(30);
-  simulation.drag!.target.set(place[0], place[1], place[2]);
-  simulation.dragHandle();
+  new Drag(simulation, scene.handle!).moveTo(new Vector3(...place));
   simulation.advance(360);
   return simulation;
 }

@@ -1,9 +1,11 @@
 /** The magic lamp: its smoke leaves the mouth and rises, and a ball in the smoke displaces it. */
+import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../../src/preset/presets.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import { lampModel } from '../../../src/scenes/models/lamp.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -33,9 +35,9 @@ const [START] = lamp().handle!.start;
 
 test('a ball moved into the column contains no smoke', () => {
   const [held, free] = [burning(4), burning(4)];
+  const drag = new Drag(held, lamp().handle!);
   for (let step = 1; step <= 90; step++) {
-    held.drag!.target.set(START + (PLACE[0] - START) * Math.min(1, step / 60), PLACE[1], PLACE[2]);
-    held.dragHandle();
+    drag.moveTo(new Vector3(START + (PLACE[0] - START) * Math.min(1, step / 60), PLACE[1], PLACE[2]));
     for (const simulation of [held, free]) simulation.advance(1);
     const ball = Array.from(held.simulator.rigidPoses(1).subarray(0, 3));
     expect(Math.min(...distances(held, ball))).toBeGreaterThan(radius - 1e-3);

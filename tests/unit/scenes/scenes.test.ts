@@ -9,6 +9,7 @@ import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries, sceneNamed } from '../../../src/scenes/scenes.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
 import { coarserSurfaces } from '../../../src/smoke/detail.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { finished } from '../../../src/work.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -101,8 +102,7 @@ describe.each(NAMES)('%s', (name) => {
     for (const simulation of [first, second]) {
       simulation.advance(40);
       if (scene.handle) {
-        simulation.drag!.target.set(...scene.handle.max);
-        simulation.dragHandle();
+        new Drag(simulation, scene.handle).moveTo(new Vector3(...scene.handle.max));
       }
       simulation.advance(70);
     }

@@ -3,6 +3,7 @@ import { PerspectiveCamera, Vector2, Vector3 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import type { Simulation } from '../../../src/stage/simulation.ts';
 import { lampSimulation, VALUES } from '../../support/sim/takeScript.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
@@ -30,19 +31,22 @@ function ball(simulation: Simulation): Vector3 {
   return new Vector3().fromArray(simulation.simulator.rigidPoses(1));
 }
 
-function grabAt(simulation: Simulation, place: Vector3): boolean {
+function begin(): { simulation: Simulation; drag: Drag } {
+  const simulation = lampSimulation(factory);
   simulation.rigids(1);
-  return simulation.drag!.grab(1, seen(place), camera, simulation.handleTransform());
+  return { simulation, drag: new Drag(simulation, lamp().handle!) };
 }
 
-function follow(simulation: Simulation, at: Vector2): void {
-  expect(simulation.drag!.follow(1, at, camera)).toBe(true);
-  simulation.dragHandle();
+function grabAt(drag: Drag, place: Vector3): boolean {
+  return drag.grab(1, seen(place), camera);
 }
 
-function letGo(simulation: Simulation): void {
-  expect(simulation.drag!.release(1)).toBe(true);
-  simulation.releaseHandle();
+function follow(drag: Drag, at: Vector2): void {
+  expect(drag.follow(1, at, camera)).toBe(true);
+}
+
+function letGo(drag: Drag): void {
+  expect(drag.release(1)).toBe(true);
 }
 
 /** The share of the distance that remains `steps` steps after a start at rest. */
@@ -53,12 +57,12 @@ function left(steps: number): number {
 
 describe('the pointer', () => {
   it('pulls the point that it hit towards itself by the law of the spring', () => {
-    const simulation = lampSimulation(factory);
-    expect(grabAt(simulation, START.clone().add(new Vector3(0.1, 0.12, 0)))).toBe(true);
-    const { anchor, target } = simulation.drag!;
+    const { simulation, drag } = begin();
+    expect(grabAt(drag, START.clone().add(new Vector3(0.1, 0.12, 0)))).toBe(true);
+    const { anchor, target } = drag;
     expect(Math.abs(anchor.length() - radius), 'on the surface').toBeLessThan(0.001);
     const at = seen(new Vector3(-0.4, 2.2, 0));
-    follow(simulation, at);
+    follow(drag, at);
     const way = target.distanceTo(START);
     expect(way).toBeGreaterThan(1);
     for (let step = 1; step <= 40; ++step) {
@@ -70,12 +74,12 @@ describe('the pointer', () => {
   });
 
   it('never pulls the ball out of its box', () => {
-    const simulation = lampSimulation(factory);
+    const { simulation, drag } = begin();
     const [low, high] = [new Vector3(...min), new Vector3(...max)];
-    grabAt(simulation, START.clone().add(new Vector3(-0.13, 0.07, 0)));
+    grabAt(drag, START.clone().add(new Vector3(-0.13, 0.07, 0)));
     const reached = [new Vector3().copy(START), new Vector3().copy(START)];
     for (let step = 0; step < 240; ++step) {
-      follow(simulation, new Vector2(3 * Math.sin(step / 19), 3 * Math.cos(step / 7)));
+      follow(drag, new Vector2(3 * Math.sin(step / 19), 3 * Math.cos(step / 7)));
       simulation.advance(1);
       reached[0].min(ball(simulation));
       reached[1].max(ball(simulation));
@@ -89,26 +93,27 @@ describe('the pointer', () => {
   });
 
   it('leaves the ball where it was released, also while paused', () => {
-    const simulation = lampSimulation(factory);
-    grabAt(simulation, START);
-    follow(simulation, seen(new Vector3(0.9, 2, 0)));
-    letGo(simulation);
+    const { simulation, drag } = begin();
+    grabAt(drag, START);
+    follow(drag, seen(new Vector3(0.9, 2, 0)));
+    letGo(drag);
     simulation.advance(30);
     expect(simulation.simulator.inputCount, 'still held').toBe(1);
     simulation.advance(1);
     expect(simulation.simulator.inputCount, 'let go').toBe(2);
     const settled = ball(simulation);
-    expect(settled.distanceTo(simulation.drag!.target)).toBeLessThan(0.001);
+    expect(settled.distanceTo(drag.target)).toBeLessThan(0.001);
     simulation.advance(30);
     expect(ball(simulation)).toEqual(settled);
     simulation.dispose();
   });
 
   it('changes nothing on a click', () => {
-    const [simulation, still] = [lampSimulation(factory), lampSimulation(factory)];
-    expect(grabAt(simulation, START)).toBe(true);
-    letGo(simulation);
-    expect(grabAt(simulation, new Vector3(-1, 1, 0)), 'beside the ball').toBe(false);
+    const { simulation, drag } = begin();
+    const still = lampSimulation(factory);
+    expect(grabAt(drag, START)).toBe(true);
+    letGo(drag);
+    expect(grabAt(drag, new Vector3(-1, 1, 0)), 'beside the ball').toBe(false);
     for (const each of [simulation, still]) each.advance(60);
     expect(simulation.simulator.inputCount).toBe(0);
     expect(simulation.simulator.hash()).toBe(still.simulator.hash());
@@ -116,12 +121,13 @@ describe('the pointer', () => {
   });
 
   it('repeats a drag in a take', () => {
-    const [first, second] = [lampSimulation(factory), lampSimulation(factory)];
+    const { simulation: first, drag } = begin();
+    const second = lampSimulation(factory);
     const hashes: string[] = [];
-    grabAt(first, START.clone().add(new Vector3(0.05, -0.1, 0)));
+    grabAt(drag, START.clone().add(new Vector3(0.05, -0.1, 0)));
     for (let step = 0; step < 120; ++step) {
-      if (step < 50) follow(first, new Vector2(0.4 - step / 60, Math.sin(step / 8) / 3));
-      if (step === 50) letGo(first);
+      if (step < 50) follow(drag, new Vector2(0.4 - step / 60, Math.sin(step / 8) / 3));
+      if (step === 50) letGo(drag);
       first.advance(1);
       hashes.push(first.simulator.hash());
     }
@@ -136,10 +142,8 @@ describe('the pointer', () => {
 });
 
 it('a nudge moves the ball smoothly', () => {
-  const simulation = lampSimulation(factory);
-  simulation.drag!.nudge(new Vector3(-0.5, 0.2, 0.1));
-  simulation.dragHandle();
-  simulation.releaseHandle();
+  const { simulation, drag } = begin();
+  drag.nudge(new Vector3(-0.5, 0.2, 0.1));
   const goal = START.clone().add(new Vector3(-0.5, 0.2, 0.1));
   for (let step = 1; step <= 35; ++step) {
     simulation.advance(1);

@@ -1,10 +1,13 @@
 /** Seeking in a take and replaying it elsewhere give the same hashes. */
+import { Vector3 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { defaultState, encode, LONGEST_LINK } from '../../../src/preset/codec.ts';
 import { ParameterError, SimulatorError } from '../../../src/preset/errors.ts';
 import { unpackBytes } from '../../../src/preset/packing.ts';
+import { lamp } from '../../../src/scenes/lamp.ts';
 import { wisp } from '../../../src/scenes/wisp.ts';
 import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { noteOf, takeOf } from '../../../src/stage/take.ts';
 import { act, follow, LAST_STEP, lampSimulation, live, VALUES } from '../../support/sim/takeScript.ts';
@@ -135,13 +138,13 @@ describe('a take', () => {
 
   it('of half a minute of dragging fits into a link', async () => {
     const simulation = lampSimulation(factory);
-    const place = [0, 1.5, 0];
+    const drag = new Drag(simulation, lamp().handle!);
+    const place = new Vector3(0, 1.5, 0);
     for (let step = 0; step < 30 * 60; ++step) {
       // Simulates the tremor of a hand, some millimetres. Multiples of irrational numbers make it reproducible.
-      place[0] += 0.02 * Math.sin(step / 17) + 0.004 * ((step * Math.SQRT2) % 1);
-      place[1] += 0.015 * Math.cos(step / 23) - 0.004 * ((step * Math.E) % 1);
-      simulation.drag!.target.fromArray(place);
-      simulation.dragHandle();
+      place.x += 0.02 * Math.sin(step / 17) + 0.004 * ((step * Math.SQRT2) % 1);
+      place.y += 0.015 * Math.cos(step / 23) - 0.004 * ((step * Math.E) % 1);
+      drag.moveTo(place);
       simulation.advance(1);
     }
     const bytes = simulation.simulator.take(noteOf(simulation.startValues));
@@ -152,8 +155,9 @@ describe('a take', () => {
 
   it('can start with a restored state', () => {
     const first = lampSimulation(factory);
+    const drag = new Drag(first, lamp().handle!);
     for (let step = 0; step < 150; ++step) {
-      act(first, step);
+      act(first, drag, step);
       first.advance(1);
     }
     first.restore(first.simulator.save(), VALUES);
