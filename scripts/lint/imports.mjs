@@ -11,7 +11,7 @@ import { inRoot } from '../lib/paths.mjs';
 
 /**
  * What a folder imports besides itself: folders, files at the top of src/, and packages as `npm:name`. `type:` accepts
- * only types, `*` everything. Files at the top of src/ import what they want; only SHARED are open to all folders.
+ * only types. Files at the top of src/ import what they want; only SHARED are open to all folders.
  *
  * @type {Record<string, string>}
  */
@@ -33,7 +33,6 @@ export const ARROWS = {
   element: 'preset device sim rows puffs passes smoke scenes stage remote page',
   iframe: 'preset device sim rows puffs passes smoke scenes stage remote element',
   app: 'index.ts preset.ts puff.ts internal.ts npm:three npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
-  development: '*',
 };
 const SHARED = ['constants.ts', 'work.ts'];
 
@@ -97,7 +96,7 @@ function isAllowed(from, { to, isType }) {
   if (from === own || other === own || SHARED.includes(to)) return true;
   const allowed = (ARROWS[own] ?? '').split(' ');
   const names = to.startsWith('npm:') ? [to] : [to, other];
-  return ['*', ...names, ...(isType ? names.map((name) => `type:${name}`) : [])].some((name) => allowed.includes(name));
+  return [...names, ...(isType ? names.map((name) => `type:${name}`) : [])].some((name) => allowed.includes(name));
 }
 
 /**

@@ -13,10 +13,10 @@ const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 /** The scripts for CDNs, each with its entry. Those with warnings are not minified. */
 const SCRIPTS = {
-  'cartoon-smoke.min': 'src/element/script.ts',
-  'cartoon-smoke.development': 'src/development/elementScript.ts',
-  'puff.min': 'src/puff/script.ts',
-  'puff.development': 'src/development/puffScript.ts',
+  'cartoon-smoke.min': 'src/elementScript.ts',
+  'cartoon-smoke.development': 'src/elementScript.development.ts',
+  'puff.min': 'src/puffScript.ts',
+  'puff.development': 'src/puffScript.development.ts',
 };
 /**
  * A single file.
@@ -78,7 +78,7 @@ const WRAPPED = {
 export async function bundleAll(folder, plugins = shrinking()) {
   const modules = {
     index: 'src/index.ts',
-    element: 'src/element/define.ts',
+    element: 'src/element.ts',
     puff: 'src/puff.ts',
     ...ERRORS,
   };
@@ -108,7 +108,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
  */
 async function bundleWarnings(folder) {
   const names = ['index', 'element', 'fiber', 'puff'];
-  const input = entries(Object.fromEntries(names.map((name) => [name, `src/development/${name}.ts`])));
+  const input = entries(Object.fromEntries(names.map((name) => [name, `src/${name}.development.ts`])));
   const chunks = { minify: false, chunkFileNames: 'shared-[name].js' };
   await bundle({ input, external: 'three', plugins: [beside(WRAPPED, '../')] }, folder, chunks);
 }

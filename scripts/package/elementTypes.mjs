@@ -34,7 +34,7 @@ declare module 'svelte/elements' {
     'cartoon-smoke': Omit<HTMLAttributes<CartoonSmokeElement>, keyof (SmokeAttributes & SmokeListeners)> & SmokeAttributes & SmokeListeners;
   }
 }
-export * from '../element/define.js';
+export * from '../element.js';
 `,
   vue: `import type { DefineComponent } from 'vue';
 import type { SmokeAttributes } from '../element/attributes.js';
@@ -49,7 +49,7 @@ declare module 'vue' {
     'cartoon-smoke': DefineComponent<SmokeProps>;
   }
 }
-export * from '../element/define.js';
+export * from '../element.js';
 `,
 };
 const EVENTS = ['ready', 'error', 'statechange'];
@@ -120,7 +120,7 @@ declare module '${module}' {
     }
   }
 }
-export * from '../element/define.js';
+export * from '../element.js';
 `;
 }
 

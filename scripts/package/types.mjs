@@ -7,14 +7,7 @@ import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
 
-const ENTRIES = [
-  'src/index.ts',
-  'src/element/define.ts',
-  'src/fiber.ts',
-  'src/preset.ts',
-  'src/puff.ts',
-  'src/puff/script.ts',
-];
+const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/puffScript.ts'];
 /** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['sim/wasm/core/bindings.d.ts', 'sim/wasm/physics/bindings.d.ts'];
 

@@ -1,6 +1,6 @@
 /** Elements with injected faults, which only the sources support, and their effects on a page. */
 import type { ElementOptions } from '../../../src/element/cartoonSmokeElement.ts';
-import { CartoonSmokeElement } from '../../../src/element/define.ts';
+import { CartoonSmokeElement } from '../../../src/element.ts';
 import { puff, type OwnPuff, type Puff } from '../../../src/puff/puff.ts';
 
 export interface Shown {

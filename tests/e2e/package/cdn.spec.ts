@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import type {} from '../../../src/puff/script.ts';
+import type {} from '../../../src/puffScript.ts';
 import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, stands, test as base, type Server } from '../../support/embed.ts';
 import { script } from '../../support/server.ts';

@@ -1,6 +1,6 @@
 /** Runs in a page: the element, and a sandboxed frame. */
 // oxlint-disable-next-line import/no-unassigned-import -- it defines the element
-import '../../../src/element/define.ts';
+import '../../../src/element.ts';
 import { morphBodyElements, morphElements } from '@hotwired/turbo';
 import htmx from 'htmx.org';
 import { Idiomorph } from 'idiomorph';

@@ -139,7 +139,7 @@ const RUNS: Readonly<Record<Kind, (code: string) => Promise<Omit<Shown, 'said'>>
     return { ...shown, background };
   },
   async element(code) {
-    await import('../../../src/element/define.ts');
+    await import('../../../src/element.ts');
     document.body.innerHTML = code;
     const element = document.querySelector('cartoon-smoke') as library.CartoonSmokeElement;
     await element.ready;

@@ -206,10 +206,10 @@ export const correct: typeof situations = {
 
 /** Imports a build and does each of these twice. @returns what each wrote to the console */
 export async function written(build: 'development' | 'production', names: readonly string[]) {
-  const folder = build === 'development' ? '/src/development/' : '/src/';
-  const index = (await import(/* @vite-ignore */ `${folder}index.ts`)) as typeof Index;
-  const fiber = (await import(/* @vite-ignore */ `${folder}fiber.ts`)) as typeof Fiber;
-  const { puff } = (await import(/* @vite-ignore */ `${folder}puff.ts`)) as { puff: Puff };
+  const ending = build === 'development' ? '.development.ts' : '.ts';
+  const index = (await import(/* @vite-ignore */ `/src/index${ending}`)) as typeof Index;
+  const fiber = (await import(/* @vite-ignore */ `/src/fiber${ending}`)) as typeof Fiber;
+  const { puff } = (await import(/* @vite-ignore */ `/src/puff${ending}`)) as { puff: Puff };
   const renderer = makeRenderer({}, [8, 8]);
   const lines: Record<string, string[]> = {};
   const { warn } = console;

@@ -1,5 +1,5 @@
 /** The first picture of an element with a share link. */
-import { CartoonSmokeElement } from '../../../src/element/define.ts';
+import { CartoonSmokeElement } from '../../../src/element.ts';
 
 export interface PosterOrder {
   link: string;

@@ -1,10 +1,13 @@
-/** `cartoon-smoke/puff` with warnings. */
-import { puff as production, type OwnPuff, type Puff, type PuffOptions, type PuffTarget } from '../puff.ts';
-import { warnOfError, warnOnce } from './warn.ts';
+/** Warnings about `puff()`: what makes its smoke invisible, and failures. */
+import { warnOfError, warnOnce } from '../preset/warn.ts';
+import type { PuffOptions } from './options.ts';
+import type { OwnPuff, Puff } from './puff.ts';
+import type { PuffTarget } from './target.ts';
 
 const ABOUT = 'puff()';
 
-function watch<Kind extends Puff>(puff: Kind): Kind {
+/** @returns a function that does what the given one does, with warnings */
+export function watch<Kind extends Puff>(puff: Kind): Kind {
   const handled = <Result>(work: Promise<Result>) => {
     work.catch((error: Error) => warnOfError(ABOUT, error));
     return work;
@@ -42,6 +45,3 @@ function judge(target: PuffTarget | undefined, options: PuffOptions | undefined)
     );
   }
 }
-
-export * from '../puff.ts';
-export const puff: Puff = watch(production);

@@ -1,7 +1,8 @@
-/** The element with warnings about its attributes and about failures. */
-import { CartoonSmokeElement } from '../element/define.ts';
-import type { SmokeEvents } from '../element/events.ts';
-import { STAGE_MEMBERS, warnOfError, warnOnce, warnUnawaited } from './warn.ts';
+/** Warnings about attributes of the element and about failures. Importing this module starts them. */
+import { warnOfError, warnOnce, warnUnawaited } from '../preset/warn.ts';
+import { STAGE_MEMBERS } from '../remote/warnings.ts';
+import { CartoonSmokeElement } from './define.ts';
+import type { SmokeEvents } from './events.ts';
 
 /** Attributes of all HTML elements, and prefixes that frameworks and ARIA use. */
 const GLOBAL =
@@ -78,5 +79,3 @@ Object.defineProperty(CartoonSmokeElement.prototype, 'stage', {
     return warnUnawaited('element.stage', stage.get!.call(this) as CartoonSmokeElement['stage'], STAGE_MEMBERS);
   },
 });
-
-export { CartoonSmokeElement };

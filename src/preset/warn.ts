@@ -1,11 +1,8 @@
 /**
- * Warnings of development builds, which bundlers choose by the export condition `development`. The modules in this folder
- * wrap the published ones from outside, so builds for production contain nothing of them. docs/warnings.md lists the warnings.
+ * Warnings of development builds, which bundlers choose by the export condition `development`. Only the entries
+ * `*.development.ts` import the modules that warn, so builds for production contain nothing of them. docs/warnings.md
+ * lists the warnings.
  */
-import { methodNames } from '../remote/methods.ts';
-
-/** What programs use of a stage. */
-export const STAGE_MEMBERS = [...methodNames, 'ready', 'camera', 'on', 'emit', 'dispose'];
 
 const warned = new Set<string>();
 

@@ -1,5 +1,5 @@
 /** `cartoon-smoke/fiber` with warnings. */
 'use client';
-import './smoke.ts';
+import './three/warnings.ts';
 // By name: frameworks reject `export *` after 'use client'.
-export { Caster, Collider, Emitter, Smoke, useSmoke } from '../fiber.ts';
+export { Caster, Collider, Emitter, Smoke, useSmoke } from './fiber.ts';

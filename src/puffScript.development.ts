@@ -1,6 +1,6 @@
 /** The single file of `puff()` for CDNs, with warnings. */
-import '../puff/script.ts';
-import { puff } from './puff.ts';
+import './puffScript.ts';
+import { puff } from './puff.development.ts';
 
 if (globalThis.window) window.puff = puff;
 
