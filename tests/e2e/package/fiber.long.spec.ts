@@ -5,7 +5,6 @@ import { join } from 'node:path';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { findParameter } from '../../../src/preset/table.ts';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../../support/freshProject.ts';
-import { fiberCode, threeCode } from '../../../src/app/share/sceneCode.ts';
 import { pixelsOf } from '../../support/pictures.ts';
 
 const [, EXAMPLE] = /```tsx\n([^]+?)```/.exec(
@@ -65,7 +64,15 @@ const EMBED = {
 } as const;
 
 test('the code of the share sheet for Fiber and for three.js has the same smoke', async ({ page, project }) => {
-  const fiber = fiberCode(SCENE, EMBED).replace('<Smoke ', '<Smoke ref={(smoke) => (window.fiber = smoke)} ');
+  await page.goto('/tests/support/blank.html');
+  const code = await page.evaluate(
+    async ([scene, embed, path]) => {
+      const { fiberCode, threeCode } = (await import(path)) as typeof import('../../../src/app/share/sceneCode.ts');
+      return { fiber: fiberCode(scene, embed), three: threeCode(scene, embed) };
+    },
+    [SCENE, EMBED, '/src/app/share/sceneCode.ts'] as const,
+  );
+  const fiber = code.fiber.replace('<Smoke ', '<Smoke ref={(smoke) => (window.fiber = smoke)} ');
   const main = `import './three.js';
 import { createRoot } from 'react-dom/client';
 import { SmokeScene } from './fiber.jsx';
@@ -76,7 +83,7 @@ createRoot(document.getElementById('root')).render(<SmokeScene />);
     'index.html': `${PAGE}<div id="root"></div><script type="module" src="/main.jsx"></script>`,
     'main.jsx': main,
     'fiber.jsx': fiber,
-    'three.js': `${threeCode(SCENE, EMBED)}\nrenderer.setAnimationLoop(null);\nwindow.three = smoke;\n`,
+    'three.js': `${code.three}\nrenderer.setAnimationLoop(null);\nwindow.three = smoke;\n`,
     'tsconfig.json': JSON.stringify({ compilerOptions: JSX }),
   });
   bin(place, 'vite/bin/vite.js', 'build');
