@@ -11,6 +11,10 @@ export const COVERS_LIMIT = 16;
 
 /** A lamp counts as at least this many bounding radii of a puff away. */
 export const NEAREST_LAMP = 1.2;
+/** Distance between the farthest lit point of a puff and the start of its shadow, in radii, against rounding of depth. */
+export const CAP_SLACK = 0.02;
+/** Least depth of a puff for the shear of its nailboard, in radii: nearer to the camera, it has left the picture. */
+export const NEAREST_SHEARED = 0.5;
 
 /** Maximum number of lobes of a puff. Twelve lobes and three other varyings reach the guaranteed minimum of WebGL 2. */
 export const MAX_LOBES = 12;

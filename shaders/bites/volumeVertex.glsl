@@ -25,8 +25,7 @@ flat out float middles[LOBES];
     }
   }
   #pragma unroll_loop_end
-  behind += clipFromView[2][3] != 0.0 ? shearOf(axis, centre) : 0.0;
-  cap = mix(cap, max(cap, behind + CAP_SLACK), min(erosionOf(attributes) / BITE_STARTS.x, 1.0));
+  cap = mix(cap, max(cap, startBehind(behind, axis, centre)), min(erosionOf(attributes) / BITE_STARTS.x, 1.0));
   vec3 first = discsFromPuff * FIRST_BITE;
   vec3 third = discsFromPuff * THIRD_BITE;
   first.z = dot(depthRow, first);

@@ -12,14 +12,8 @@ uniform float near;
 uniform vec2 viewport;
 uniform vec2 viewportOrigin;
 
-flat in vec4 rightAndLength;
-flat in vec4 upAndScale;
-flat in vec4 eyeAndGrowth;
-flat in vec3 discs[LOBES];
-#ifdef DEFORMED
-flat in float squeeze;
-#endif
-
+#define VOLUME flat in
+#include ../lib/volumeFrame.glsl
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
 #include ../insert/oblique.glsl
@@ -40,14 +34,9 @@ void pass(inout vec2 stretch, vec3 disc, vec2 direction, float offset) {
 void aim(out vec3 origin, out vec3 ray) {
   vec2 point = viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, -1.0);
   vec3 aside = point.x * rightAndLength.xyz + point.y * upAndScale.xyz;
-  vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
   bool perspective = clipFromView[2][3] != 0.0;
-  origin = perspective ? eyeAndGrowth.xyz : eyeAndGrowth.xyz + aside;
-  ray = perspective ? aside - back : -back;
-#ifdef DEFORMED
-  origin.y *= squeeze;
-  ray.y *= squeeze;
-#endif
+  origin = squeezed(perspective ? eyeAndGrowth.xyz : eyeAndGrowth.xyz + aside);
+  ray = squeezed(perspective ? aside - backInFrame() : -backInFrame());
   // A view ray parallel to the light has no direction across it; any direction will do.
   if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
 }
@@ -56,7 +45,7 @@ void main() {
   vec3 origin, ray;
   aim(origin, ray);
   // The projection of the ray from the light onto the plane of the discs.
-  float scale = upAndScale.w + eyeAndGrowth.w * origin.z;
+  float scale = scaleAt(origin.z);
   float growth = eyeAndGrowth.w * ray.z;
   vec2 line = ray.xy * scale - origin.xy * growth;
   float inverse = inversesqrt(max(dot(line, line), 1e-24));

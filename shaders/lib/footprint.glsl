@@ -1,4 +1,4 @@
-// The quad that covers the screen projection of a shadow volume. Needs volume.glsl.
+// The quad that covers the screen projection of a shadow volume. Needs volume.glsl and depth.glsl.
 
 // Pixels from the middle of the picture to the projection of a place.
 vec2 pixelOf(vec3 place) {
@@ -36,4 +36,12 @@ vec2 footprint(vec2 corner, Ends ends) {
   }
   if (farthest.x == -1e9) return vec2(2.0);
   return axes * (corner * (farthest + SNAP)) / (0.5 * viewport);
+}
+
+// Clip space position of a corner at the depth of the point of a volume that is nearest to the eye.
+vec4 cornerAt(vec2 ndc, Ends ends) {
+  float nearestZ = min(ends.nearestZ, -near);
+  // Clamped, because a rounding error at the near plane must not clip the quad.
+  float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
+  return vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);
 }

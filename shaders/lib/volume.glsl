@@ -19,21 +19,8 @@ uniform sampler2D casterTable;
 // Radius of the bounding sphere of a puff, in puff radii.
 uniform float reach;
 
-// The transform from view space to the frame of the volume, whose origin is the middle of the volume's start: two axes
-// perpendicular to the light, then the direction of the light's travel, in puff radii. The xyz components are the first
-// two axes and the origin. The w components are the length of the volume, its scale at the start, and the growth of the
-// scale for each radius along the light. No value depends on the corner, so rounding is the same for volumes of every
-// length.
-flat out vec4 rightAndLength;
-flat out vec4 upAndScale;
-flat out vec4 eyeAndGrowth;
-// Discs on the plane where the scale is 1: centre and squared radius.
-flat out vec3 discs[LOBES];
-#ifdef DEFORMED
-// Factor on the second coordinate of the frame that makes the discs of stretched lobes circles.
-flat out float squeeze;
-#endif
-
+#define VOLUME flat out
+#include volumeFrame.glsl
 #include clearance.glsl
 #include attributes.glsl
 #include orientation.glsl
@@ -45,6 +32,8 @@ const float PI = 3.14159265359;
 const float CAP_SLACK = 0.02;
 // A lamp closer to the centre than this many bounding radii is treated as if it were at that distance.
 const float NEAREST_LAMP = 1.2;
+// A puff keeps 1.7 radii away from the camera, so it leaves the picture before it is nearer than this, in radii.
+const float NEAREST_SHEARED = 0.5;
 
 // The rotation from puff space to view space. A billboard rolls about the view axis; lobes are oriented in the world.
 mat3 viewFromPuffOf(uvec4 attributes) {
@@ -56,8 +45,7 @@ mat3 viewFromPuffOf(uvec4 attributes) {
 // Extra distance, in radii, for the shear of a nailboard: its relief moves fragments along the view rays and so
 // sideways, which can move a visible lit point farther behind the centre.
 float shearOf(vec3 travel, vec3 centre) {
-  // A puff keeps 1.7 radii away from the camera, so it leaves the picture before it is nearer than this.
-  float ahead = max(-centre.z, 0.5 * place.w);
+  float ahead = max(-centre.z, NEAREST_SHEARED * place.w);
   // The slopes of view rays, limited to the part of the puff that is inside the picture.
   vec2 scale = vec2(clipFromView[0][0], clipFromView[1][1]);
   vec2 ray = clamp(centre.xy / ahead, (clipFromView[2].xy - 1.0) / scale, (clipFromView[2].xy + 1.0) / scale);
@@ -85,7 +73,12 @@ vec3 widthTiltFactor;
 
 #pragma insert_7
 
-// Distance from the centre to the puff's farthest lit point, in radii along the light's travel, from the baked table.
+// Distance from the centre to the start of a volume behind all points up to a cap, in radii along the light's travel.
+float startBehind(float cap, vec3 travel, vec3 centre) {
+  return cap + (clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0) + CAP_SLACK;
+}
+
+// The same behind the puff's farthest lit point, from the baked table.
 float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
 #ifdef DEFORMED
   float cap = farthest;
@@ -95,8 +88,7 @@ float startCap(vec3 travel, mat3 viewFromPuff, vec3 centre) {
   int variation = variationOf(attributes) % textureSize(startCaps, 0).z;
   float cap = textureLod(startCaps, vec3(angles, float(variation)), 0.0).r;
 #endif
-  float shear = clipFromView[2][3] != 0.0 ? shearOf(travel, centre) : 0.0;
-  return max(max(cap, minCap), discReach * length(travel.xy)) + shear + CAP_SLACK;
+  return startBehind(max(max(cap, minCap), discReach * length(travel.xy)), travel, centre);
 }
 
 // Distance beyond the centre at which the volume has left all receivers, metres; 0 if the puff contains the light.

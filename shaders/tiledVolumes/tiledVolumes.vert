@@ -28,18 +28,13 @@ const float SLACK = 1e-3;
 // Corners of a box around the receivers of a tile, in the frame of the volume, as seen from the light on the plane of the
 // discs. Returns false if they are on both sides of the light.
 bool boundReceivers(ivec2 tile, vec2 depths, out vec3 low, out vec3 high) {
-  vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
   low = vec3(1e9);
   high = vec3(-1e9);
   for (int i = 0; i < 8; i++) {
     float z = viewZOf(clipFromView, i < 4 ? depths.x : depths.y);
     vec2 pixel = vec2(DEPTH_TILE * (tile + ivec2(i & 1, (i >> 1) & 1)));
-    vec2 point = viewPointOf(pixel, clipFromView, viewport, z);
-    vec3 seen = eyeAndGrowth.xyz + point.x * rightAndLength.xyz + point.y * upAndScale.xyz + z * back;
-#ifdef DEFORMED
-    seen.y *= squeeze;
-#endif
-    float scale = upAndScale.w + eyeAndGrowth.w * seen.z;
+    vec3 seen = inFrame(vec3(viewPointOf(pixel, clipFromView, viewport, z), z));
+    float scale = scaleAt(seen.z);
     if (scale <= 0.0) return false;
     seen.xy /= scale;
     low = min(low, seen);
@@ -85,11 +80,5 @@ void main() {
     return;
   }
   vec2 pixel = float(DEPTH_TILE) * (vec2(tile) + 0.5 + 0.5 * corner);
-  vec2 ndc = tileNumber == WHOLE
-    ? footprint(corner, ends)
-    : 2.0 * pixel / viewport - 1.0;
-  float nearestZ = min(ends.nearestZ, -near);
-  // Clamped, because a rounding error at the near plane must not clip the quad.
-  float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
-  gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);
+  gl_Position = cornerAt(tileNumber == WHOLE ? footprint(corner, ends) : 2.0 * pixel / viewport - 1.0, ends);
 }

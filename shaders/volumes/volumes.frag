@@ -10,14 +10,8 @@ uniform vec2 viewport;
 uniform vec2 viewportOrigin;
 uniform sampler2D receiverDepth;
 
-flat in vec4 rightAndLength;
-flat in vec4 upAndScale;
-flat in vec4 eyeAndGrowth;
-flat in vec3 discs[LOBES];
-#ifdef DEFORMED
-flat in float squeeze;
-#endif
-
+#define VOLUME flat in
+#include ../lib/volumeFrame.glsl
 #include ../lib/depth.glsl
 #include ../lib/pixel.glsl
 
@@ -33,12 +27,8 @@ void main() {
   float z = viewZOf(clipFromView, texelFetch(receiverDepth, ivec2(gl_FragCoord.xy), 0).r);
   vec3 receiver = vec3(viewPointOf(gl_FragCoord.xy - viewportOrigin, clipFromView, viewport, z), z);
   // The receiver in the frame of the volume, and its projection from the light onto the plane of the discs.
-  vec3 back = cross(rightAndLength.xyz, upAndScale.xyz) * inversesqrt(dot(upAndScale.xyz, upAndScale.xyz));
-  vec3 place = eyeAndGrowth.xyz + receiver.x * rightAndLength.xyz + receiver.y * upAndScale.xyz + receiver.z * back;
-#ifdef DEFORMED
-  place.y *= squeeze;
-#endif
-  vec2 point = place.xy / (upAndScale.w + eyeAndGrowth.w * place.z);
+  vec3 place = inFrame(receiver);
+  vec2 point = place.xy / scaleAt(place.z);
   float inside = 0.0;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {

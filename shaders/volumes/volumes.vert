@@ -17,9 +17,5 @@ void main() {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     return;
   }
-  vec2 ndc = footprint(corner, ends);
-  float nearestZ = min(ends.nearestZ, -near);
-  // Clamped, because a rounding error at the near plane must not clip the quad.
-  float minDepth = depthOrder(clipFromView) < 0.0 ? 0.0 : -1.0;
-  gl_Position = vec4(ndc, clamp(ndcDepth(clipFromView, nearestZ), minDepth, 1.0), 1.0);
+  gl_Position = cornerAt(footprint(corner, ends), ends);
 }

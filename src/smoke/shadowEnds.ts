@@ -5,6 +5,7 @@
  */
 import { Vector3, type Box3 } from 'three';
 import { NEAREST_LAMP } from '../constants.ts';
+import { BeamSpan, growthOf, radiusOf } from '../passes/shadowVolume.ts';
 import type { Rows } from '../sim/rows.ts';
 
 /** Cells along each side of the grid, chosen so that a cell is about as wide as a puff. */
@@ -43,6 +44,7 @@ export type FindEnds = (
 export function createShadowEnds(capacity: number): FindEnds {
   const ends = new Float32Array(capacity);
   const grid = new Grid();
+  const span = new BeamSpan();
 
   return ({ count, place }, widest, { bodies, reach, boxes }, travel, lamp) => {
     // Puffs around the lamp do not fit on a grid.
@@ -60,8 +62,12 @@ export function createShadowEnds(capacity: number): FindEnds {
       const { depth } = grid;
       let end = grid.raise(-Infinity) - depth;
       if (lamp) grid.way.divideScalar(depth).toArray(ray);
-      const growth = lamp ? 1 / Math.max(depth, NEAREST_LAMP * ball) : 0;
-      for (const box of limits) end = Math.max(end, exitFrom(box, place, row, ball, ray, growth));
+      const growth = growthOf(lamp ? depth : Infinity, ball);
+      const radius = radiusOf(ball, growth);
+      for (const box of limits) {
+        span.find(box, place, 4 * row, ray, radius, radius * growth);
+        if (span.isMet) end = Math.max(end, span.exit);
+      }
       ends[row] = end;
     }
     return ends;
@@ -143,32 +149,4 @@ class Grid {
     }
     return greatest;
   }
-}
-
-/**
- * Distance along the light at which the shadow of a ball leaves a box; -Infinity if it misses the box.
- * @param box least x, y and z, and greatest
- * @param growth ratio of the growth of the radius to the radius, for each metre
- */
-function exitFrom(
-  box: readonly number[],
-  places: Float32Array,
-  row: number,
-  ball: number,
-  travel: readonly number[],
-  growth: number,
-): number {
-  let [enter, exit] = [-Infinity, Infinity];
-  const radius = ball / Math.sqrt(1 - (ball * growth) ** 2);
-  for (let axis = 0; axis < 3; axis++) {
-    const place = places[4 * row + axis];
-    for (let side = 1; side >= -1; side -= 2) {
-      const way = side * ((side > 0 ? box[axis + 3] : box[axis]) - place) + radius;
-      // Not divided by -0.
-      const speed = side * travel[axis] - radius * growth + 0;
-      if (speed < 0) enter = Math.max(enter, way / speed);
-      else exit = Math.min(exit, way / speed);
-    }
-  }
-  return enter <= exit ? exit : -Infinity;
 }

@@ -5,6 +5,7 @@ import { LIFTERS_LIMIT } from '../sim/layout.ts';
 import type { CoverageView, View } from '../sim/view.ts';
 import type { PuffExtents } from '../device/formTextures.ts';
 import type { FrameView } from '../device/frameView.ts';
+import { startRange } from '../passes/shadowVolume.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SmokePasses } from './smokePasses.ts';
 import { widestLineOf } from './style.ts';
@@ -81,7 +82,7 @@ function coverageOf(
 ): CoverageView | undefined {
   // The renderer `selle` is compared without occlusion culling. The solids do not match flat puffs.
   if (style.renderer !== 'nailboards' || isFlat || (simulator.alive ?? Infinity) <= FEW) return undefined;
-  const { capRange, depth, solids } = extents;
+  const { depth, solids } = extents;
   const [nearest, farthest] = eye.range;
   return {
     covers: covers > COVERS_LIMIT ? 0 : covers,
@@ -90,7 +91,7 @@ function coverageOf(
     farthest,
     lifters: liftersOf(boxes),
     lift: STEEPEST * widestLineOf(style, pixelRatio) * eye.unitsPerPixel,
-    capRange: [Math.max(capRange[0], minCap), Math.max(capRange[1], minCap)],
+    capRange: startRange(extents, minCap),
     depth,
     solids,
   };

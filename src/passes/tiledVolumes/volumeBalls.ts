@@ -1,5 +1,6 @@
 import type { FrameView } from '../../device/frameView.ts';
 import { END_STEPS } from '../../device/drawnRows.ts';
+import { BeamSpan, farthestCorner, growthOf, radiusOf } from '../shadowVolume.ts';
 
 /** Largest number of balls of a shadow volume. */
 const BALLS = 48;
@@ -7,8 +8,6 @@ const BALLS = 48;
 const STEP = 1.5;
 /** End of a shadow that leaves all receivers, in steps. */
 const NO_END = 0xffff;
-/** As in shaders/lib/volume.glsl: a lamp counts as at least this many bounding radii away. */
-const NEAREST = 1.2;
 
 /** Receives a ball in view space, metres: x, y, distance in front of the camera, radius. */
 export type AddBall = (x: number, y: number, distance: number, radius: number) => void;
@@ -17,6 +16,10 @@ export type AddBall = (x: number, y: number, distance: number, radius: number) =
 export class VolumeBalls {
   private readonly eye: FrameView;
   private readonly reach: number;
+  private readonly span = new BeamSpan();
+  private readonly receivers: readonly number[];
+  /** Distance from a lamp to the farthest corner of the receivers. */
+  private readonly farthest: number;
   private place = [0, 0, 0];
   private way = [0, 0, 0];
   private end = 0;
@@ -27,6 +30,9 @@ export class VolumeBalls {
   constructor(eye: FrameView, reach: number) {
     this.eye = eye;
     this.reach = reach;
+    const { lightInWorld, receiversMin, receiversMax } = eye.uniforms;
+    this.receivers = [...receiversMin.value, ...receiversMax.value];
+    this.farthest = farthestCorner(lightInWorld.value, receiversMin.value, receiversMax.value);
   }
 
   /**
@@ -35,22 +41,21 @@ export class VolumeBalls {
    * @param word word 0 of its attributes
    */
   select(x: number, y: number, z: number, radius: number, word: number): boolean {
-    const { lightInWorld, receiversMin, receiversMax, viewFromWorld } = this.eye.uniforms;
+    const { lightInWorld, viewFromWorld } = this.eye.uniforms;
     const light = lightInWorld.value;
     let [tx, ty, tz] = [light.w * x - light.x, light.w * y - light.y, light.w * z - light.z];
     const away = Math.sqrt(tx * tx + ty * ty + tz * tz);
     [tx, ty, tz] = [tx / away, ty / away, tz / away];
     const ball = this.reach * radius;
-    const growth = light.w / Math.max(away, NEAREST * ball);
-    this.radius = ball / Math.sqrt(1 - (growth * ball) ** 2);
+    const growth = growthOf(light.w === 0 ? Infinity : away, ball);
+    this.radius = radiusOf(ball, growth);
     this.spread = growth * this.radius;
-    const [low, high] = [receiversMin.value, receiversMax.value];
+    this.span.find(this.receivers, [x, y, z], 0, [tx, ty, tz], this.radius, this.spread);
     const end = word >>> 16;
     this.end = Math.min(
       end === NO_END ? Infinity : (end * radius) / END_STEPS,
-      this.exit(x, tx, low.x, high.x),
-      this.exit(y, ty, low.y, high.y),
-      this.exit(z, tz, low.z, high.z),
+      this.span.exit,
+      light.w === 0 ? Infinity : this.farthest - away,
     );
     const e = viewFromWorld.value.elements;
     this.way = [
@@ -85,12 +90,5 @@ export class VolumeBalls {
   private add(add: AddBall, along: number, radius: number): void {
     const { place, way } = this;
     add(place[0] + along * way[0], place[1] + along * way[1], place[2] + along * way[2], radius);
-  }
-
-  /** Distance at which the volume has left the slab of a box, as in shaders/lib/box.glsl. */
-  private exit(place: number, travel: number, low: number, high: number): number {
-    const PARALLEL = 1e-6;
-    const way = (travel > 0 ? high - place : place - low) + this.radius;
-    return way / Math.max(Math.abs(travel) - this.spread, PARALLEL);
   }
 }

@@ -61,8 +61,8 @@ export class VolumeQuads extends RowGeometry {
     for (let row = 0; row < rows; row++) {
       const at = PLACE_FLOATS * row;
       const word = attributeWords[ATTRIBUTE_WORDS * row];
-      balls.select(places[at], places[at + 1], places[at + 2], places[at + 3], word);
-      const isTiled = hasNumbers && this.coversMuch(balls, box) && this.addTiles(row, balls, box);
+      const isShadow = balls.select(places[at], places[at + 1], places[at + 2], places[at + 3], word);
+      const isTiled = hasNumbers && isShadow && this.coversMuch(balls, box) && this.addTiles(row, balls, box);
       if (!isTiled) this.add(row, WHOLE);
     }
     markPrefix(this.texture, 1, this.count);

@@ -2,6 +2,7 @@ import { Vector3, type Box3, type DepthTexture, type WebGLRenderer } from 'three
 import type { PuffExtents } from '../../device/formTextures.ts';
 import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../../device/drawnRows.ts';
 import type { FrameView } from '../../device/frameView.ts';
+import { BeamSpan, hasFullSize, latestStart } from '../../passes/shadowVolume.ts';
 import { PuffRows } from '../../rows/puffRows.ts';
 import { NO_END } from '../../sim/layout.ts';
 import type { Rows } from '../../sim/rows.ts';
@@ -11,8 +12,6 @@ import type { SmokePasses } from '../../smoke/smokePasses.ts';
 const MAX_BOXES = 64;
 /** End of a shadow that leaves all receivers, in steps. */
 const ENDLESS = NO_END >>> 16;
-/** Slightly more than in shaders/lib/volume.glsl, radii. */
-const CAP_SLACK = 0.03;
 
 /**
  * The shadow volumes of particles on the objects of the host's scene. Under a directional light, a volume begins where it
@@ -100,62 +99,34 @@ export class HostVolumes {
   }
 }
 
-/** Whether a puff has its full size: `clearance` in shaders/lib/clearance.glsl. */
-function hasFullSize({ uniforms }: FrameView, place: Vector3, reached: number): boolean {
-  const near = uniforms.near.value;
-  place.applyMatrix4(uniforms.viewFromWorld.value);
-  const isPerspective = uniforms.clipFromView.value.elements[11] !== 0;
-  return (isPerspective ? place.length() - near : Math.abs(place.z + near)) >= 2 * reached;
-}
-
-/**
- * Bound of the distance between a puff's centre and the start of its volume, in radii: `startCap` in shaders/lib/volume.glsl with
- * the steepest view ray and its least depth.
- */
-function latestStart(eye: FrameView, travel: Vector3, { reach, depth, capRange }: PuffExtents, minCap: number): number {
-  const { x, y } = travel.clone().transformDirection(eye.uniforms.viewFromWorld.value);
-  const tallest = Math.max(1, reach);
-  const shear = Math.max(tallest, depth) * eye.steepestSlope + tallest * tallest;
-  return Math.max(capRange[1], minCap) + CAP_SLACK + Math.hypot(x, y) * shear;
-}
-
 /** Where parallel beams of light meet boxes. */
 class Spans {
   /** Distances at which the beam meets the first box and leaves the last; infinite if it meets none. */
   enter = Infinity;
   exit = -Infinity;
-  private readonly boxes: readonly Box3[];
+  private readonly boxes: readonly (readonly number[])[];
   private readonly travel: readonly number[];
-  /** Half the extent of a disc across the beam along each axis, in its radii. */
-  private readonly aside: readonly number[];
+  private readonly span: BeamSpan;
 
   constructor(boxes: readonly Box3[], travel: Vector3) {
     const rest = boxes.slice(MAX_BOXES - 1);
     const last = rest.length > 1 ? [rest.reduce((all, box) => all.union(box), rest[0].clone())] : rest;
-    this.boxes = [...boxes.slice(0, MAX_BOXES - 1), ...last];
+    this.boxes = [...boxes.slice(0, MAX_BOXES - 1), ...last].map(({ min, max }) => [...min, ...max]);
     this.travel = travel.toArray();
-    this.aside = this.travel.map((along) => Math.sqrt(Math.max(0, 1 - along * along)));
+    // A beam is a disc across the light.
+    this.span = new BeamSpan(this.travel.map((along) => Math.sqrt(Math.max(0, 1 - along * along))));
   }
 
   /** @param radius of the beam from a place */
   find(places: Float32Array, from: number, radius: number): void {
     this.enter = Infinity;
     this.exit = -Infinity;
-    for (const { min, max } of this.boxes) {
-      let [enter, exit] = [0, Infinity];
-      for (let axis = 0; axis < 3; axis++) {
-        const margin = this.aside[axis] * radius;
-        const low = min.getComponent(axis) - margin - places[from + axis];
-        const high = max.getComponent(axis) + margin - places[from + axis];
-        const along = this.travel[axis];
-        if (along === 0 && (low > 0 || high < 0)) exit = -Infinity;
-        if (along === 0) continue;
-        enter = Math.max(enter, Math.min(low / along, high / along));
-        exit = Math.min(exit, Math.max(low / along, high / along));
-      }
-      if (enter > exit) continue;
+    for (const box of this.boxes) {
+      this.span.find(box, places, from, this.travel, radius, 0);
+      const enter = Math.max(0, this.span.enter);
+      if (!(enter <= this.span.exit)) continue;
       this.enter = Math.min(this.enter, enter);
-      this.exit = Math.max(this.exit, exit);
+      this.exit = Math.max(this.exit, this.span.exit);
     }
   }
 }

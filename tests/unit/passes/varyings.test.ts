@@ -19,7 +19,8 @@ function source(url: URL, included = new Set<string>()): string {
   );
 }
 
-const DECLARATION = /^(?:flat )?out (\w+) \w+(?:\[(\w+)\])?;/gm;
+/** VOLUME is `flat out`: see lib/volumeFrame.glsl. */
+const DECLARATION = /^(?:(?:flat )?out|VOLUME) (\w+) \w+(?:\[(\w+)\])?;/gm;
 
 /** Vectors by the packing of GLSL ES 3.00, section 11: a number fits beside a vector of three. */
 function vectorsOf(shader: string, lobes: number): number {
@@ -52,6 +53,6 @@ it.each(['volumes/volumes.vert', 'tiledVolumes/tiledVolumes.vert'])(
   'reads the arrays of lobes that %s includes',
   (file) => {
     expect(files).toContain(file);
-    expect(source(new URL(file, SHADERS))).toContain('flat out vec3 discs[LOBES];');
+    expect(source(new URL(file, SHADERS))).toContain('VOLUME vec3 discs[LOBES];');
   },
 );
