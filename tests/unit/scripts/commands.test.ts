@@ -182,3 +182,11 @@ describe('test', () => {
     expect(project.run('test.mjs', ['c']).errors).toEqual(['There is no suite named c: choose from a, b.']);
   });
 });
+
+test('the long browser tests can be loaded, as npm run test:long would', () => {
+  const { stdout } = spawnSync(process.execPath, ['node_modules/@playwright/test/cli.js', 'test', '--list'], {
+    encoding: 'utf8',
+    env: { ...process.env, TEST_LONG: '1' },
+  });
+  expect(Number(/Total: (\d+) tests/.exec(stdout)?.[1]), stdout).toBeGreaterThan(100);
+});
