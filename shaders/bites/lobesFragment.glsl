@@ -1,4 +1,4 @@
-// Inserted into bodies/lobes.frag. 2: declarations.
+// Added to bodies/lobes.frag.
 float spreadAt(float height) {
   return 1.0;
 }
@@ -10,42 +10,38 @@ const float STEEPEST_LINED = 0.3;
 // Width of the lines of bites in widths of the outline, so that thin pieces do not become black.
 const float BITE_LINE = 0.65;
 
-// Least distance from the surfaces of lobes, less than 0 within.
-float deepest = 0.0;
-
-vec2 viewGradient(vec2 outward);
+// Height of the front of what is left of a lobe.
+float frontOfRest(vec4 lobe, float squared) {
+  float halfExtent = sqrt(max(squared, 0.0));
+  float top = topOf(lobe.z, halfExtent);
+  return squared > 0.0 && top > lobe.z - halfExtent ? top : NOWHERE;
+}
 
 // The width of a line along an edge, on a surface of which the height falls by `lean`, if the distance from the edge grows along
 // a direction, times the length of this direction.
 float widthAcross(vec3 direction, vec2 lean) {
   return BITE_LINE * length(viewGradient(direction.xy - direction.z * lean));
 }
-#pragma section
-  // 3: the front of a lobe.
-  float halfExtent = sqrt(max(squared, 0.0));
-  float top = topOf(lobe.z, halfExtent);
-  return squared > 0.0 && top > lobe.z - halfExtent ? top : NOWHERE;
-#pragma section
-  // 4: for each lobe.
-  deepest = min(deepest, away);
-#pragma section
-  // 5: before the lobes.
-  meetBites(point);
-#pragma section
-  // 6: before lines. `shown` is a place of the puff, or of the silhouette beside it, where lobes are balls.
+
+// Whether a place of the puff, or of the ring beside it, is in the line of a bite. Replaces the normals of walls.
+bool hasBiteLine(vec3 place, bool isRing, vec4 line, float reach, inout vec3 normal, inout vec3 viewNormal) {
+  // The place, or that of the silhouette beside it, where lobes are balls.
   vec3 shown = place;
   if (isRing) {
-    vec2 towards = normalize(line.xy - point);
+    vec2 towards = normalize(line.xy - place.xy);
     shown.xy += line.w * length(viewGradient(towards)) * towards;
   }
   vec3 fromNear = shown - nearBite;
   vec3 fromSide = shown - sideBite;
   vec3 fromFar = shown + nearBite;
   vec3 powers = vec3(dot(fromNear, fromNear), dot(fromSide, fromSide), dot(fromFar, fromFar)) - biteRadii * biteRadii;
-  // The line around a lobe tapers towards a bite.
-  if (isRing && any(lessThan(powers, 4.0 * line.w * biteRadii))) discard;
-  bvec3 isOfWall = equal(vec3(height), walls);
-  bool isWall = !isRing && any(isOfWall);
+  if (isRing) {
+    // The line around a lobe tapers towards a bite.
+    if (any(lessThan(powers, 4.0 * line.w * biteRadii))) discard;
+    return false;
+  }
+  bvec3 isOfWall = equal(vec3(place.z), walls);
+  bool isWall = any(isOfWall);
   vec3 outOfLobes = viewNormal;
   if (isWall) normal = viewNormal = -normalize(isOfWall.x ? fromNear : isOfWall.y ? fromSide : fromFar);
   vec2 lean = viewNormal.xy / max(viewNormal.z, STEEPEST_LINED);
@@ -55,7 +51,5 @@ float widthAcross(vec3 direction, vec2 lean) {
   // Where the wall of a bite meets the front of a lobe, the line is on the front, unless the front is too narrow.
   float share = min(1.0, 1.0 - 2.0 * outOfLobes.z);
   bool isBehind = isWall && -deepest < share * reach * widthAcross(outOfLobes, lean);
-  if (!isRing && (isBehind || any(lessThan(powers + 1e3 * vec3(isOfWall), 2.0 * reach * sign(biteRadii) * widths)))) {
-    isInk = true;
-    viewZ -= lineDrop;
-  }
+  return isBehind || any(lessThan(powers + 1e3 * vec3(isOfWall), 2.0 * reach * sign(biteRadii) * widths));
+}

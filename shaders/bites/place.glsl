@@ -20,15 +20,20 @@ float erosionOf(uvec4 attributes) {
   return float(attributes.w >> 24u) / 255.0;
 }
 
+// The centres of the first and of the third bite in another frame.
+mat2x3 bitesIn(mat3 frameFromPuff) {
+  return mat2x3(frameFromPuff * FIRST_BITE, frameFromPuff * THIRD_BITE);
+}
+
 // Writes the outputs for the centres of the first and of the third bite. Returns their radii.
-vec3 placeBites(vec3 first, vec3 third, float scale) {
+vec3 placeBites(mat2x3 bites, float scale) {
   const vec3 PLACES = vec3(1.0, 256.0, 65536.0);
   vec3 grown = max((erosionOf(attributes) - BITE_STARTS) / (1.0 - BITE_STARTS), 0.0);
   vec3 radii = sign(grown) * scale * (BITE_RADII + BITE_GROWTH * grown * (2.0 - grown));
-  nearBite = first;
-  sideBite = third;
-  if (first.z < 0.0) {
-    nearBite = -first;
+  nearBite = bites[0];
+  sideBite = bites[1];
+  if (nearBite.z < 0.0) {
+    nearBite = -nearBite;
     radii.xy = radii.yx;
   }
   packedRadii = dot(floor(200.0 * radii + 0.5), PLACES);

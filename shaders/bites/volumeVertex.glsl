@@ -1,18 +1,13 @@
-// Inserted into lib/volume.glsl. 7: declarations.
+// Added to the vertex shaders with lib/volume.glsl.
 #include place.glsl
 
 // Places of the lobes along the light, where balls are balls.
 flat out float middles[LOBES];
-#pragma section
-  // 8: after the start. Bites open the puff to the light up to its end.
-  mat3 discsFromPuff = frameFromView * viewFromPuff;
-  vec3 depthRow = vec3(0.0, 0.0, 1.0);
-  float halfOfLobe = 1.0;
-#ifdef DEFORMED
-  halfOfLobe = width * sqrt(support);
-  // Where balls are balls along the light, too.
-  depthRow = projection.depth * vec3(0.0, dot(projection.shear, along), 1.0);
-#endif
+
+// Writes the outputs of bites. Returns the start of the volume: bites open the puff to the light up to its end.
+// lengthwise: the direction whose dot product with a place is the place along the light where balls are balls; half of the length of a
+// lobe along the light, in its radii.
+float openCap(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float behind = 0.0;
   #pragma unroll_loop_start
@@ -20,18 +15,20 @@ flat out float middles[LOBES];
     {
       vec4 lobe = lobeOf(UNROLLED_LOOP_INDEX, variation);
       vec3 seen = discsFromPuff * lobe.xyz;
-      middles[ i ] = dot(depthRow, seen);
-      behind = max(behind, seen.z + lobe.w * halfOfLobe);
+      middles[ i ] = dot(lengthwise.xyz, seen);
+      behind = max(behind, seen.z + lobe.w * lengthwise.w);
     }
   }
   #pragma unroll_loop_end
-  cap = mix(cap, max(cap, startBehind(behind, axis, centre)), min(erosionOf(attributes) / BITE_STARTS.x, 1.0));
-  vec3 first = discsFromPuff * FIRST_BITE;
-  vec3 third = discsFromPuff * THIRD_BITE;
-  first.z = dot(depthRow, first);
-  third.z = dot(depthRow, third);
+  mat2x3 bites = bitesIn(discsFromPuff);
+  bites[0].z = dot(lengthwise.xyz, bites[0]);
+  bites[1].z = dot(lengthwise.xyz, bites[1]);
 #ifdef DEFORMED
-  first.y *= widthTiltFactor.z;
-  third.y *= widthTiltFactor.z;
+  bites[0].y *= widthTiltFactor.z;
+  bites[1].y *= widthTiltFactor.z;
+  placeBites(bites, widthTiltFactor.x);
+#else
+  placeBites(bites, 1.0);
 #endif
-  placeBites(first, third, width);
+  return mix(cap, max(cap, startBehind(behind, travel, centre)), min(erosionOf(attributes) / BITE_STARTS.x, 1.0));
+}

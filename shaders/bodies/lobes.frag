@@ -6,7 +6,7 @@ precision highp int;
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
 // DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
-// Bites are inserted, see src/smoke/bites.ts.
+// BITES: puffs with bites; src/smoke/bites.ts adds bites/lobesFragment.glsl.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
@@ -57,14 +57,23 @@ Projection projection;
 const float DEPTH_MARGIN = 4e-7;
 const float NOWHERE = -1e8;
 
-#pragma insert_2
+#ifdef BITES
+void meetBites(vec2 point);
+float frontOfRest(vec4 lobe, float squared);
+bool hasBiteLine(vec3 place, bool isRing, vec4 line, float reach, inout vec3 normal, inout vec3 viewNormal);
+// Least distance from the surfaces of lobes, less than 0 within.
+float deepest = 0.0;
+#endif
 
 // Height of a lobe's front surface at a point of the image plane.
 float frontOf(vec4 lobe, vec2 point) {
   vec2 beside = point - lobe.xy;
   float squared = lobe.w * lobe.w - dot(beside, beside);
-  #pragma insert_3
+#ifdef BITES
+  return frontOfRest(lobe, squared);
+#else
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
+#endif
 }
 
 // The nearer of two silhouettes that the point is outside of. xy: centre of its lobe, z: its height, w: distance to it.
@@ -81,7 +90,9 @@ vec3 shareOf(vec4 lobe, vec3 place, float perFillet) {
   float squared = max(dot(outward, outward), 1e-12);
   float inverse = inversesqrt(squared);
   float away = squared * inverse - lobe.w;
-  #pragma insert_4
+#ifdef BITES
+  deepest = min(deepest, away);
+#endif
   float nearness = max(0.0, 1.0 - abs(away) * perFillet);
   return outward * (nearness * nearness * inverse);
 }
@@ -138,7 +149,9 @@ void main() {
   float lineDrop = depthsAndRamp.z;
 #endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
-  #pragma insert_5
+#ifdef BITES
+  meetBites(point);
+#endif
   float height = NOWHERE;
   #pragma unroll_loop_start
   for (int i = 0; i < LOBES; i++) {
@@ -191,7 +204,12 @@ void main() {
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
   float viewZ = min(depthsAndRamp.x + viewHeight(height, point) * radius, -near);
   bool isInk = isRing;
-  #pragma insert_6
+#ifdef BITES
+  if (hasBiteLine(place, isRing, line, reach, normal, viewNormal)) {
+    isInk = true;
+    viewZ -= lineDrop;
+  }
+#endif
 #ifdef DEFORMED
   viewNormal = normalize(stretchedNormal(projection, viewNormal));
 #endif

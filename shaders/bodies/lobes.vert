@@ -5,6 +5,7 @@ precision highp int;
 // around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
 // FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
 // puff through its centre, and after it the ink, which is deeper.
+// BITES: puffs with bites; src/smoke/bites.ts adds bites/lobesVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -34,7 +35,10 @@ flat out vec4 lobes[LOBES];
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
-#pragma insert_0
+#ifdef BITES
+mat2x3 bitesIn(mat3 viewFromPuff);
+void cutLobes(mat2x3 bites, out vec2 lowest, out vec2 highest);
+#endif
 
 void main() {
   readRow();
@@ -80,7 +84,13 @@ void main() {
 #else
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
-  #pragma insert_1
+#ifdef BITES
+  mat2x3 bites = bitesIn(viewFromPuff);
+#ifdef DEFORMED
+  bites = mat2x3(unstretched(projection, bites[0] / across), unstretched(projection, bites[1] / across));
+#endif
+  cutLobes(bites, lowest, highest);
+#endif
 
   vec2 margin = corner * inkReach;
 #ifdef DEFORMED

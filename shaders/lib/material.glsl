@@ -7,10 +7,3 @@ float materialOf(uvec4 attributes, sampler2D ramps) {
   vec2 heat = texelFetch(ramps, ivec2(int((attributes.y >> 16u) & 0xffu), bands), 0).ba;
   return floor(dot(age + heat, vec2(255.0, 65280.0)) + 0.5);
 }
-
-// The colour of a material in full light.
-vec3 brightestOf(float material, sampler2D ramps) {
-  const int RAMP_TEXELS = 256;
-  const int RAMP_ROWS = 4;
-  return texelFetch(ramps, ivec2(RAMP_TEXELS - 1, RAMP_ROWS * int(material) + 1), 0).rgb;
-}

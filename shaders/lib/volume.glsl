@@ -1,5 +1,6 @@
 // The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. Everything
 // that is constant for a particle is computed here. Call writeVolume after reading a row; needs rows.glsl.
+// BITES: puffs with bites; src/smoke/bites.ts adds bites/volumeVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;
@@ -70,8 +71,6 @@ float farthest;
 // frame, which makes the discs of lobes circles.
 vec3 widthTiltFactor;
 #endif
-
-#pragma insert_7
 
 // Distance from the centre to the start of a volume behind all points up to a cap, in radii along the light's travel.
 float startBehind(float cap, vec3 travel, vec3 centre) {
@@ -174,6 +173,10 @@ struct Ends {
   float nearestZ;
 };
 
+#ifdef BITES
+float openCap(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre);
+#endif
+
 // Computes the outputs. Returns false if the row has no volume.
 bool writeVolume(out Ends ends) {
   vec3 centre = (viewFromWorld * vec4(place.xyz, 1.0)).xyz;
@@ -209,7 +212,13 @@ bool writeVolume(out Ends ends) {
   mat2 sideAxes = mat2((frameFromView * ends.sideAxes[0]).xy, (frameFromView * ends.sideAxes[1]).xy);
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth, sideAxes);
   float cap = startCap(axis, viewFromPuff, centre);
-  #pragma insert_8
+#ifdef BITES
+  vec4 lengthwise = vec4(0.0, 0.0, 1.0, 1.0);
+#ifdef DEFORMED
+  lengthwise = vec4(projection.depth * vec3(0.0, dot(projection.shear, along), 1.0), width * sqrt(support));
+#endif
+  cap = openCap(cap, frameFromView * viewFromPuff, lengthwise, axis, centre);
+#endif
   float extent = min(exitOf(place.w * widest, growth / place.w), end) / place.w - cap;
   if (extent <= 0.0) return false;
 #ifdef DEFORMED

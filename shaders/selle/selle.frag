@@ -14,13 +14,14 @@ flat in float material;
 layout(location = 0) out vec4 unlit;
 layout(location = 1) out vec4 lit;
 
-#include ../lib/attributes.glsl
-#include ../lib/material.glsl
+const int RAMP_TEXELS = 256;
+const int RAMP_ROWS = 4;
 
 void main() {
   vec3 layerPoint = vec3(0.5 + 0.5 * puffPoint / pad, float(variation % textureSize(colorCoverage, 0).z));
   if (texture(colorCoverage, layerPoint).a > 0.5) discard;
-  vec3 color = brightestOf(material, ramps);
+  // In full light.
+  vec3 color = texelFetch(ramps, ivec2(RAMP_TEXELS - 1, RAMP_ROWS * int(material) + 1), 0).rgb;
   unlit = vec4(color, 1.0);
   lit = vec4(color, 1.0);
 }

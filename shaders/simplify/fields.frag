@@ -21,7 +21,7 @@ layout(location = 0) out vec4 field;
 layout(location = 1) out float links;
 
 #include ../lib/depth.glsl
-#include ../lib/shading.glsl
+#include unpackShading.glsl
 #include ../lib/mask.glsl
 
 // Least gap in depth, in radii. Smaller gaps have ink, or belong to one shape.

@@ -24,7 +24,7 @@ uniform float plumeForm;
 
 out vec4 pixel;
 
-#include ../lib/shading.glsl
+#include unpackShading.glsl
 #include ../lib/smoothing.glsl
 #ifdef FORM
 #include ../lib/depth.glsl

@@ -35,7 +35,9 @@ export interface BakedPuffs {
 }
 
 /** How puffs with bites differ from whole ones: see src/smoke/bites.ts. */
-export interface Bites extends BiteDrawing {
+export interface Bites {
+  readonly bodies: BiteDrawing;
+  readonly volumes: BiteDrawing;
   formOf(whole: FormTextures): FormTextures;
 }
 

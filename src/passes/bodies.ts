@@ -86,7 +86,7 @@ export class BodiesPass {
    */
   setForm(billboards?: Shaders, isShaded = false): void {
     this.isShaded = isShaded;
-    this.rows.bites = this.puffs.bites;
+    this.rows.bites = this.puffs.bites?.bodies;
     this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
   }
 

@@ -59,7 +59,7 @@ export abstract class ParticleVolumes {
     uniforms.reach.value = reach;
     uniforms.depth.value = depth;
     this.quads.material = this.materialFor(form);
-    this.quads.bites = this.puffs.bites;
+    this.quads.bites = this.puffs.bites?.volumes;
   }
 
   /** For puffs that stand for objects: they keep their size near the camera. */

@@ -1,18 +1,18 @@
 /** Puffs with bites, which few smokes have. */
 import type { RawShaderMaterial, WebGLRenderer } from 'three';
-import ofLobesFragment from '../../shaders/bites/lobesFragment.glsl';
-import ofLobesVertex from '../../shaders/bites/lobesVertex.glsl';
-import ofVolumesFragment from '../../shaders/bites/volumesFragment.glsl';
-import ofVolumeVertex from '../../shaders/bites/volumeVertex.glsl';
-import { RowGeometry } from '../device/drawnRows.ts';
+import lobesFragment from '../../shaders/bites/lobesFragment.glsl';
+import lobesVertex from '../../shaders/bites/lobesVertex.glsl';
+import volumesFragment from '../../shaders/bites/volumesFragment.glsl';
+import volumeVertex from '../../shaders/bites/volumeVertex.glsl';
+import { RowGeometry, type BiteDrawing } from '../device/drawnRows.ts';
 import type { FormTextures } from '../device/formTextures.ts';
+import type { Shaders } from '../device/programsAhead.ts';
 import type { Bites, PuffTextures } from '../device/puffTextures.ts';
 import { withLobes } from '../device/unroll.ts';
 
-/** The code in place of each `#pragma insert_N` of the shaders of whole puffs. */
-const INSERTIONS = [ofLobesVertex, ofLobesFragment, ofVolumeVertex, ofVolumesFragment].flatMap((shader) =>
-  shader.split('#pragma section'),
-);
+/** Functions that the shaders of bodies and of volumes declare for BITES. */
+const OF_BODIES: Shaders = { vertexShader: lobesVertex, fragmentShader: lobesFragment };
+const OF_VOLUMES: Shaders = { vertexShader: volumeVertex, fragmentShader: volumesFragment };
 /** Varyings of puffs with bites besides those of the lobes. WebGL 2 guarantees 15. */
 const VARYINGS_BESIDE_LOBES = 5;
 
@@ -24,8 +24,15 @@ export function bitesOf({ lobes: { puffs } }: PuffTextures): Bites {
   const { lobeCount } = puffs;
   return {
     formOf: withWalls,
+    bodies: drawing(OF_BODIES, lobeCount),
+    volumes: drawing(OF_VOLUMES, lobeCount),
+  };
+}
+
+function drawing(code: Shaders, lobes: number): BiteDrawing {
+  return {
     draw(renderer, mesh, geometry) {
-      if (!fits(renderer, lobeCount)) return mesh.drawPlain(renderer, geometry);
+      if (!fits(renderer, lobes)) return mesh.drawPlain(renderer, geometry);
       const { rows } = geometry;
       const { count } = rows;
       const { material } = mesh;
@@ -34,7 +41,7 @@ export function bitesOf({ lobes: { puffs } }: PuffTextures): Bites {
       if (rows.count > 0) mesh.drawPlain(renderer, geometry);
       rows.first = rows.count;
       rows.count = count;
-      mesh.material = bittenOf(material, lobeCount);
+      mesh.material = bittenOf(material, code, lobes);
       // Also without rows, which compiles the program before the first bite.
       mesh.drawPlain(renderer, geometry);
       mesh.material = material;
@@ -43,33 +50,34 @@ export function bitesOf({ lobes: { puffs } }: PuffTextures): Bites {
   };
 }
 
-/** The shader of puffs with bites, by that of whole puffs. */
-export function withBites(shader: string, lobes: number): string {
-  return shader.replaceAll(/#pragma insert_(\d+)/g, (_, index: string) => withLobes(INSERTIONS[Number(index)], lobes));
-}
-
 /** Puffs with more than ten lobes have no bites on some GPUs. */
 function fits(renderer: WebGLRenderer, lobes: number): boolean {
   return lobes + VARYINGS_BESIDE_LOBES <= renderer.capabilities.maxVaryings;
 }
 
-function bittenOf(whole: RawShaderMaterial, lobes: number): RawShaderMaterial {
-  const material = bitten.get(whole) ?? copied(whole, lobes);
+function bittenOf(whole: RawShaderMaterial, code: Shaders, lobes: number): RawShaderMaterial {
+  const material = bitten.get(whole) ?? copied(whole, code, lobes);
   material.stencilRef = whole.stencilRef;
   return material;
 }
 
-function copied(whole: RawShaderMaterial, lobes: number): RawShaderMaterial {
+function copied(whole: RawShaderMaterial, code: Shaders, lobes: number): RawShaderMaterial {
   const { uniforms } = whole;
   // Both read the same uniforms; clone() would copy them.
   whole.uniforms = {};
   const material = whole.clone();
   whole.uniforms = material.uniforms = uniforms;
-  material.vertexShader = withBites(whole.vertexShader, lobes);
-  material.fragmentShader = withBites(whole.fragmentShader, lobes);
+  material.defines.BITES = '';
+  material.vertexShader = added(whole.vertexShader, code.vertexShader, lobes);
+  material.fragmentShader = added(whole.fragmentShader, code.fragmentShader, lobes);
   whole.addEventListener('dispose', () => material.dispose());
   bitten.set(whole, material);
   return material;
+}
+
+/** Counted volumes have a fragment shader without bites. */
+function added(shader: string, code: string, lobes: number): string {
+  return shader.includes('BITES') ? `${shader}\n${withLobes(code, lobes)}` : shader;
 }
 
 /** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */

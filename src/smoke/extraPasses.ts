@@ -4,14 +4,8 @@ import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import type { Shaders } from '../device/programsAhead.ts';
 import type { RampTexture } from '../device/ramps.ts';
 import type { DebugView } from '../preset/quality.ts';
-import type { CountedVolumesPass } from '../passes/countedVolumes.ts';
-import type { SellePass } from '../passes/selle.ts';
-import type { SimplifyPass } from '../passes/simplify/simplify.ts';
-import type { StrokesPass } from '../passes/strokes/strokes.ts';
-import type { TiledVolumesPass } from '../passes/tiledVolumes/tiledVolumes.ts';
 import { LoadError } from '../preset/errors.ts';
 import { LazyModules } from '../preset/timeout.ts';
-import type { DebugViews } from './debugViews.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Volumes } from './style.ts';
 
@@ -121,56 +115,42 @@ interface Sources {
   readonly ramps: RampTexture;
 }
 
+type PassName = Exclude<keyof FrameExtras, 'billboardsOf' | 'rest' | 'dispose'>;
+
 /** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
   private readonly sources: Sources;
-  private madeSelle: SellePass | undefined;
-  private madeVolumes: CountedVolumesPass | undefined;
-  private madeTiles: TiledVolumesPass | undefined;
-  private madeSimplify: SimplifyPass | undefined;
-  private madeStrokes: StrokesPass | undefined;
+  private readonly made: { -readonly [Each in PassName]?: FrameExtras[Each] } = {};
   private requested: Promise<unknown> | undefined;
-  private madeViews: DebugViews | undefined;
 
   constructor(sources: Sources) {
     this.sources = sources;
   }
 
-  get selle(): SellePass | undefined {
-    const { eye, puffs, ramps } = this.sources;
-    if (loaded.selle) this.madeSelle ??= new loaded.selle.SellePass(eye, puffs, ramps);
-    return this.madeSelle;
+  get selle(): FrameExtras['selle'] {
+    return this.pass('selle', ({ SellePass }, { eye, puffs, ramps }) => new SellePass(eye, puffs, ramps));
   }
 
-  get countedVolumes(): CountedVolumesPass | undefined {
-    const { eye, puffs } = this.sources;
-    if (loaded.countedVolumes) this.madeVolumes ??= new loaded.countedVolumes.CountedVolumesPass(eye, puffs);
-    return this.madeVolumes;
+  get countedVolumes(): FrameExtras['countedVolumes'] {
+    return this.pass('countedVolumes', ({ CountedVolumesPass }, { eye, puffs }) => new CountedVolumesPass(eye, puffs));
   }
 
   /** Undefined until its module is loaded, which starts on first access. Without it, pictures only take longer. */
-  get tiledVolumes(): TiledVolumesPass | undefined {
-    const { eye, puffs } = this.sources;
-    if (loaded.tiledVolumes) this.madeTiles ??= new loaded.tiledVolumes.TiledVolumesPass(eye, puffs);
-    else this.requested ??= modules.load('tiledVolumes', 'Volumes in tiles').catch(() => {});
-    return this.madeTiles;
+  get tiledVolumes(): FrameExtras['tiledVolumes'] {
+    this.requested ??= modules.load('tiledVolumes', 'Volumes in tiles').catch(() => {});
+    return this.pass('tiledVolumes', ({ TiledVolumesPass }, { eye, puffs }) => new TiledVolumesPass(eye, puffs));
   }
 
-  get simplify(): SimplifyPass | undefined {
-    const { eye, ramps } = this.sources;
-    if (loaded.simplify) this.madeSimplify ??= new loaded.simplify.SimplifyPass(eye, ramps);
-    return this.madeSimplify;
+  get simplify(): FrameExtras['simplify'] {
+    return this.pass('simplify', ({ SimplifyPass }, { eye, ramps }) => new SimplifyPass(eye, ramps));
   }
 
-  get strokes(): StrokesPass | undefined {
-    const { eye, puffs } = this.sources;
-    if (loaded.strokes) this.madeStrokes ??= new loaded.strokes.StrokesPass(eye, puffs);
-    return this.madeStrokes;
+  get strokes(): FrameExtras['strokes'] {
+    return this.pass('strokes', ({ StrokesPass }, { eye, puffs }) => new StrokesPass(eye, puffs));
   }
 
-  get debugViews(): DebugViews | undefined {
-    if (loaded.debugViews) this.madeViews ??= new loaded.debugViews.DebugViews(this.sources.eye);
-    return this.madeViews;
+  get debugViews(): FrameExtras['debugViews'] {
+    return this.pass('debugViews', ({ DebugViews }, { eye }) => new DebugViews(eye));
   }
 
   /** The shaders of a puff form; undefined for lobes. */
@@ -180,17 +160,21 @@ export class ExtraPasses implements FrameExtras {
 
   /** Releases render targets until the next frame. */
   rest(): void {
-    this.madeSimplify?.rest();
-    this.madeStrokes?.rest();
+    this.made.simplify?.rest();
+    this.made.strokes?.rest();
   }
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */
   dispose(): void {
-    this.madeSelle?.dispose();
-    this.madeVolumes?.dispose();
-    this.madeTiles?.dispose();
-    this.madeSimplify?.dispose();
-    this.madeStrokes?.dispose();
-    this.madeViews?.dispose();
+    for (const pass of Object.values(this.made)) pass.dispose();
+  }
+
+  private pass<Each extends PassName>(
+    name: Each,
+    make: (code: NonNullable<(typeof loaded)[Each]>, sources: Sources) => FrameExtras[Each],
+  ): FrameExtras[Each] | undefined {
+    const code = loaded[name];
+    if (code) this.made[name] ??= make(code, this.sources);
+    return this.made[name];
   }
 }

@@ -65,7 +65,7 @@ export interface FrameExtras {
   /** Counts entries and exits; `style.volumes` decides. */
   readonly countedVolumes: CountedVolumesPass | undefined;
   /** Draws in place of the default passes what `view` of the input says. */
-  readonly debugViews: { readonly draw: DrawSmoke } | undefined;
+  readonly debugViews: { readonly draw: DrawSmoke; dispose(): void } | undefined;
   /** Smooths the light; `style.simplify` decides. */
   readonly simplify: SimplifyPass | undefined;
   /** Draws lines inside the silhouette; `style.strokes` decides. */

@@ -2,12 +2,16 @@
 import { type Camera, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { colorAt, type Color } from '../../../src/device/ramps.ts';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
+import { MAX_LOBES } from '../../../src/constants.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import { CARTOON_KNOBS, proceduralPuff } from '../../../src/puffs/procedural.ts';
 import type { PuffShape } from '../../../src/puffs/shapes.ts';
 import { parseStops, plainColorOf, rampOf } from '../../../src/smoke/palette.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import { Lab, PLAIN_STYLE, type LabPuff } from '../lab.ts';
+import { pageDevice } from '../pageDevice.ts';
 import { random } from '../random.ts';
+import { ground } from '../solids.ts';
 import { colors, differing } from './puffs.cases.ts';
 
 const [WIDTH, HEIGHT] = [240, 180];
@@ -56,6 +60,25 @@ export function selfMasked(
   }
   lab.dispose();
   return result;
+}
+
+/**
+ * A puff with the most lobes that is half dissolved, on a GPU with a number of varyings.
+ * @returns pixels that differ from the whole puff, and the WebGL error
+ */
+export function bittenPixels(maxVaryings: number): { differing: number; error: number } {
+  const { capabilities } = pageDevice().renderer;
+  const real = capabilities.maxVaryings;
+  capabilities.maxVaryings = maxVaryings;
+  const scene = { width: WIDTH, height: HEIGHT, shapes: [proceduralPuff('most', 5, CARTOON_KNOBS, MAX_LOBES)] };
+  const lab = new Lab({ ...scene, puffs: [], surfaces: [ground(-1, 3)] });
+  const [whole, bitten] = [0, 0.5].map((erosion) =>
+    lab.draw({ ...scene, puffs: [{ place: [0, 0, 0], radius: 0.8, erosion }], style: { isEroded: true } }),
+  );
+  const { error } = lab;
+  lab.dispose();
+  capabilities.maxVaryings = real;
+  return { differing: differing(whole, bitten), error };
 }
 
 type Random = () => number;
