@@ -46,16 +46,9 @@ export { openStage } from './remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
 export type { LoadProgress } from './sim/load.ts';
 export type { RigidSurface } from './sim/rigid.ts';
-export type {
-  EnterOptions,
-  PointerInput,
-  SeekOptions,
-  StageEvents,
-  StageOptions,
-  StageStats,
-  StatsOptions,
-} from './stage/contract.ts';
+export type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
+export type { StageStats, StatsOptions } from './stage/stats.ts';
 export type { Take } from './stage/take.ts';

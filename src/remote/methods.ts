@@ -7,8 +7,9 @@ import { requireFinite, requireWhole } from '../preset/values.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Vector } from '../scenes/scene.ts';
 import type { BlowInput } from '../stage/blow.ts';
-import type { PointerInput, StatsOptions } from '../stage/contract.ts';
+import type { PointerInput } from '../stage/contract.ts';
 import type { Stage } from '../stage/stage.ts';
+import type { StatsOptions } from '../stage/stats.ts';
 import type { Take } from '../stage/take.ts';
 import {
   blob,

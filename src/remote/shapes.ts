@@ -1,6 +1,6 @@
 /** Validators for untrusted messages: whether a value has the expected shape. They never throw. */
 import type { Values } from '../preset/parameter.ts';
-import type { StageStats } from '../stage/contract.ts';
+import type { StageStats } from '../stage/stats.ts';
 
 /** A shape of messages. Unless it has `pack` and `unpack`, the messages are the values themselves. */
 export interface Shape<Value = unknown> {

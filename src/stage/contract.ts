@@ -3,6 +3,7 @@ import type { Fault } from '../device/faults.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { LoadProgress } from '../sim/load.ts';
+import type { StageStats } from './stats.ts';
 
 export interface StageOptions extends DeviceOptions {
   /** Flat values that differ from the parameter defaults. */
@@ -44,46 +45,6 @@ export interface StageOptions extends DeviceOptions {
 /** Names of the options that all kinds of stages have. */
 export const STAGE_OPTIONS: readonly string[] =
   'values width height pixelRatio quality frameRate visible view background historyBytes onProgress fault'.split(' ');
-
-/** Statistics of the latest frame. */
-export interface StageStats {
-  /** Simulated seconds. */
-  time: number;
-  steps: number;
-  alive: number;
-  /** Particles that cannot be emitted until others die. */
-  waiting: number;
-  /** Number of inputs since the take started, and whether they exceed what a take can record. */
-  inputs: number;
-  isTruncated: boolean;
-  /** Bytes of the states saved for seeking backwards. */
-  historyBytes: number;
-  bodiesDrawn: number;
-  castersDrawn: number;
-  bodiesTotal: number;
-  castersTotal: number;
-  simMs: number;
-  arrangeMs: number;
-  renderMs: number;
-  drawCalls: number;
-  /**
-   * False where the GPU does not store the depth that fragments write. Puffs are then flat and intersect in straight
-   * lines.
-   */
-  writesDepth: boolean;
-  /** Fraction of the pixel ratio that the latest frame was drawn with. */
-  scale: number;
-  /**
-   * Milliseconds that the GPU took for a recent frame. Missing until it is measured (see `Stage.timeGpu`), and
-   * where the browser lacks EXT_disjoint_timer_query_webgl2.
-   */
-  gpuMs?: number;
-}
-
-export interface StatsOptions {
-  /** Whether to measure `gpuMs` in the frames until the next call. Default: false. */
-  gpu?: boolean;
-}
 
 export interface EnterOptions {
   /** Called with the download progress. */

@@ -11,20 +11,20 @@ export class Gestures {
   private readonly picture: Picture;
   /** Undefined in a scene without a movable rigid. */
   private readonly drag: Drag | undefined;
+  private readonly onMove: () => void;
   private movedWhilePaused = false;
 
-  constructor(simulation: Simulation, picture: Picture) {
+  /** @param onMove called when the target of the movable rigid changes */
+  constructor(simulation: Simulation, picture: Picture, onMove: () => void) {
     const { handle } = simulation.scene;
     this.simulation = simulation;
     this.picture = picture;
+    this.onMove = onMove;
     this.drag = handle && new Drag(simulation, handle);
   }
 
-  /**
-   * Handles a pointer event. Returns 'rigid' while it drags a rigid.
-   * @param onMove called when the target of the rigid changes
-   */
-  pointer({ type, id, x, y }: PointerInput, onMove: () => void): 'rigid' | null {
+  /** Handles a pointer event. Returns 'rigid' while it drags a rigid. */
+  pointer({ type, id, x, y }: PointerInput): 'rigid' | null {
     const { drag } = this;
     if (!drag || !this.picture.isVisible) return null;
     const at = this.picture.deviceCoordinates(x, y);
@@ -32,17 +32,15 @@ export class Gestures {
     if (type === 'down') return drag.grab(id, at, camera) ? 'rigid' : null;
     if (type !== 'move') return drag.release(id) ? 'rigid' : null;
     if (!drag.follow(id, at, camera)) return null;
-    onMove();
+    this.onMove();
     return 'rigid';
   }
 
-  /**
-   * Moves the target of the movable rigid, in metres. A spring pulls the rigid there.
-   * @returns whether the scene has a movable rigid
-   */
-  nudge(dx: number, dy: number, dz: number): boolean {
-    this.drag?.nudge(new Vector3(dx, dy, dz));
-    return this.drag !== undefined;
+  /** Moves the target of the movable rigid, if the scene has one, in metres. A spring pulls the rigid there. */
+  nudge(dx: number, dy: number, dz: number): void {
+    if (!this.drag) return;
+    this.drag.nudge(new Vector3(dx, dy, dz));
+    this.onMove();
   }
 
   /** @throws ParameterError naming the value that is out of range */

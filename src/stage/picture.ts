@@ -45,6 +45,8 @@ export interface DrawnDepth {
 export class Picture {
   /** Whether to draw the background; without it, the picture is transparent there. */
   hasBackground = true;
+  /** Device pixels per CSS pixel. */
+  pixelRatio = 1;
   /** Scale of the latest frame. */
   scale = 1;
   renderMs = 0;
@@ -56,7 +58,6 @@ export class Picture {
   private shown: ShownSmoke;
   private width = 0;
   private height = 0;
-  private pixelRatio = 1;
   private chosenQuality: Quality = 1;
   private chosenView: DebugView | undefined;
   private isTimed = false;
@@ -147,11 +148,6 @@ export class Picture {
     [this.width, this.height, this.pixelRatio] = pixelsOf(width, height, pixelRatio);
     if (this.isVisible) this.eye.setSize(...this.size);
     return [this.width, this.height, this.pixelRatio].some((value, index) => value !== before[index]);
-  }
-
-  /** See `firstDeviation`. */
-  deviationIn(scene: Scene, values: Values): number {
-    return firstDeviation(scene, values, ...this.size, this.pixelRatio);
   }
 
   /** Applies new values. */

@@ -1,15 +1,13 @@
 import { Matrix4 } from 'three';
-import { missingContext, type ContextEvent, type Device } from '../device/device.ts';
+import { missingContext, type Device } from '../device/device.ts';
 import { FramesInFlight } from '../device/framesInFlight.ts';
-import { SimulatorError } from '../preset/errors.ts';
 import type { Values } from '../preset/parameter.ts';
-import { differing } from '../preset/values.ts';
-import type { Scene } from '../scenes/scene.ts';
+import { requireFinite } from '../preset/values.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { FIRST_PART } from '../sim/layout.ts';
-import type { SimulatorFactory } from '../sim/load.ts';
-import type { SeekOptions, StageEvents, StageOptions, StageStats } from './contract.ts';
+import { nextTask } from '../work.ts';
+import type { SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { FrameLoop, type FrameTasks } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
@@ -17,57 +15,58 @@ import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
 import { Picture, type PictureState } from './picture.ts';
 import type { Presenter } from './presenter.ts';
-import { advanceTo } from './seek.ts';
 import { Sight } from './sight.ts';
 import { Simulation } from './simulation.ts';
+import { StageValues } from './stageValues.ts';
+import { statsOf } from './stats.ts';
 
-const HISTORY_BYTES = 64 * 1024 * 1024;
+/** Long seeks yield to the event loop this often, milliseconds. */
+const SEEKING_MS = 30;
 
-type RunOptions = Pick<StageOptions, 'frameRate' | 'historyBytes' | 'onStep'>;
-
-/** A running scene: keeps its simulation, picture and values in sync and notifies listeners. */
+/** The parts of a stage: runs and draws its scene and notifies listeners. */
 export class RunningScene implements FrameTasks {
   readonly picture: Picture;
   readonly listeners = new Listeners<StageEvents>();
   readonly loop: FrameLoop;
   /** Loads the code that the picture needs. */
   readonly completion: Completion;
+  readonly values: StageValues;
+  /** Replaced when another scene is entered, as its simulation and its gestures. */
+  opened: OpenedScene;
+  simulation: Simulation;
+  gestures: Gestures;
+  isDisposed = false;
   private readonly device: Device;
   private readonly inFlight: FramesInFlight;
   private readonly stopListening: () => void;
-  private readonly options: RunOptions;
-  private opened: OpenedScene;
-  private simulated: Simulation;
-  private hands: Gestures;
-  private now: Values;
-  private hasEnded = false;
+  private readonly options: StageOptions;
   private isStale = false;
 
-  constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: RunOptions) {
+  /** @throws ParameterError for an invalid option */
+  constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: StageOptions) {
     this.loop = new FrameLoop(this, options.frameRate);
-    this.now = values;
     this.options = options;
     this.opened = opened;
-    this.simulated = this.simulate(opened, values);
+    this.simulation = this.simulate(opened, values);
     this.picture = new Picture(presenter, opened.scene, values);
-    this.hands = new Gestures(this.simulated, this.picture);
+    this.gestures = new Gestures(this.simulation, this.picture, this.showMoved);
+    this.values = new StageValues(values, this);
+    this.picture.hasBackground = options.background ?? true;
+    this.picture.quality = options.quality ?? 1;
+    this.picture.view = options.view;
     this.completion = completionOf(
       () => this.picture.kind,
-      () => this.show(() => undefined),
+      () => this.show(),
       (error) => this.listeners.notify('error', error),
     );
     this.device = presenter.device;
     this.inFlight = new FramesInFlight(this.device);
-    this.stopListening = this.device.onContext((event) => this.followContext(event));
-  }
-
-  /** Replaced when another scene is entered. */
-  get simulation(): Simulation {
-    return this.simulated;
-  }
-
-  get gestures(): Gestures {
-    return this.hands;
+    this.stopListening = this.device.onContext((event) => {
+      if (event === 'missing') this.listeners.notify('error', missingContext());
+      if (event !== 'restored') return;
+      this.inFlight.clear();
+      this.draw();
+    });
   }
 
   /** Converts between scene and picture coordinates, as of the last picture drawn. */
@@ -78,27 +77,6 @@ export class RunningScene implements FrameTasks {
     });
   }
 
-  get scene(): Scene {
-    return this.opened.scene;
-  }
-
-  get factory(): SimulatorFactory {
-    return this.opened.factory;
-  }
-
-  /** All values by flat key. Optional parameters appear only when they are set. */
-  get values(): Values {
-    return this.now;
-  }
-
-  get isDisposed(): boolean {
-    return this.hasEnded;
-  }
-
-  get stats(): StageStats {
-    return statsOf(this.simulation, this.picture);
-  }
-
   /** Fraction of the pixel ratio for the next frame. */
   get nextScale(): number {
     const { quality } = this.picture;
@@ -106,7 +84,7 @@ export class RunningScene implements FrameTasks {
   }
 
   play(): void {
-    if (!this.hasEnded && this.loop.play()) this.notifyState();
+    if (!this.isDisposed && this.loop.play()) this.notifyState();
   }
 
   /** @returns whether it was playing */
@@ -119,113 +97,85 @@ export class RunningScene implements FrameTasks {
   advance(steps: number): void {
     if (steps > 0) this.gestures.settle();
     this.simulation.advance(steps, this.options.onStep);
-    this.followLog();
+    this.values.followLog();
   }
 
-  /** Advances by a duration and shows that time, interpolated when it is between two steps. */
+  /** See `Stage.advance`. */
   advanceBy(seconds: number): void {
+    this.showTime(this.simulation.simulator.steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS);
+  }
+
+  /**
+   * Advances to a simulated time and shows exactly it, interpolated when it is between two steps. The picture does not
+   * depend on the times shown before. Only `seek` goes back.
+   * @param seconds at least the time of the latest step but one
+   * @param look valid values of camera and style
+   */
+  showAt(seconds: number, look: Values = {}): void {
+    this.values.follow({ ...this.values.all, ...look });
+    this.showTime(seconds / STEP_SECONDS);
+  }
+
+  /** @param goal in steps */
+  private showTime(goal: number): void {
     const { steps } = this.simulation.simulator;
-    const goal = steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS;
-    const last = Math.max(steps, stepsFor(goal));
+    // The tolerance keeps a rounding error from adding a step.
+    const last = Math.max(steps, Math.ceil(goal - 1e-6));
     this.advance(last - steps);
     this.showLatest(Math.min(1, goal - last + 1));
   }
 
-  /**
-   * Advances to a time after that of the latest step but one, and shows it with these values of camera and style. The
-   * picture depends on the time only, not on the times shown before.
-   */
-  showAt(seconds: number, look: Values): void {
-    const goal = seconds / STEP_SECONDS;
-    const last = stepsFor(goal);
-    this.advance(Math.max(0, last - this.simulation.simulator.steps));
-    this.follow({ ...this.now, ...look });
-    this.showLatest(Math.min(1, goal - last + 1));
-  }
-
-  /** Goes to a state of the current take; see `Stage.rewind`. */
-  rewind(state: Uint8Array): void {
-    this.simulation.rewind(state);
-    this.followLog();
-    this.keepVariations();
-    this.showLatest();
-  }
-
-  /** Seeks to a step and replays the recorded inputs. */
-  async seek(goal: number, options: SeekOptions): Promise<void> {
+  /** Seeks to a step and replays the recorded inputs; see `Stage.seek`. */
+  async seek(goal: number, { onProgress, signal }: SeekOptions): Promise<void> {
+    const { simulation } = this;
     this.loop.isHeld = true;
     try {
-      this.simulation.approach(goal);
-      await advanceTo(goal, this.simulation, options, () => this.hasEnded);
+      simulation.approach(goal);
+      const first = simulation.simulator.steps;
+      while (!this.isDisposed && simulation.simulator.steps < goal) {
+        simulation.advanceFor(SEEKING_MS, goal);
+        onProgress?.((simulation.simulator.steps - first) / (goal - first));
+        await nextTask();
+        signal?.throwIfAborted();
+      }
     } finally {
       this.loop.isHeld = false;
-      if (!this.hasEnded) {
-        this.followLog();
-        this.keepVariations();
-        this.showLatest();
-      }
+      if (!this.isDisposed) this.showJump();
     }
+  }
+
+  /**
+   * Goes to a state that was saved in the current take, at any of its steps. Unlike `Stage.restore`, the following steps
+   * replay the inputs after that step.
+   * @throws SimulatorError for invalid bytes; nothing changes then
+   */
+  rewind(state: Uint8Array): void {
+    this.simulation.rewind(state);
+    this.showJump();
   }
 
   /** Switches to another scene, from its first step; see `Stage.enter`. */
   enter(opened: OpenedScene, values: Values): void {
     // Created first because it can throw.
     const simulation = this.simulate(opened, values);
-    this.simulated.dispose();
-    this.simulated = simulation;
+    this.simulation.dispose();
+    this.simulation = simulation;
     this.opened = opened;
     this.picture.enter(opened.scene, values);
-    this.hands = new Gestures(simulation, this.picture);
-    this.follow(values);
+    this.gestures = new Gestures(simulation, this.picture, this.showMoved);
+    this.values.follow(values);
     this.showLatest();
   }
 
-  /** Applies validated values; see `Stage.set`. */
-  change(values: Values): void {
-    this.replace({ ...this.now, ...values });
-  }
-
-  /** Changes to validated values; see `Stage.replace`. */
-  replace(after: Values): void {
-    const before = this.now;
-    this.simulation.unset(Object.keys(before).filter((key) => !(key in after)));
-    this.simulation.set(differing(before, after));
-    const capacity = after['simulation.maxParticles'] as number;
-    if (capacity !== before['simulation.maxParticles']) {
-      this.simulation.input((simulator) => simulator.inputCapacity(capacity));
-    }
-    if (after.seed !== before.seed) this.simulation.restart(after);
-    this.show(() => this.follow(after));
-  }
-
-  /** Resets optional parameters to what the scene sets. */
-  unset(keys: readonly string[]): void {
-    this.simulation.unset(keys);
-    const kept = Object.entries(this.now).filter(([key]) => !keys.includes(key));
-    this.show(() => this.follow(Object.fromEntries(kept)));
-  }
-
-  /** Applies values that the log of a take changed since the last call. */
-  private followLog(): void {
-    if (this.simulation.hasFollowed()) this.follow(this.simulation.valuesIn(this.now));
-  }
-
-  /** Applies values that the simulator already has. */
-  follow(values: Values): void {
-    this.now = values;
-    this.picture.follow(values);
+  /** Called after the picture follows new values. */
+  announce(): void {
     this.completion.begin();
     this.notifyState();
   }
 
-  /** A restored state can contain particles whose variations exceed what the values ask for. */
-  keepVariations(): void {
-    this.picture.smoke.keepVariations(this.now, this.simulation.simulator.variationsAlive);
-  }
-
   /** Applies a change and redraws, unless the next frame does. */
-  show(change: () => void): void {
-    change();
+  show(change?: () => void): void {
+    change?.();
     if (!this.loop.isPlaying) this.draw();
   }
 
@@ -233,9 +183,20 @@ export class RunningScene implements FrameTasks {
   look(move: (eye: OrbitCamera) => void): void {
     this.show(() => {
       move(this.picture.eye);
-      this.now = { ...this.now, ...this.picture.eye.held };
+      this.values.followCamera();
     });
     this.notifyState();
+  }
+
+  /**
+   * Shows the state that the simulation has jumped to. Its particles can have more variations than the values ask for.
+   * @param values that the simulator has, if the log does not tell
+   */
+  showJump(values?: Values): void {
+    if (values) this.values.follow(values);
+    else this.values.followLog();
+    this.picture.smoke.keepVariations(this.simulation.simulator.variationsAlive);
+    this.showLatest();
   }
 
   /**
@@ -249,9 +210,9 @@ export class RunningScene implements FrameTasks {
   }
 
   /** Shows the moved rigid while paused. While playing, the spring moves it over the next frames. */
-  showMoved(): void {
+  private readonly showMoved = (): void => {
     if (!this.loop.isPlaying && !this.gestures.isSteered) this.show(() => this.gestures.showMoved());
-  }
+  };
 
   notifyState(): void {
     this.listeners.notify('statechange', { playing: this.loop.isPlaying });
@@ -267,6 +228,14 @@ export class RunningScene implements FrameTasks {
     if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
   }
 
+  /** See `Stage.resize`. */
+  resize(width: number, height: number, pixelRatio?: number): void {
+    requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
+    if (!this.picture.resize(width, height, pixelRatio)) return;
+    this.loop.restGovernor();
+    this.draw();
+  }
+
   draw(): void {
     this.isStale = !this.loop.isSeen;
     if (!this.isStale) this.drawNow(this.nextScale);
@@ -277,10 +246,11 @@ export class RunningScene implements FrameTasks {
    * @param scale fraction of the pixel ratio
    */
   drawNow(scale: number): void {
-    if (this.hasEnded) return;
-    const { simulator } = this.simulation;
-    const isDrawn = this.picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
-    if (isDrawn && this.listeners.has('frame')) this.listeners.notify('frame', this.stats);
+    if (this.isDisposed) return;
+    const { simulation, picture, listeners } = this;
+    const { simulator } = simulation;
+    const isDrawn = picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
+    if (isDrawn && listeners.has('frame')) listeners.notify('frame', statsOf(simulation, picture));
   }
 
   /** Transforms of rigids and parts at the interpolated time. */
@@ -297,29 +267,14 @@ export class RunningScene implements FrameTasks {
     return this.listeners.add(event, listener);
   }
 
-  /** @throws SimulatorError after disposal */
-  requireAlive(): void {
-    if (this.hasEnded) throw new SimulatorError('This stage was disposed; create a new one.');
-  }
-
   dispose(): void {
-    if (this.hasEnded) return;
+    if (this.isDisposed) return;
     this.stop();
-    this.hasEnded = true;
+    this.isDisposed = true;
     this.stopListening();
     this.simulation.dispose();
     this.picture.dispose();
     this.listeners.clear();
-  }
-
-  private followContext(event: ContextEvent): void {
-    if (event === 'restored') this.drawAnew();
-    if (event === 'missing') this.listeners.notify('error', missingContext());
-  }
-
-  private drawAnew(): void {
-    this.inFlight.clear();
-    this.draw();
   }
 
   get isBehind(): boolean {
@@ -334,7 +289,7 @@ export class RunningScene implements FrameTasks {
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {
-    return new Simulation(factory, scene, values, this.options.historyBytes ?? HISTORY_BYTES);
+    return new Simulation(factory, scene, values, this.options.historyBytes);
   }
 
   /** An error stopped playback. */
@@ -342,37 +297,4 @@ export class RunningScene implements FrameTasks {
     this.notifyState();
     this.listeners.notify('error', error);
   }
-}
-
-/**
- * The number of steps after which a time can be shown. The tolerance keeps a rounding error from adding a step.
- * @param goal in steps
- */
-function stepsFor(goal: number): number {
-  return Math.max(0, Math.ceil(goal - 1e-6));
-}
-
-function statsOf(
-  simulation: Simulation,
-  { smoke, report, renderMs, drawCalls, writesDepth, scale, timer }: Picture,
-): StageStats {
-  const { alive, waiting, steps, inputCount, isTruncated } = simulation.simulator;
-  return {
-    time: steps * STEP_SECONDS,
-    steps,
-    alive,
-    waiting,
-    inputs: inputCount,
-    isTruncated,
-    historyBytes: simulation.historyBytes,
-    ...report,
-    bodiesTotal: alive,
-    castersTotal: smoke.throwsShadow ? alive : 0,
-    simMs: simulation.stepMs,
-    renderMs,
-    drawCalls,
-    writesDepth,
-    scale,
-    ...timer?.read(),
-  };
 }

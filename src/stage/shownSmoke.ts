@@ -69,8 +69,8 @@ export class ShownSmoke {
   }
 
   /** Provides at least as many variations as the restored particles use. */
-  keepVariations(values: Values, alive: number): void {
-    this.puffs.follow(values, alive);
+  keepVariations(alive: number): void {
+    this.puffs.follow(this.values, alive);
   }
 
   /** Custom shapes, if set. */
@@ -79,8 +79,8 @@ export class ShownSmoke {
   }
 
   /** Uses custom shapes; without them, the values define the shapes. */
-  usePuffs(shapes: readonly PuffShape[] | undefined, values: Values): void {
-    this.puffs.use(shapes, values);
+  usePuffs(shapes: readonly PuffShape[] | undefined): void {
+    this.puffs.use(shapes, this.values);
   }
 
   /** Continues baking puffs for some milliseconds, or until they are done. */

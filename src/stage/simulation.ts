@@ -10,6 +10,7 @@ import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
 import { SavedStates } from './states.ts';
 
+const HISTORY_BYTES = 64 * 1024 * 1024;
 const UNSCALED = new Vector3(1, 1, 1);
 /** A state is saved once per second: saving one takes about as long as two steps. */
 const STEPS_BETWEEN_STATES = 60;
@@ -26,6 +27,10 @@ export interface Mover {
 export class Simulation {
   /** Milliseconds per step in the latest batch. */
   stepMs = 0;
+  /** Replaced on each restart. */
+  simulator: Simulator;
+  /** The values at the start of the current take, recorded or replayed. */
+  startValues: Values;
   mover: Mover | undefined;
   readonly scene: Scene;
   /** World transforms of the rigids by index, as last read by `rigids`. */
@@ -34,31 +39,19 @@ export class Simulation {
   readonly rig: AnyValues;
   private readonly factory: SimulatorFactory;
   private readonly states: SavedStates;
-  private current: Simulator;
-  private start: Values;
   private inputsSeen = 0;
   private readonly dropped: Dropped | undefined;
 
   /** @param historyBytes memory budget for saved states */
-  constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes: number) {
+  constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes = HISTORY_BYTES) {
     this.factory = factory;
     this.scene = scene;
     this.rig = rigValues(scene);
     this.matrices = scene.rigids.map(() => new Matrix4());
     this.dropped = scene.createDropped?.();
     this.states = new SavedStates(historyBytes);
-    this.current = this.create(values);
-    this.start = values;
-  }
-
-  /** Replaced on each restart. */
-  get simulator(): Simulator {
-    return this.current;
-  }
-
-  /** The values at the start of the current take, recorded or replayed. */
-  get startValues(): Values {
-    return this.start;
+    this.simulator = this.create(values);
+    this.startValues = values;
   }
 
   /** Bytes of the saved states. */
@@ -88,23 +81,23 @@ export class Simulation {
 
   /** Restores a saved state and starts a new take. */
   restore(bytes: Uint8Array, values: Values): Values {
-    this.current.restore(bytes);
+    this.simulator.restore(bytes);
     this.states.clear();
-    this.start = this.valuesIn(values);
+    this.startValues = this.valuesIn(values);
     this.reset();
-    return this.start;
+    return this.startValues;
   }
 
   /** Goes to a saved state of the current take. The following steps replay the inputs after it. */
   rewind(state: Uint8Array): void {
-    this.current.rewind(state);
+    this.simulator.rewind(state);
     this.reset();
   }
 
   /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
     const { rig, rule } = this.scene;
-    const after = valuesIn(this.current, values, rig);
+    const after = valuesIn(this.simulator, values, rig);
     return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
   }
 
@@ -132,7 +125,7 @@ export class Simulation {
     const { dropped } = this;
     if (!dropped) return;
     const from = dropped.above(place);
-    const rigid = dropped.next(from, this.current.rigidPoses(1), held);
+    const rigid = dropped.next(from, this.simulator.rigidPoses(1), held);
     if (rigid === undefined) return;
     this.input((simulator) => simulator.inputPose(rigid, from.toArray(), dropped.tumbled));
     dropped.put(rigid, from);
@@ -140,14 +133,14 @@ export class Simulation {
 
   /** Applies a user input. If a take is being replayed, the rest of it is discarded. */
   input(act: (simulator: Simulator) => void): void {
-    act(this.current);
-    this.states.dropFrom(this.current.steps);
-    this.inputsSeen = this.current.inputsDone;
+    act(this.simulator);
+    this.states.dropFrom(this.simulator.steps);
+    this.inputsSeen = this.simulator.inputsDone;
   }
 
   /** Whether the log of a take has applied or undone inputs since the last call. */
   hasFollowed(): boolean {
-    const { inputsDone } = this.current;
+    const { inputsDone } = this.simulator;
     const hasFollowed = inputsDone !== this.inputsSeen;
     this.inputsSeen = inputsDone;
     return hasFollowed;
@@ -162,7 +155,7 @@ export class Simulation {
       this.dropped?.clear();
       this.guide();
       this.sendParts();
-      this.current.step();
+      this.simulator.step();
       this.keepState();
       onStep?.();
     }
@@ -172,7 +165,7 @@ export class Simulation {
   /** Steps for some milliseconds, up to a goal. */
   advanceFor(milliseconds: number, goal: number): void {
     const until = performance.now() + milliseconds;
-    while (this.current.steps < goal && performance.now() < until) this.advance(1);
+    while (this.simulator.steps < goal && performance.now() < until) this.advance(1);
   }
 
   /**
@@ -180,16 +173,16 @@ export class Simulation {
    * state.
    */
   approach(goal: number): void {
-    const { steps } = this.current;
+    const { steps } = this.simulator;
     const state = this.states.latest(goal);
     if (steps <= goal && (state?.step ?? 0) <= steps) return;
-    this.current.rewind(state?.bytes);
+    this.simulator.rewind(state?.bytes);
     this.reset();
   }
 
   /** World transforms of the rigids by index, interpolated between the previous step (0) and the latest (1). */
   rigids(blend: number): readonly Matrix4[] {
-    const poses = this.current.rigidPoses(blend);
+    const poses = this.simulator.rigidPoses(blend);
     this.matrices.forEach((matrix, rigid) => put(matrix, placementIn(poses, rigid)));
     const { dropped, matrices } = this;
     if (!dropped) return matrices;
@@ -200,14 +193,14 @@ export class Simulation {
 
   /** World transforms of the scene's parts by index, at the time of `rigids`. */
   parts(blend: number, rigids: readonly Matrix4[]): readonly Matrix4[] {
-    return this.placedParts(secondsAt(this.current.steps, blend)).map(({ rigid, ...own }) => {
+    return this.placedParts(secondsAt(this.simulator.steps, blend)).map(({ rigid, ...own }) => {
       const matrix = put(new Matrix4(), own);
       return rigid === undefined ? matrix : matrix.premultiply(rigids[rigid]);
     });
   }
 
   dispose(): void {
-    this.current.dispose();
+    this.simulator.dispose();
   }
 
   private create(values: Values): Simulator {
@@ -221,9 +214,9 @@ export class Simulation {
   }
 
   private replace(next: Simulator, values: Values): void {
-    this.current.dispose();
-    this.current = next;
-    this.start = values;
+    this.simulator.dispose();
+    this.simulator = next;
+    this.startValues = values;
     this.states.clear();
     this.reset();
   }
@@ -234,9 +227,9 @@ export class Simulation {
     if (!guide && !rule) return;
     const sceneState = this.sceneState();
     for (const { rigid, position, rotation } of guide?.(sceneState) ?? []) {
-      this.current.moveRigid(rigid, position, rotation);
+      this.simulator.moveRigid(rigid, position, rotation);
     }
-    if (rule) this.current.set(rule.values(sceneState));
+    if (rule) this.simulator.set(rule.values(sceneState));
   }
 
   /**
@@ -245,7 +238,7 @@ export class Simulation {
    */
   private sendParts(): void {
     if (!this.scene.parts) return;
-    const { steps } = this.current;
+    const { steps } = this.simulator;
     const numbers = [steps, steps + 1].flatMap((step) =>
       this.placedParts(step * STEP_SECONDS).flatMap(({ rigid = -1, position, rotation }) => [
         rigid,
@@ -253,7 +246,7 @@ export class Simulation {
         ...rotation,
       ]),
     );
-    this.current.placeParts(numbers);
+    this.simulator.placeParts(numbers);
   }
 
   /** In the local space of the rigids that carry the parts. */
@@ -262,12 +255,12 @@ export class Simulation {
   }
 
   private sceneState(): MovingSceneState {
-    const { current } = this;
-    const [then, now] = [current.rigidPoses(0), current.rigidPoses(1)];
+    const { simulator } = this;
+    const [then, now] = [simulator.rigidPoses(0), simulator.rigidPoses(1)];
     return {
-      seconds: (current.steps + 1) * STEP_SECONDS,
+      seconds: (simulator.steps + 1) * STEP_SECONDS,
       dt: STEP_SECONDS,
-      control: (channel) => current.control(channel),
+      control: (channel) => simulator.control(channel),
       pose: (rigid) => placementIn(now, rigid),
       before: (rigid) => placementIn(then, rigid),
     };
@@ -279,9 +272,9 @@ export class Simulation {
   }
 
   private keepState(): void {
-    const { steps } = this.current;
+    const { steps } = this.simulator;
     if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
-    this.states.add({ step: steps, bytes: this.current.save() });
+    this.states.add({ step: steps, bytes: this.simulator.save() });
   }
 }
 

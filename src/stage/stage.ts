@@ -1,52 +1,29 @@
 import { MathUtils } from 'three';
-import { missingContext, requireCanvas, type DeviceCanvas } from '../device/device.ts';
-import type { Fault } from '../device/faults.ts';
+import type { DeviceCanvas } from '../device/device.ts';
 import type { DebugView, Quality } from '../preset/quality.ts';
-import { ParameterError, requireOptions, SimulatorError } from '../preset/errors.ts';
+import { SimulatorError } from '../preset/errors.ts';
 import { runOnSelf } from '../preset/onSelf.ts';
 import type { Values } from '../preset/parameter.ts';
-import { defaults, requireFinite, requireOptional, requireWhole, validate } from '../preset/values.ts';
+import { requireFinite, requireWhole } from '../preset/values.ts';
 import { demandShapes } from '../puffs/lobes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
-import { compileAhead } from '../smoke/prepare.ts';
-import { fetchExtras, type PictureKind } from '../smoke/extraPasses.ts';
-import { styleOf } from '../smoke/style.ts';
-import { bakeAhead } from '../smoke/prepare.ts';
 import type { BlowInput } from './blow.ts';
-import {
-  STAGE_OPTIONS,
-  type EnterOptions,
-  type PointerInput,
-  type SeekOptions,
-  type StageEvents,
-  type StageOptions,
-  type StageStats,
-} from './contract.ts';
-import { openScene, type OpenedScene } from './openScene.ts';
-import { firstDeviation, pixelsOf, type DrawnDepth, type Picture } from './picture.ts';
-import { createPresenter, type Presenter } from './presenter.ts';
-import { RunningScene } from './runningScene.ts';
-import type { Retouch } from './shownSmoke.ts';
-import type { Simulation } from './simulation.ts';
+import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
+import { openFor, openStage, withDefaults } from './openStage.ts';
+import type { RunningScene } from './runningScene.ts';
 import type { Sight } from './sight.ts';
+import { statsOf, type StageStats } from './stats.ts';
 import { noteOf, takeOf, type Take } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
- * runs in a worker. `docs/three.md` describes the members in the same groups:
- *
- * - life cycle: `ready`, `canvas`, `on`, `complete`, `copy`, `dispose`
- * - time: `play`, `pause`, `playing`, `speed`, `step`, `advance`, `seek`, `clear`, `restart`
- * - values: `set`, `get`, `unset`, `enter`, `rig`, `rigidNames`, `partNames`, `setPuffs`
- * - state: `save`, `restore`, `hash`, `take`, `playTake`, `readTake`
- * - picture: `picture`, `resize`, `visible`, `background`, `quality`, `view`, `camera`, `sight`
- * - input: `pointer`, `nudge`, `blow`, `steer`, `drop`, `dropCount`
- * - statistics: `stats`, `timeGpu`
+ * runs in a worker. The page
+ * docs/three.md groups the members.
  */
 export class Stage {
   /** Resolves when the first picture is drawn. */
-  readonly ready: Promise<void>;
+  readonly ready = Promise.resolve();
   readonly canvas: DeviceCanvas;
   /**
    * Moves the camera and sets the matching `camera.*` values. Redraws while paused.
@@ -55,25 +32,19 @@ export class Stage {
   readonly camera = {
     orbit: (azimuth: number, elevation: number) => this.#running.look((eye) => eye.orbit(azimuth, elevation)),
     zoom: (factor: number) => this.#running.look((eye) => eye.zoom(factor)),
-    pan: (x: number, y: number) => this.#running.look((eye) => eye.pan(x, y, this.#picture.size[1])),
-    reset: () => this.#running.unset(Object.keys(this.#picture.eye.held)),
+    pan: (x: number, y: number) => this.#running.look((eye) => eye.pan(x, y, this.#running.picture.size[1])),
+    reset: () => this.#running.values.unset(Object.keys(this.#running.picture.eye.held)),
     /** Angle about the vertical axis; 0 looks from +z. */
-    azimuth: () => this.#picture.eye.azimuth,
+    azimuth: () => this.#running.picture.eye.azimuth,
   };
   readonly #running: RunningScene;
   /** Identifies the latest call of enter; earlier calls are superseded. */
   #entering: object | undefined;
 
   /** @internal Use createStage. */
-  constructor(canvas: DeviceCanvas, presenter: Presenter, opened: OpenedScene, values: Values, options: StageOptions) {
+  constructor(canvas: DeviceCanvas, running: RunningScene) {
     this.canvas = canvas;
-    this.#running = new RunningScene(presenter, opened, values, options);
-    this.#picture.hasBackground = options.background ?? true;
-    this.#picture.quality = options.quality ?? 1;
-    this.#picture.view = options.view;
-    this.visible = options.visible ?? true;
-    this.resize(options.width ?? canvas.width, options.height ?? canvas.height, options.pixelRatio ?? 1);
-    this.ready = Promise.resolve();
+    this.#running = running;
     runOnSelf(this);
   }
 
@@ -81,10 +52,7 @@ export class Stage {
     return this.#running.loop.isPlaying;
   }
 
-  /**
-   * Whether the canvas is visible to the user. Default: true. While it is false, nothing is drawn and playback is
-   * suspended; `playing` keeps its value.
-   */
+  /** Whether the user can see the canvas, by default true. While false, nothing is drawn and playback is suspended. */
   get visible(): boolean {
     return this.#running.loop.isSeen;
   }
@@ -106,48 +74,45 @@ export class Stage {
 
   /** Fraction of the pixel ratio to draw with. 'auto' reduces it while playing when frames arrive late. */
   get quality(): Quality {
-    return this.#picture.quality;
+    return this.#running.picture.quality;
   }
 
   /** @throws ParameterError unless the value is 'auto' or 0.25 to 1 */
   set quality(quality: Quality) {
-    this.#running.show(() => (this.#picture.quality = quality));
+    this.#running.show(() => (this.#running.picture.quality = quality));
   }
 
   /** The debug view shown instead of the picture; undefined shows the picture. */
   get view(): DebugView | undefined {
-    return this.#picture.view;
+    return this.#running.picture.view;
   }
 
   /** @throws ParameterError for an unknown view */
   set view(view: DebugView | undefined) {
-    this.#running.show(() => (this.#picture.view = view));
+    this.#running.show(() => (this.#running.picture.view = view));
     this.#running.completion.begin();
     this.#running.notifyState();
   }
 
   /** Whether to draw the background. Without it, the canvas is transparent where the background would be. */
   get background(): boolean {
-    return this.#picture.hasBackground;
+    return this.#running.picture.hasBackground;
   }
 
   set background(isShown: boolean) {
-    this.#running.show(() => (this.#picture.hasBackground = isShown));
+    this.#running.show(() => (this.#running.picture.hasBackground = isShown));
   }
 
   get stats(): StageStats {
-    return this.#running.stats;
+    return statsOf(this.#running.simulation, this.#running.picture);
   }
 
   /** Starts or stops measuring the time that the GPU takes for a frame, `stats.gpuMs`. It is not measured by default. */
   timeGpu(isOn: boolean): void {
-    this.#picture.timeGpu(isOn);
+    this.#running.picture.timeGpu(isOn);
   }
 
-  /**
-   * Adds an event listener.
-   * @returns a function that removes the listener
-   */
+  /** Adds an event listener. @returns a function that removes the listener */
   on<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
     return this.#running.listen(event, listener);
   }
@@ -159,7 +124,7 @@ export class Stage {
   pause(): void {
     if (!this.#running.stop()) return;
     // A paused picture uses the full resolution.
-    if (this.#picture.scale !== this.#running.nextScale) this.#running.draw();
+    if (this.#running.picture.scale !== this.#running.nextScale) this.#running.draw();
   }
 
   /**
@@ -169,32 +134,24 @@ export class Stage {
    * instead and keeps running
    */
   complete(): Promise<void> {
-    this.#running.requireAlive();
-    return this.#running.completion.wait();
+    return this.running.completion.wait();
   }
 
-  /**
-   * Takes n steps of 1/60 s and shows the last one.
-   * @param n an integer of at least 0
-   * @throws ParameterError for any other n
-   */
+  /** Takes n steps of 1/60 s and shows the last one. @throws ParameterError unless n is an integer of at least 0 */
   step(n = 1): void {
-    this.#running.requireAlive();
     requireWhole('n', n);
-    this.#running.advance(n);
+    this.running.advance(n);
     this.#running.showLatest();
   }
 
   /**
    * Advances by simulated seconds and shows exactly that time, interpolated when it is between two steps. This renders
    * at any frame rate. The next call continues from the interpolated time.
-   * @param seconds at least 0
    * @throws ParameterError when seconds is negative or not finite
    */
   advance(seconds: number): void {
-    this.#running.requireAlive();
     requireFinite({ seconds }, 0);
-    this.#running.advanceBy(seconds);
+    this.running.advanceBy(seconds);
   }
 
   /**
@@ -204,77 +161,58 @@ export class Stage {
    * @throws ParameterError when seconds is negative or not finite
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
-    this.#running.requireAlive();
     requireFinite({ seconds }, 0);
+    const { completion } = this.running;
     options.signal?.throwIfAborted();
     // The error was already reported; the seek works without the missing code.
-    await this.#running.completion.wait().catch(() => undefined);
+    await completion.wait().catch(() => undefined);
     await this.#running.seek(Math.round(seconds / STEP_SECONDS), options);
   }
 
   /** Removes all puffs. Emitters, objects and values stay. Takes record it. */
   clear(): void {
-    this.#running.requireAlive();
-    this.#running.show(() => this.#simulation.input((simulator) => simulator.inputClear()));
+    const { simulation } = this.running;
+    this.#running.show(() => simulation.input((simulator) => simulator.inputClear()));
   }
 
   /** Restarts from the first step with the current values and starts a new take. */
   restart(): void {
-    this.#running.requireAlive();
-    this.#simulation.restart(this.#running.values);
+    const { simulation, values } = this.running;
+    simulation.restart(values.all);
     this.#running.showLatest();
   }
 
   /**
    * Loads the scene that the values name, or restarts the current one, from the first step. Omitted values get their
    * defaults. Among concurrent calls, the last one wins. The old scene keeps running until the new one is loaded.
-   * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; the stage is unchanged
-   * then
+   * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; nothing changes then
    */
-  async enter(values: Values, { onProgress }: EnterOptions = {}): Promise<void> {
-    this.#running.requireAlive();
+  async enter(values: Values, options: EnterOptions = {}): Promise<void> {
+    const { picture } = this.running;
     const after = withDefaults(values);
     const entry = (this.#entering = {});
-    const [opened] = await Promise.all([
-      openScene(after.scene as string, {
-        onProgress,
-        deviationIn: (scene) => this.#picture.deviationIn(scene, after),
-      }),
-      bakeAhead(after),
-      fetchExtras(kindOf(after, this.view)).then(() => bakeAhead(after)),
-    ]);
-    if (this.#running.isDisposed || this.#entering !== entry) return;
-    this.#running.enter(opened, after);
+    const opened = await openFor(after, picture, options);
+    if (!this.#running.isDisposed && this.#entering === entry) this.#running.enter(opened, after);
   }
 
   /**
    * Changes parameters by flat key: all of them, or none if one is invalid. A new seed restarts the simulation. A new
    * simulation.maxParticles keeps the living particles. Values that the simulator reads are recorded in the take;
-   * style, light and camera are not.
-   * Use `enter` to change the scene.
+   * style, light and camera are not. Use `enter` to change the scene.
    * @throws ParameterError with the parameter, the value and the accepted range
    */
   set(values: Values): void {
-    this.#requireChangeable(values);
-    this.#running.change(values);
+    this.running.values.set(values);
   }
 
   /** @internal Changes to these values as one change: like `set`, and `unset` of all optional parameters not in them. */
   replace(values: Values): void {
-    this.#requireChangeable(values);
-    const taken = Object.keys(this.#running.values).filter((key) => !(key in values));
-    taken.forEach(requireOptional);
-    this.#running.replace(values);
+    this.running.values.replace(values);
   }
 
-  /**
-   * Resets optional parameters (lists and camera) to what the scene sets.
-   * @throws ParameterError for a key that is not optional
-   */
+  /** Resets optional parameters (lists, camera) to what the scene sets. @throws ParameterError for any other key */
   unset(keys: readonly string[]): void {
-    this.#running.requireAlive();
-    keys.forEach(requireOptional);
-    this.#running.unset(keys);
+    this.running.values.unset(keys);
   }
 
   /**
@@ -284,14 +222,14 @@ export class Stage {
    * @throws ShapeError when a shape is invalid; the stage is unchanged then
    */
   setPuffs(shapes?: readonly PuffShape[]): void {
-    this.#running.requireAlive();
+    const { smoke } = this.running.picture;
     if (shapes) demandShapes(shapes);
-    this.#running.show(() => this.#picture.smoke.usePuffs(shapes, this.#running.values));
+    this.#running.show(() => smoke.usePuffs(shapes));
   }
 
   /** All values by flat key. Optional parameters appear only when they are set. */
   get(): Values {
-    return { ...this.#running.values };
+    return { ...this.#running.values.all };
   }
 
   /** Converts between scene and picture coordinates, for overlays. */
@@ -301,17 +239,17 @@ export class Stage {
 
   /** Names of the scene's rigids by index, for attaching emitters and forces. */
   get rigidNames(): readonly string[] {
-    return this.#running.scene.rigidNames;
+    return this.#running.opened.scene.rigidNames;
   }
 
   /** Names of the scene's moving parts by index. Emitters and forces attach to part n as rigid 4096 + n. */
   get partNames(): readonly string[] {
-    return (this.#running.scene.parts ?? []).map(({ name }) => name);
+    return (this.#running.opened.scene.parts ?? []).map(({ name }) => name);
   }
 
   /** Optional parameters that the scene sets. They apply where `get()` has no value. */
   get rig(): Values {
-    return { ...this.#simulation.rig, ...this.#picture.eye.wanted };
+    return { ...this.#running.simulation.rig, ...this.#running.picture.eye.wanted };
   }
 
   /**
@@ -319,12 +257,12 @@ export class Stage {
    * @throws ContextError while the graphics context is lost
    */
   async picture(): Promise<Blob> {
-    this.#running.requireAlive();
-    await this.#running.completion.wait();
-    this.#picture.requireContext();
-    this.#picture.smoke.bake();
+    const { completion, picture } = this.running;
+    await completion.wait();
+    picture.requireContext();
+    picture.smoke.bake();
     this.#running.drawNow(1);
-    return this.#picture.encode();
+    return picture.encode();
   }
 
   /**
@@ -334,53 +272,17 @@ export class Stage {
    * @throws the errors of createStage
    */
   async copy(canvas: DeviceCanvas, options: Omit<StageOptions, 'values'> = {}): Promise<Stage> {
-    this.#running.requireAlive();
+    const { ownShapes } = this.running.picture.smoke;
     const [values, state] = [this.get(), this.save()];
-    const shapes = this.#picture.smoke.ownShapes;
     const stage = await createStage(canvas, { ...options, values });
-    stage.setPuffs(shapes);
+    stage.setPuffs(ownShapes);
     stage.restore(state);
     return stage;
   }
 
-  /**
-   * @internal Changes the input of each frame, from the next frame until another scene is entered. Used to draw more
-   * than one moment in a picture.
-   */
-  retouch(change: Retouch): void {
-    this.#picture.smoke.retouch(change);
-  }
-
-  /**
-   * @internal Advances to a simulated time and shows exactly it, interpolated when it is between two steps. The picture
-   * does not depend on the times shown before. Only `seek` goes back.
-   * @param seconds at least the time of the latest step but one
-   * @param look valid values of camera and style
-   */
-  showAt(seconds: number, look: Values = {}): void {
-    this.#running.requireAlive();
-    requireFinite({ seconds }, 0);
-    this.#running.showAt(seconds, look);
-  }
-
-  /** @internal The depth buffer of the latest picture, until the next one is drawn. */
-  get drawnDepth(): DrawnDepth {
-    return this.#picture.drawnDepth;
-  }
-
-  /**
-   * @internal Goes to a state that was saved in the current take, at any of its steps. Unlike `restore`, the following
-   * steps replay the inputs after that step.
-   * @throws SimulatorError for invalid bytes; the stage is unchanged then
-   */
-  rewind(state: Uint8Array): void {
-    this.#running.requireAlive();
-    this.#running.rewind(state);
-  }
-
   /** Serializes the simulator's state. */
   save(): Uint8Array {
-    return this.#simulation.simulator.save();
+    return this.#running.simulation.simulator.save();
   }
 
   /**
@@ -388,62 +290,48 @@ export class Stage {
    * @throws SimulatorError for invalid bytes; the stage is unchanged then
    */
   restore(bytes: Uint8Array): void {
-    this.#running.requireAlive();
-    this.#running.follow(this.#simulation.restore(bytes, this.#running.values));
-    this.#running.keepVariations();
-    this.#running.showLatest();
+    const { simulation, values } = this.running;
+    this.#running.showJump(simulation.restore(bytes, values.all));
   }
 
   /**
    * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering,
-   * blows and clears. A take records up to 20,000 inputs. Later inputs still take effect but are not recorded; `isTruncated` is
-   * true then.
+   * blows and clears. A take records up to 20,000 inputs; `isTruncated` says whether later ones took effect unrecorded.
    */
   take(): Take {
-    this.#running.requireAlive();
-    return this.readTake(this.#simulation.simulator.take(noteOf(this.#simulation.startValues)));
+    const { simulator, startValues } = this.running.simulation;
+    return this.readTake(simulator.take(noteOf(startValues)));
   }
 
-  /**
-   * Reads the metadata of a take without playing it.
-   * @throws SimulatorError when the bytes are damaged or not a take
-   */
+  /** Reads the metadata of a take without playing it. @throws SimulatorError for bytes that are damaged or no take */
   readTake(bytes: Uint8Array): Take {
-    return takeOf(bytes, this.#running.factory.readTake(bytes));
+    return takeOf(bytes, this.#running.opened.factory.readTake(bytes));
   }
 
   /**
    * Goes to the start of a take and sets the values it started with. Playing, stepping and seeking then replay its
    * inputs, with the same hash at every step. A new input discards the rest of the take.
    * @param take the result of `take()`, or its bytes
-   * @throws SimulatorError when the bytes are damaged or the take was made in another scene; the stage is unchanged
-   * then
+   * @throws SimulatorError when the bytes are damaged or the take was made in another scene; nothing changes then
    */
   playTake(take: Take | Uint8Array): void {
-    this.#running.requireAlive();
+    const { simulation, opened } = this.running;
     const bytes = ArrayBuffer.isView(take) ? take : take.toBytes();
     const { values } = this.readTake(bytes);
-    const { name } = this.#running.scene;
-    if (values.scene !== name) {
-      throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
-    }
-    this.#simulation.replay(bytes, values);
-    this.#running.follow(this.#simulation.valuesIn(values));
-    this.#running.showLatest();
+    const { name } = opened.scene;
+    if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
+    simulation.replay(bytes, values);
+    this.#running.showJump(simulation.valuesIn(values));
   }
 
-  /**
-   * Blows into the smoke at a position in the picture.
-   * @throws ParameterError naming the value that is out of range
-   */
+  /** Blows into the smoke at a position in the picture. @throws ParameterError naming the value out of range */
   blow(input: BlowInput): void {
-    this.#running.requireAlive();
-    this.#running.gestures.blow(input);
+    this.running.gestures.blow(input);
   }
 
   /** How many objects can be dropped into this scene; 0 in scenes without physics. */
   get dropCount(): number {
-    return this.#simulation.dropCount;
+    return this.#running.simulation.dropCount;
   }
 
   /**
@@ -452,26 +340,19 @@ export class Stage {
    * @returns false if the scene has no objects to drop
    */
   drop(x: number, y: number): boolean {
-    this.#running.requireAlive();
-    let hasDropped = false;
-    this.#running.show(() => (hasDropped = this.#running.gestures.drop(x, y)));
+    const hasDropped = this.running.gestures.drop(x, y);
+    this.#running.show();
     return hasDropped;
   }
 
-  /**
-   * Sets a steering channel of the scene.
-   * @param channel 0 to 7
-   * @param value -1 to 1
-   * @throws ParameterError naming the value that is out of range
-   */
+  /** Sets a steering channel of the scene, 0 to 7, to a value from -1 to 1. @throws ParameterError for any other */
   steer(channel: number, value: number): void {
-    this.#running.requireAlive();
-    this.#simulation.input((simulator) => simulator.inputSteer(channel, value));
+    this.running.simulation.input((simulator) => simulator.inputSteer(channel, value));
   }
 
   /** Hash of the simulator's state as 16 hexadecimal digits. Equal states have equal hashes on all platforms. */
   hash(): string {
-    return this.#simulation.simulator.hash();
+    return this.#running.simulation.simulator.hash();
   }
 
   /**
@@ -479,25 +360,19 @@ export class Stage {
    * @param pixelRatio clamped to 0.1 to 4; unchanged when omitted
    */
   resize(width: number, height: number, pixelRatio?: number): void {
-    requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
-    if (!this.#picture.resize(width, height, pixelRatio)) return;
-    this.#running.loop.restGovernor();
-    this.#running.draw();
+    this.#running.resize(width, height, pixelRatio);
   }
 
-  /**
-   * Handles a pointer event. Returns 'rigid' while the pointer drags a rigid, so that the page does not orbit the
-   * camera as well.
-   */
+  /** Handles a pointer event. Returns 'rigid' while it drags a rigid, so that the page does not orbit the camera. */
   pointer(input: PointerInput): 'rigid' | null {
     requireFinite({ x: input.x, y: input.y });
-    return this.#running.gestures.pointer(input, () => this.#running.showMoved());
+    return this.#running.gestures.pointer(input);
   }
 
   /** Moves the target of the scene's movable rigid, in metres. A spring pulls the rigid there. */
   nudge({ dx = 0, dy = 0, dz = 0 }: { dx?: number; dy?: number; dz?: number }): void {
     requireFinite({ dx, dy, dz });
-    if (this.#running.gestures.nudge(dx, dy, dz)) this.#running.showMoved();
+    this.#running.gestures.nudge(dx, dy, dz);
   }
 
   /** Stops playback and releases the context and the memory. Can be called more than once. */
@@ -505,25 +380,11 @@ export class Stage {
     this.#running.dispose();
   }
 
-  #requireChangeable(values: Values): void {
-    this.#running.requireAlive();
-    validate(values);
-    const { scene } = this.#running.values;
-    if ((values.scene ?? scene) !== scene)
-      throw new ParameterError('scene', values.scene, `${scene} (or call enter())`);
+  /** @internal Its parts, for the demo page. @throws SimulatorError after disposal */
+  get running(): RunningScene {
+    if (this.#running.isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
+    return this.#running;
   }
-
-  get #simulation(): Simulation {
-    return this.#running.simulation;
-  }
-
-  get #picture(): Picture {
-    return this.#running.picture;
-  }
-}
-
-function kindOf(values: Values, view: DebugView | undefined): PictureKind {
-  return { ...styleOf(values), view };
 }
 
 /**
@@ -533,43 +394,5 @@ function kindOf(values: Values, view: DebugView | undefined): PictureKind {
  * the graphics context is lost and not restored in time, and for a canvas whose stage was disposed
  */
 export async function createStage(canvas: DeviceCanvas, options: StageOptions = {}): Promise<Stage> {
-  requireCanvas(canvas);
-  requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep']);
-  const values = withDefaults(options.values);
-  // Before the programs compile: a resize of the drawing buffer waits for the GPU.
-  const { width, height, pixelRatio } = options;
-  if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
-  const size = [width ?? canvas.width, height ?? canvas.height] as const;
-  const presenter = createPresenter(canvas, options.device, { failsSelfTest: options.failsSelfTest });
-  try {
-    const [opened] = await Promise.all([
-      openScene(values.scene as string, {
-        onProgress: options.onProgress,
-        deviationIn: (scene) => firstDeviation(scene, values, ...size, pixelRatio),
-      }),
-      compileAhead(presenter.device, values),
-      bakeAhead(values),
-      // What the loaded code bakes.
-      fetchExtras(kindOf(values, options.view)).then(() => bakeAhead(values)),
-    ]);
-    if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
-    if (!presenter.device.hasHope) throw missingContext();
-    return new Stage(canvas, presenter, opened, values, options);
-  } catch (error) {
-    presenter.dispose();
-    throw error;
-  }
-}
-
-/** @throws ParameterError for an invalid value */
-function withDefaults(values: Values = {}): Values {
-  validate(values);
-  return { ...defaults(), ...values };
-}
-
-/** @see Fault */
-async function provoke(fault: Fault, { device }: Presenter, { factory }: OpenedScene): Promise<void> {
-  const { fill, loseContext } = await import('../device/faults.ts');
-  if (fault === 'outOfMemory') fill(factory.module.memory);
-  if (fault === 'contextLostInStart') loseContext(device);
+  return new Stage(canvas, await openStage(canvas, options));
 }

@@ -24,7 +24,7 @@ export async function shootClip(
   const start = stage.stats.time;
   for (let frame = 0; frame < count; ++frame) {
     if (frame === 0) draw();
-    else stage.showAt(start + frame / settings.rate);
+    else stage.running.showAt(start + frame / settings.rate);
     await shoot(frame);
     onProgress((frame + 1) / count);
     await nextTask();

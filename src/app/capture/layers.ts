@@ -23,7 +23,9 @@ export class LayerCamera {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
     this.style = studio.stage.get();
-    studio.stage.retouch((input) => (this.hasSmoke ? input : { ...input, simulator: withoutRows(input.simulator) }));
+    studio.stage.running.picture.smoke.retouch((input) =>
+      this.hasSmoke ? input : { ...input, simulator: withoutRows(input.simulator) },
+    );
   }
 
   /** The layers in the order of LAYERS. Leaves other values of the style than before. */

@@ -182,7 +182,7 @@ class Shooting {
     const state = await this.receiver.state(step);
     if (!state) return;
     const { stage } = this.studio;
-    stage.rewind(state.bytes);
+    stage.running.rewind(state.bytes);
     if (stage.hash() !== state.hash) throw new Error(messages.otherState(state.hash, stage.hash()));
   }
 
@@ -209,7 +209,7 @@ class Shooting {
     const { format, supersample, camera } = this.order;
     const seconds = this.secondsAt(frame);
     const began = performance.now();
-    stage.showAt(seconds, { ...this.look, ...cameraAt(camera, seconds - this.start) });
+    stage.running.showAt(seconds, { ...this.look, ...cameraAt(camera, seconds - this.start) });
     this.waitForGpu();
     const drawMs = performance.now() - began;
     const isPlain = format === 'png' && supersample === 1;
@@ -238,7 +238,7 @@ class Shooting {
   private async encodeDepth(pixels: ImageData): Promise<Blob> {
     const { width, height, supersample } = this.order;
     if (!this.depth) return this.encoder.encode(brightest(pixels, supersample));
-    const metres = this.depth.read(this.studio.stage.drawnDepth);
+    const metres = this.depth.read(this.studio.stage.running.picture.drawnDepth);
     return encodeDepth(nearest(metres, width * supersample, height * supersample, supersample), width, height);
   }
 

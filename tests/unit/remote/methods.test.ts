@@ -7,8 +7,8 @@ import { localStage } from '../../../src/remote/localStage.ts';
 import { methodNames, type MethodName, type RemoteMethods } from '../../../src/remote/methods.ts';
 import { PortStage } from '../../../src/remote/portStage.ts';
 import { serveStage } from '../../../src/remote/serveStage.ts';
-import type { StageStats } from '../../../src/stage/contract.ts';
 import type { Stage } from '../../../src/stage/stage.ts';
+import type { StageStats } from '../../../src/stage/stats.ts';
 
 /** Arguments of a method, and a result of it. */
 type Call<Name extends MethodName> =

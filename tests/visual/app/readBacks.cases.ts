@@ -85,7 +85,7 @@ const DECISIONS: Readonly<Record<string, Decision>> = {
   'app/film/depth.ts': async (noise, isOther) => {
     const stage = await lamp(isOther ? 0 : 3);
     const reader = new DepthReader(WIDTH, HEIGHT);
-    const metres = await falsified(noise, () => reader.read(stage.drawnDepth));
+    const metres = await falsified(noise, () => reader.read(stage.running.picture.drawnDepth));
     reader.dispose();
     stage.dispose();
     const found = metres.filter((depth) => depth < Infinity);

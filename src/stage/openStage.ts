@@ -1,0 +1,75 @@
+import { missingContext, requireCanvas, type Device, type DeviceCanvas } from '../device/device.ts';
+import type { Fault } from '../device/faults.ts';
+import { requireOptions } from '../preset/errors.ts';
+import type { Values } from '../preset/parameter.ts';
+import { defaults, validate } from '../preset/values.ts';
+import { fetchExtras } from '../smoke/extraPasses.ts';
+import { bakeAhead, compileAhead } from '../smoke/prepare.ts';
+import { styleOf } from '../smoke/style.ts';
+import { STAGE_OPTIONS, type EnterOptions, type StageOptions } from './contract.ts';
+import { openScene, type OpenedScene } from './openScene.ts';
+import { firstDeviation, pixelsOf, type Picture } from './picture.ts';
+import { createPresenter, type Presenter } from './presenter.ts';
+import { RunningScene } from './runningScene.ts';
+
+/** Opens a scene on a canvas. See `createStage`, also for errors. */
+export async function openStage(canvas: DeviceCanvas, options: StageOptions): Promise<RunningScene> {
+  requireCanvas(canvas);
+  requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep']);
+  const values = withDefaults(options.values);
+  // Before the programs compile: a resize of the drawing buffer waits for the GPU.
+  const { width, height, pixelRatio = 1, view } = options;
+  if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
+  const size: [number, number] = [width ?? canvas.width, height ?? canvas.height];
+  const presenter = createPresenter(canvas, options.device, { failsSelfTest: options.failsSelfTest });
+  const { device } = presenter;
+  try {
+    const opened = await openFor(values, { size, pixelRatio, view }, options, device);
+    if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
+    if (!device.hasHope) throw missingContext();
+    const running = new RunningScene(presenter, opened, values, options);
+    running.isSeen = options.visible ?? true;
+    running.resize(...size, pixelRatio);
+    return running;
+  } catch (error) {
+    presenter.dispose();
+    throw error;
+  }
+}
+
+/**
+ * Opens the scene that values name, and prepares what its first picture needs.
+ * @param device where to compile the programs of the picture
+ * @throws the errors of `openScene`, LoadError when code of the picture cannot be fetched
+ */
+export async function openFor(
+  values: Values,
+  { size, pixelRatio, view }: Pick<Picture, 'size' | 'pixelRatio' | 'view'>,
+  { onProgress }: EnterOptions,
+  device?: Device,
+): Promise<OpenedScene> {
+  const [opened] = await Promise.all([
+    openScene(values.scene as string, {
+      onProgress,
+      deviationIn: (scene) => firstDeviation(scene, values, ...size, pixelRatio),
+    }),
+    device && compileAhead(device, values),
+    bakeAhead(values),
+    // What the loaded code bakes.
+    fetchExtras({ ...styleOf(values), view }).then(() => bakeAhead(values)),
+  ]);
+  return opened;
+}
+
+/** @throws ParameterError for an invalid value */
+export function withDefaults(values: Values = {}): Values {
+  validate(values);
+  return { ...defaults(), ...values };
+}
+
+/** @see Fault */
+async function provoke(fault: Fault, { device }: Presenter, { factory }: OpenedScene): Promise<void> {
+  const { fill, loseContext } = await import('../device/faults.ts');
+  if (fault === 'outOfMemory') fill(factory.module.memory);
+  if (fault === 'contextLostInStart') loseContext(device);
+}
