@@ -1,5 +1,5 @@
 /** Public objects behind a Proxy of each kind: what their members return or do, as without one. */
-import { reactive, ref, shallowReactive } from '@vue/reactivity';
+import { reactive, shallowReactive } from '@vue/reactivity';
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial, type Object3D } from 'three';
 import { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
 import { openStage } from '../../src/remote/openStage.ts';
@@ -29,9 +29,8 @@ const kinds: Record<string, Wrap> = {
   none: (target) => target,
   shallow: (target) => new Proxy(target, {}),
   deep: (target) => deep(target, known),
-  ref: (target) => ref(target).value as typeof target,
+  // ref() and other reactive objects hold the same Proxy.
   reactive: (target) => reactive(target) as typeof target,
-  'reactive holder': (target) => reactive({ target }).target as typeof target,
   shallowReactive: (target) => shallowReactive(target),
 };
 

@@ -7,7 +7,9 @@ import { expect, MODULES, stands, test } from '../../support/embed.ts';
 
 const OTHER = '9.8.7';
 const PACKAGE = fileURLToPath(new URL('../../../package/', import.meta.url));
-const { version } = JSON.parse(readFileSync(`${PACKAGE}package.json`, 'utf8')) as { version: string };
+// Of the repository: the package may not be built yet when this file is loaded.
+const MANIFEST = new URL('../../../package.json', import.meta.url);
+const { version } = JSON.parse(readFileSync(MANIFEST, 'utf8')) as { version: string };
 const SMOKE = 'preset="wisp" simulation-max-particles="300" paused style="width: 64px; height: 48px"';
 const NOTICES = `<script>
   window.notified = [];

@@ -4,6 +4,7 @@ import { capture } from '../../../src/app/capture/dialog.ts';
 import type { CaptureSettings } from '../../../src/app/capture/settings.ts';
 import { DepthReader } from '../../../src/app/film/depth.ts';
 import { createDevice } from '../../../src/device/device.ts';
+import type { Values } from '../../../src/preset/parameter.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { random } from '../random.ts';
 
@@ -87,7 +88,6 @@ const DECISIONS: Readonly<Record<string, Decision>> = {
     const reader = new DepthReader(WIDTH, HEIGHT);
     const metres = await falsified(noise, () => reader.read(stage.running.picture.drawnDepth));
     reader.dispose();
-    stage.dispose();
     const found = metres.filter((depth) => depth < Infinity);
     return { empty: metres.length - found.length, mean: found.reduce((sum, depth) => sum + depth) / found.length };
   },
@@ -100,22 +100,28 @@ export function decide(file: string, noise: Noise, isOther: boolean): Promise<Re
   return DECISIONS[file](noise, isOther);
 }
 
-async function lamp(seconds: number): Promise<Stage> {
-  const values = { 'simulation.maxParticles': 300 };
-  const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values, width: WIDTH, height: HEIGHT });
-  await stage.seek(seconds);
-  return stage;
+const lamps = new Map<string, Promise<Stage>>();
+
+/** The smoke after some seconds; all noises see the same stage. */
+async function lamp(seconds: number, plain: Values = {}): Promise<Stage> {
+  const create = async () => {
+    const values = { 'simulation.maxParticles': 300, ...plain };
+    const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values, width: WIDTH, height: HEIGHT });
+    await stage.seek(seconds);
+    return stage;
+  };
+  const key = JSON.stringify([seconds, plain]);
+  const created = lamps.get(key) ?? create();
+  lamps.set(key, created);
+  return created;
 }
 
 async function captured(noise: Noise, settings: Partial<CaptureSettings>, isPlain: boolean): Promise<Blob> {
-  const stage = await lamp(3);
-  if (isPlain) stage.set({ 'style.outlines': 0, 'style.shadows': 0 });
+  const stage = await lamp(3, isPlain ? { 'style.outlines': 0, 'style.shadows': 0 } : {});
   const size = { width: WIDTH, height: HEIGHT, scale: 1, seconds: 0.04, rate: 24 };
   const whole = { format: 'png', hasBackground: true, inLayers: false, ...size, ...settings } as const;
   const task = { signal: new AbortController().signal, onProgress: () => undefined };
-  const blob = await falsified(noise, () => capture(stage, whole, task));
-  stage.dispose();
-  return blob;
+  return falsified(noise, () => capture(stage, whole, task));
 }
 
 async function unzipped(zip: Blob): Promise<Record<string, Uint8Array>> {

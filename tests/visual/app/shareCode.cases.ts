@@ -11,6 +11,9 @@ import * as smokeInReact from '../../../src/fiber.ts';
 import * as library from '../../../src/index.ts';
 import { encode, findPreset, presetValues, type PresetName, type Values } from '../../../src/preset.ts';
 import * as puffs from '../../../src/puff.ts';
+import { threadDevice } from '../../../src/remote/sharedDevice.ts';
+import { createStage } from '../../../src/stage/stage.ts';
+import { keepPrograms } from '../pageDevice.ts';
 
 const [WIDTH, HEIGHT] = [160, 90];
 const OPTIONS: EmbedOptions = {
@@ -47,7 +50,8 @@ export async function codesFor(
   const canvas = document.createElement('canvas');
   canvas.style.cssText = `width: ${WIDTH}px; height: ${HEIGHT}px`;
   document.body.replaceChildren(canvas);
-  const stage = await library.createStage(canvas, { values, width: WIDTH, height: HEIGHT });
+  const device = threadDevice.hold();
+  const stage = await createStage(canvas, { values, width: WIDTH, height: HEIGHT, device, visible: false });
   const scene = sceneOf(stage);
   stage.dispose();
   return {
@@ -94,17 +98,35 @@ interface SceneOfPage {
   smoke: library.CartoonSmoke;
 }
 
+/** One renderer for the code of all presets, created with the options of the first, so that programs compile once. */
+function sharedRenderer(): (options?: three.WebGLRendererParameters) => three.WebGLRenderer {
+  let renderer: three.WebGLRenderer | undefined;
+  return (options) => {
+    renderer ??= new three.WebGLRenderer(options);
+    renderer.forceContextLoss = () => undefined;
+    return renderer;
+  };
+}
+
+const rendererOfThree = sharedRenderer();
+const rendererOfFiber = sharedRenderer();
+
 const RUNS: Readonly<Record<Kind, (code: string) => Promise<Omit<Shown, 'said'>>>> = {
   async three(code) {
-    const modules = { three, 'three/addons/controls/OrbitControls.js': { OrbitControls }, 'cartoon-smoke': library };
+    const WebGLRenderer = function (options: three.WebGLRendererParameters) {
+      return rendererOfThree(options);
+    };
+    const modules = {
+      three: { ...three, WebGLRenderer },
+      'three/addons/controls/OrbitControls.js': { OrbitControls },
+      'cartoon-smoke': library,
+    };
     const result = (await execute(code, modules, '{ renderer, scene, camera, smoke }')) as SceneOfPage;
     const { renderer, smoke } = result;
     await nextFrame();
     const shown = drawn(result);
     renderer.setAnimationLoop(null);
     smoke.dispose();
-    renderer.dispose();
-    renderer.forceContextLoss();
     return { ...shown, background: backgroundOf(document.querySelector('canvas')!) };
   },
   async fiber(code) {
@@ -112,6 +134,7 @@ const RUNS: Readonly<Record<Kind, (code: string) => Promise<Omit<Shown, 'said'>>
     const Canvas = ({ onCreated, ...props }: fiber.CanvasProps) =>
       react.createElement(fiber.Canvas, {
         ...props,
+        gl: (defaults) => rendererOfFiber({ ...defaults, ...(props.gl as three.WebGLRendererParameters) }),
         onCreated: (state) => {
           found.state = state;
           onCreated?.(state);
@@ -162,6 +185,7 @@ function nextFrame(): Promise<unknown> {
 function drawn({ renderer, scene, camera, smoke }: SceneOfPage): Pick<Shown, 'covered' | 'alive'> {
   smoke.step(240);
   renderer.render(scene, camera);
+  keepPrograms(renderer);
   const { width, height } = renderer.domElement;
   const pixels = new Uint8Array(4 * width * height);
   const gl = renderer.getContext();

@@ -26,7 +26,7 @@ export interface Comparison {
 /** Camera of the scene, from the side and above, inside a plume, behind the smoke, orthographic. */
 export type Viewpoint = 'scene' | 'above' | 'inside' | 'behind' | 'orthographic';
 
-const [WIDTH, HEIGHT] = [320, 240];
+const [WIDTH, HEIGHT] = [200, 150];
 
 /** A moment of a preset's scene as its stage draws it, from several viewpoints. The default preset where absent. */
 export async function compareScene(

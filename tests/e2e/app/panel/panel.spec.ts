@@ -27,51 +27,45 @@ async function expectSearch(page: Page, enter: (words: string) => Promise<void>)
   await expect(rowsOf(page)).toHaveCount(before);
 }
 
-test('the search finds parameters by words, and an empty search shows all', async ({ page }) => {
+test('the search of the panel', async ({ page }) => {
   await page.setViewportSize({ width: 760, height: 540 });
-  await open(page, `?paused=1${LIGHT}`);
+  await open(page, `?paused=1${LAMP}`);
   await page.keyboard.press('p');
   await expect(panelOf(page)).toBeHidden();
   await page.keyboard.press('/');
   const field = page.getByRole('searchbox', { name: 'Find a parameter' });
   await expect(field).toBeFocused();
-  await expectSearch(page, async (words) => {
-    await field.press('Control+a');
-    await field.press('Delete');
-    await page.keyboard.type(words);
+  await test.step('the best matches come first, and an empty search restores the order', async () => {
+    const order = () => keysOf(panelOf(page).locator('.row'));
+    const before = await order();
+    await field.fill('ink');
+    expect((await keysOf(rowsOf(page)))[0]).toBe('style.inkColor');
+    await field.fill('opacity');
+    expect((await keysOf(rowsOf(page)))[0]).toBe('emission.density');
+    await field.fill('colour');
+    const british = await keysOf(rowsOf(page));
+    await field.fill('color');
+    expect(await keysOf(rowsOf(page))).toEqual(british);
+    await field.fill('');
+    expect((await order()).filter((key) => before.includes(key))).toEqual(before);
   });
-});
-
-test('the best matches come first, and an empty search restores the order', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
-  await page.keyboard.press('/');
-  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
-  const order = () => keysOf(panelOf(page).locator('.row'));
-  const before = await order();
-  await field.fill('ink');
-  expect((await keysOf(rowsOf(page)))[0]).toBe('style.inkColor');
-  await field.fill('opacity');
-  expect((await keysOf(rowsOf(page)))[0]).toBe('emission.density');
-  await field.fill('colour');
-  const british = await keysOf(rowsOf(page));
-  await field.fill('color');
-  expect(await keysOf(rowsOf(page))).toEqual(british);
-  await field.fill('');
-  expect((await order()).filter((key) => before.includes(key))).toEqual(before);
-});
-
-test('the search finds items in open and closed groups', async ({ page }) => {
-  await open(page, `?paused=1${LAMP}`);
-  await page.keyboard.press('/');
-  const field = page.getByRole('searchbox', { name: 'Find a parameter' });
-  await field.fill('circulation');
-  expect(await keysOf(rowsOf(page))).toEqual(['vortices.0.circulation']);
-  await field.fill('');
-  await panelOf(page).locator('summary', { hasText: 'Emitter 1' }).click();
-  await expect(panelOf(page).locator('[data-key="emitters.0.speed"]')).toBeVisible();
-  await field.fill('wind gust');
-  expect(await keysOf(rowsOf(page))).toEqual(['wind.gusts', 'wind.gustTime']);
-  await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
+  await test.step('typed words find parameters, and an empty search shows all', async () => {
+    await expectSearch(page, async (words) => {
+      await field.press('Control+a');
+      await field.press('Delete');
+      await page.keyboard.type(words);
+    });
+  });
+  await test.step('items are found in open and closed groups', async () => {
+    await field.fill('circulation');
+    expect(await keysOf(rowsOf(page))).toEqual(['vortices.0.circulation']);
+    await field.fill('');
+    await panelOf(page).locator('summary', { hasText: 'Emitter 1' }).click();
+    await expect(panelOf(page).locator('[data-key="emitters.0.speed"]')).toBeVisible();
+    await field.fill('wind gust');
+    expect(await keysOf(rowsOf(page))).toEqual(['wind.gusts', 'wind.gustTime']);
+    await expect(panelOf(page).getByRole('status')).toHaveText('2 parameters');
+  });
 });
 
 test('knobs of billboards apply at the end of the gesture, and an unset colour shows its default', async ({ page }) => {
