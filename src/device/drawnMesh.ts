@@ -1,5 +1,10 @@
-import { Mesh, Scene, type BufferGeometry, type Camera, type RawShaderMaterial, type WebGLRenderer } from 'three';
-import { PassCamera } from './passCamera.ts';
+import { Camera, Mesh, Scene, type BufferGeometry, type RawShaderMaterial, type WebGLRenderer } from 'three';
+
+/** The camera argument of `WebGLRenderer.render` for a pass. The shaders take their matrices from the view uniforms. */
+export class PassCamera extends Camera {
+  /** three.js calls this with a reversed depth buffer; there is nothing to update. */
+  updateProjectionMatrix(): void {}
+}
 
 /**
  * A mesh that a pass draws on its own. Its shaders place it, so it is not culled. It does not dispose of its geometry

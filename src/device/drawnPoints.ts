@@ -1,6 +1,6 @@
 import { BufferGeometry, Object3D, Scene, type IUniform, type RawShaderMaterial, type WebGLRenderer } from 'three';
 import { pictureMaterial } from './fullScreen.ts';
-import { PassCamera } from './passCamera.ts';
+import { PassCamera } from './drawnMesh.ts';
 import type { Shaders } from './programsAhead.ts';
 
 /** What three.js draws as points. Its class for them would bring another material into the package. */

@@ -16,6 +16,17 @@ export interface Shaders {
 }
 
 /**
+ * Replaces LOBES by the number of lobes. three.js unrolls loops only with literal bounds; unrolled loops need no
+ * dynamic indexing.
+ */
+export function withLobes(shader: string, lobes: number): string {
+  return shader.replaceAll(/\bLOBES\b/g, String(lobes));
+}
+
+/** Defines of programs whose puffs turn, stretch or unfold; see shaders/lib/orientation.glsl. */
+export const DEFORMED = { DEFORMED: '' };
+
+/**
  * Compiles programs in the background. three.js compiles a program when it first draws with it and waits for the
  * result. The materials here draw nothing: they keep programs in the cache of three.js, which finds them by their
  * source text when another material has the same shaders.

@@ -12,10 +12,9 @@ import lobesFragmentShader from '../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../shaders/bodies/lobes.vert';
 import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
-import type { Shaders } from '../device/programsAhead.ts';
+import { DEFORMED, withLobes, type Shaders } from '../device/programsAhead.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import type { Color, RampTexture } from '../device/ramps.ts';
-import { DEFORMED, withLobes } from '../device/unroll.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */

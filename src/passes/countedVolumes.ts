@@ -5,7 +5,7 @@ import { DrawnRows, ONE_QUAD, RowGeometry, type RowLayout } from '../device/draw
 import type { FrameView } from '../device/frameView.ts';
 import type { PuffTextures } from '../device/puffTextures.ts';
 import { countFaces, countingMaterial } from '../device/stencil.ts';
-import { DEFORMED, withLobes } from '../device/unroll.ts';
+import { DEFORMED, withLobes } from '../device/programsAhead.ts';
 import { ParticleVolumes } from './volumes.ts';
 
 /** The front of a quad, then its back. */

@@ -13,10 +13,9 @@ import fragmentShader from '../../shaders/volumes/volumes.frag';
 import vertexShader from '../../shaders/volumes/volumes.vert';
 import { DrawnRows, type RowGeometry } from '../device/drawnRows.ts';
 import type { FrameView } from '../device/frameView.ts';
-import type { Shaders } from '../device/programsAhead.ts';
+import { DEFORMED, withLobes, type Shaders } from '../device/programsAhead.ts';
 import type { PuffForm, PuffTextures } from '../device/puffTextures.ts';
 import { FIRST_BORDER } from '../device/ramps.ts';
-import { DEFORMED, withLobes } from '../device/unroll.ts';
 
 /** Distance behind a puff's centre, in radii, beyond which the puff has no points, relief included. */
 const BEHIND_THE_PUFF = 1.2;

@@ -1,3 +1,5 @@
+import type { Work } from '../work.ts';
+
 /** An LRU cache for expensive results: evicts the least recently used item. */
 export class LruCache<Item> {
   private readonly capacity: number;
@@ -11,6 +13,13 @@ export class LruCache<Item> {
   get(key: string): Item | undefined {
     const item = this.items.get(key);
     if (item !== undefined) this.add(key, item);
+    return item;
+  }
+
+  /** Returns an item, or makes it in pieces. */
+  *making(key: string, make: () => Work<Item>): Work<Item> {
+    const item = this.items.get(key) ?? (yield* make());
+    this.add(key, item);
     return item;
   }
 

@@ -31,7 +31,7 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  yield* sharing(key, () => adding(key, shapes));
+  yield* sharing(key, () => cache.making(key, () => bakingNew(shapes)));
   const puffs = cache.get(key)!;
   const { caps, billboards } = loaded;
   if (parts.caps && caps) yield* sharing(`caps ${key}`, () => caps.bakingCaps(shapes, FIRST_BORDER));
@@ -48,10 +48,6 @@ function* sharing(key: string, begin: () => Work<unknown>): Work<void> {
     begun.set(key, work);
     yield;
   }
-}
-
-function* adding(key: string, shapes: readonly PuffShape[]): Work<void> {
-  cache.add(key, cache.get(key) ?? (yield* bakingNew(shapes)));
 }
 
 /** The code of start caps and of billboards must be loaded when they are read, see `fetchExtras`. */

@@ -31,11 +31,9 @@ const cache = new LruCache<BillboardPuffs>(4);
  * Bakes billboards in steps of a few milliseconds, or returns them from the LRU cache.
  * @param shapes viewed from +z
  */
-export function* bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
+export function bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
   const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  const billboards = cache.get(key) ?? (yield* baking(billboardShapes(shapes)));
-  cache.add(key, billboards);
-  return billboards;
+  return cache.making(key, () => baking(billboardShapes(shapes)));
 }
 
 function* baking(shapes: readonly PuffShape[]): Work<BillboardPuffs> {

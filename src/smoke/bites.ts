@@ -6,9 +6,8 @@ import volumesFragment from '../../shaders/bites/volumesFragment.glsl';
 import volumeVertex from '../../shaders/bites/volumeVertex.glsl';
 import { RowGeometry, type BiteDrawing } from '../device/drawnRows.ts';
 import type { FormTextures } from '../device/formTextures.ts';
-import type { Shaders } from '../device/programsAhead.ts';
+import { withLobes, type Shaders } from '../device/programsAhead.ts';
 import type { Bites, PuffTextures } from '../device/puffTextures.ts';
-import { withLobes } from '../device/unroll.ts';
 
 /** Functions that the shaders of bodies and of volumes declare for BITES. */
 const OF_BODIES: Shaders = { vertexShader: lobesVertex, fragmentShader: lobesFragment };

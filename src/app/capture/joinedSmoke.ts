@@ -46,7 +46,8 @@ export class JoinedSmoke implements Arranger {
   private readonly from: Arranger;
   private readonly to: RetainedSmoke;
   private readonly share: number;
-  private lastMoves = new Float32Array();
+  /** The rows of the last arrange. */
+  private last: readonly Row[] = [];
 
   /** @param share progress of the transition, 0 to 1 */
   constructor(from: Arranger, to: RetainedSmoke, share: number) {
@@ -57,17 +58,26 @@ export class JoinedSmoke implements Arranger {
 
   /** Occlusion culling does not work during a transition, so all puffs are returned. */
   arrange(view: View): Arranged {
-    const list = new RowList(view.purpose === 'light');
+    const isForLight = view.purpose === 'light';
     const from = this.from.arrange(everything(view));
-    list.add(from.rows, this.from.moves(), (seed) => 1 - this.swelling(seed));
-    list.add(this.to.rows, this.to.moves, (seed) => this.swelling(seed), true);
-    const { rows, moves } = list.arrays();
-    this.lastMoves = moves;
-    return { rows, bounds: boundsOfBoth(from.bounds, this.to.bounds), grid: undefined };
+    const rows = [
+      ...scaled(from.rows, (seed) => 1 - this.swelling(seed), isForLight, false),
+      ...scaled(this.to.rows, (seed) => this.swelling(seed), isForLight, true),
+    ];
+    const isEroded = ({ words }: Row) => readBits(words, 0, ATTRIBUTE_BITS.erosion) > 0;
+    const whole = rows.filter((row) => !isEroded(row));
+    this.last = [...whole, ...rows.filter(isEroded)];
+    return {
+      rows: packed(this.last, whole.length),
+      bounds: boundsOfBoth(from.bounds, this.to.bounds),
+      grid: undefined,
+    };
   }
 
   moves(): Float32Array {
-    return this.lastMoves;
+    const from = this.from.moves();
+    const moveOf = ({ isOfEnd, row }: Row) => (isOfEnd ? this.to.moves : from).subarray(3 * row, 3 * row + 3);
+    return Float32Array.from(this.last.flatMap((row) => [...moveOf(row)]));
   }
 
   /** Scale of a puff of the second time, 0 to 1. */
@@ -77,51 +87,39 @@ export class JoinedSmoke implements Arranger {
   }
 }
 
-/** Rows merged from several lists. */
-class RowList {
-  private readonly whole: Row[] = [];
-  private readonly eroded: Row[] = [];
-  private readonly isForLight: boolean;
-
-  constructor(isForLight: boolean) {
-    this.isForLight = isForLight;
+/**
+ * Rows with scaled radii, without those that disappear.
+ * @param scaleOf scale of a row's radius by its seed, 0 to 1
+ * @param isOfEnd whether the rows are those of the second time, which were arranged for an eye
+ */
+function* scaled(
+  { count, place, attributes }: Rows,
+  scaleOf: (seed: number) => number,
+  isForLight: boolean,
+  isOfEnd: boolean,
+): Generator<Row> {
+  for (let row = 0; row < count; ++row) {
+    const scale = scaleOf(readBits(attributes, row, ATTRIBUTE_BITS.seed));
+    if (scale === 0) continue;
+    const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
+    const words = attributes.slice(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1));
+    if (isForLight) makeCaster(words, isOfEnd);
+    yield { place: [x, y, z, scale * radius], words, row, isOfEnd };
   }
+}
 
-  arrays(): { rows: Rows; moves: Float32Array<ArrayBuffer> } {
-    const all = [...this.whole, ...this.eroded];
-    const place = Float32Array.from(all.flatMap((row) => row.place));
-    const attributes = Uint32Array.from(all.flatMap((row) => [...row.words]));
-    const rows = { count: all.length, whole: this.whole.length, place, attributes };
-    return { rows, moves: Float32Array.from(all.flatMap((row) => [...row.move])) };
-  }
-
-  /**
-   * @param scaleOf scale of a row's radius by its seed, 0 to 1
-   * @param isOfEye whether the rows were arranged for an eye, whatever this list is for
-   */
-  add(
-    { count, place, attributes }: Rows,
-    moves: Float32Array,
-    scaleOf: (seed: number) => number,
-    isOfEye = false,
-  ): void {
-    const { seed, erosion } = ATTRIBUTE_BITS;
-    for (let row = 0; row < count; ++row) {
-      const scale = scaleOf(readBits(attributes, row, seed));
-      if (scale === 0) continue;
-      const [x, y, z, radius] = place.subarray(PLACE_FLOATS * row);
-      const words = attributes.slice(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1));
-      if (this.isForLight) makeCaster(words, isOfEye);
-      const list = readBits(words, 0, erosion) > 0 ? this.eroded : this.whole;
-      list.push({ place: [x, y, z, scale * radius], words, move: moves.subarray(3 * row, 3 * row + 3) });
-    }
-  }
+function packed(rows: readonly Row[], whole: number): Rows {
+  const place = Float32Array.from(rows.flatMap((row) => row.place));
+  const attributes = Uint32Array.from(rows.flatMap((row) => [...row.words]));
+  return { count: rows.length, whole, place, attributes };
 }
 
 interface Row {
   readonly place: readonly number[];
   readonly words: Uint32Array;
-  readonly move: Float32Array;
+  /** Its number in the list that it comes from. */
+  readonly row: number;
+  readonly isOfEnd: boolean;
 }
 
 /** Changes attributes to those of a caster with an unbounded shadow: its age replaces temperature and tint. */

@@ -29,7 +29,7 @@ import type { FrameView, ViewUniforms } from '../../device/frameView.ts';
 import { FullScreen, pictureMaterial } from '../../device/fullScreen.ts';
 import { pictureTarget } from '../../device/pictureTarget.ts';
 import type { PuffTextures } from '../../device/puffTextures.ts';
-import { DEFORMED } from '../../device/unroll.ts';
+import { DEFORMED } from '../../device/programsAhead.ts';
 import type { SurfaceDepth } from '../surfaceDepth.ts';
 import type { Targets } from '../targets.ts';
 import { StrokeArcs } from './strokeArcs.ts';

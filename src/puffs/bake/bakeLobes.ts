@@ -1,6 +1,8 @@
 /** Bakes lobe puffs to the tables that bodies and volumes use. */
-import { bakingVariation, type LobeVariation } from './lobeVariation.ts';
+import { deepestSeen, reachOf } from '../lobes.ts';
+import { LruCache } from '../lru.ts';
 import { CREASE_FILLET, middleOf, NORMAL_BLEND } from '../normals.ts';
+import { orientationOf, rotatedLobes } from '../orientation.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
 import { solidsOf, type PuffSolids } from './solids.ts';
 import { finished, type Work } from '../../work.ts';
@@ -29,6 +31,10 @@ const ROTATION_TOLERANCE = 0.002;
 /** Margin for visible points between the depth samples, and the step the bound is rounded up to, in radii. */
 const DEPTH_SLACK = 0.05;
 const DEPTH_STEP = 0.1;
+/** Number of orientations in which the depth is measured. */
+const SIDES = 16;
+/** Depths by lobes: resetting a knob or adding a variation does not measure the same variation twice. */
+const depths = new LruCache<number>(96);
 
 /** @param shapes at least one, each with at most 12 lobes */
 export function bakeLobes(shapes: readonly PuffShape[]): LobePuffs {
@@ -37,26 +43,32 @@ export function bakeLobes(shapes: readonly PuffShape[]): LobePuffs {
 
 /** As {@link bakeLobes}, in slices of about a millisecond. */
 export function* bakingLobes(shapes: readonly PuffShape[]): Work<LobePuffs> {
-  const max = Math.max(...shapes.map(({ lobes }) => lobes.length));
-  const variations: LobeVariation[] = [];
-  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes));
-  return together(variations, max);
-}
-
-function together(variations: readonly LobeVariation[], lobeCount: number): LobePuffs {
+  const ofAll = shapes.map(({ lobes }) => lobes);
+  const lobeCount = Math.max(...ofAll.map(({ length }) => length));
+  let deepest = 0;
+  for (const lobes of ofAll)
+    deepest = Math.max(deepest, yield* depths.making(JSON.stringify(lobes), () => measuringDepth(lobes)));
   return {
     lobeCount,
-    count: variations.length,
-    table: Float32Array.from(variations.flatMap(({ lobes }) => rowOf(lobes, lobeCount))),
-    reach: Math.max(...variations.map(({ reach }) => reach)),
-    depth: Math.ceil((Math.max(...variations.map(({ depth }) => depth)) + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
-    solids: solidsOf(
-      variations.map(({ lobes }) => lobes),
-      { facesEye: false, tolerance: ROTATION_TOLERANCE, blur: 0 },
-    ),
+    count: shapes.length,
+    table: Float32Array.from(ofAll.flatMap((lobes) => rowOf(lobes, lobeCount))),
+    reach: Math.max(...ofAll.map(reachOf)),
+    depth: Math.ceil((deepest + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
+    solids: solidsOf(ofAll, { facesEye: false, tolerance: ROTATION_TOLERANCE, blur: 0 }),
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };
+}
+
+/** Depth of the deepest visible point behind the centre plane, over the sampled orientations, in particle radii. */
+function* measuringDepth(lobes: readonly Lobe[]): Work<number> {
+  let depth = 0;
+  for (let side = 0; side < SIDES; side++) {
+    const seen = rotatedLobes(orientationOf((side * 256) / SIDES, 2.4 * side), lobes);
+    depth = Math.max(depth, deepestSeen(seen));
+    yield;
+  }
+  return depth;
 }
 
 /** A shape's row of the table. Missing lobes are points inside the first one, so that they have no effect. */

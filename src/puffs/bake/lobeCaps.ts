@@ -28,18 +28,14 @@ const cache = new LruCache<VariationCaps>(96);
  */
 export function* bakingCaps(shapes: readonly PuffShape[], litThreshold: number): Work<LobeCaps> {
   const variations: VariationCaps[] = [];
-  for (const { lobes } of shapes) variations.push(yield* bakingVariation(lobes, litThreshold));
+  for (const { lobes } of shapes) {
+    const key = JSON.stringify([litThreshold, lobes]);
+    variations.push(yield* cache.making(key, () => baking(lobes, litThreshold)));
+  }
   return {
     startCaps: joined(variations.map(({ table }) => table)),
     latestCap: Math.max(...variations.map(({ latest }) => latest)),
   };
-}
-
-function* bakingVariation(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {
-  const key = JSON.stringify([litThreshold, lobes]);
-  const caps = cache.get(key) ?? (yield* baking(lobes, litThreshold));
-  cache.add(key, caps);
-  return caps;
 }
 
 function* baking(lobes: readonly Lobe[], litThreshold: number): Work<VariationCaps> {

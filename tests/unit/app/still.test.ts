@@ -1,5 +1,5 @@
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import { joined, stillOf } from '../../../src/app/capture/still.ts';
 import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../src/sim/layout.ts';
 import type { Rows } from '../../../src/sim/rows.ts';
@@ -9,7 +9,7 @@ import type { Arranger, FrameInput } from '../../../src/smoke/frameInput.ts';
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
 
-/** A puff of radius 2 for each seed, at the same height. */
+/** A puff of radius 2 for each seed, at the same height, which moves by its own place. */
 function smokeAt(height: number): Arranger & { asked: View[] } {
   const place = Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0, 2]));
   const attributes = Uint32Array.from(SEEDS.flatMap((seed) => [0x12345678, seed << 8, 5, 6]));
@@ -20,7 +20,7 @@ function smokeAt(height: number): Arranger & { asked: View[] } {
     asked.push(view);
     return { rows, bounds, grid: undefined };
   };
-  return { asked, arrange, moves: () => new Float32Array(3 * SEEDS.length) };
+  return { asked, arrange, moves: vi.fn(() => Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0]))) };
 }
 
 function frameAt(height: number): FrameInput {
@@ -78,4 +78,18 @@ test('camera and objects move from one moment to the other', () => {
     [3, 3],
     [5, 5],
   ]);
+});
+
+test('displacements are those of the remaining puffs, and are only computed on request', () => {
+  const from = frameAt(1);
+  const { simulator } = joined(from, stillOf(frameAt(5)), 0.5);
+  const { count, place } = simulator.arrange(VIEW).rows;
+  expect(from.simulator.moves).not.toHaveBeenCalled();
+  const moves = simulator.moves();
+  expect(moves).toHaveLength(3 * count);
+  for (let row = 0; row < count; ++row) {
+    expect([...moves.subarray(3 * row, 3 * row + 3)]).toEqual([
+      ...place.subarray(PLACE_FLOATS * row, PLACE_FLOATS * row + 3),
+    ]);
+  }
 });
