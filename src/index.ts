@@ -33,7 +33,14 @@ export type { Lobe, PuffShape } from './puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
 export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './three/options.ts';
 export type { CollideOptions } from './three/colliders.ts';
-export type { BurstOptions, EmitterOptions, PuffOptions } from './three/emitterOptions.ts';
+export type {
+  BurstOptions,
+  EmissionChange,
+  EmissionOptions,
+  EmitterOptions,
+  PuffOptions,
+  VectorComponents,
+} from './sim/emitterOptions.ts';
 export type { EmitterHandle } from './three/emitters.ts';
 export type { SmokeSpace } from './three/frame.ts';
 export type { SmokeHandle } from './three/handle.ts';

@@ -26,7 +26,7 @@ export const ARROWS = {
   smoke: 'preset device sim rows puffs passes npm:three',
   stage: 'preset device sim rows puffs passes smoke scenes npm:three',
   three: 'preset device sim rows puffs passes smoke npm:three',
-  fiber: 'preset three npm:three npm:react npm:@react-three/fiber',
+  fiber: 'preset type:sim three npm:three npm:react npm:@react-three/fiber',
   remote: 'preset device sim rows puffs passes smoke scenes stage',
   page: 'preset sim stage',
   puff: 'preset device sim rows puffs passes smoke scenes stage remote page',

@@ -2,7 +2,7 @@ import { ContextError, type SmokeError } from '../preset/errors.ts';
 import type { PresetName } from '../preset/valueTypes.ts';
 import type { Fault } from '../device/faults.ts';
 import { runOnSelf } from '../preset/onSelf.ts';
-import { asSmokeError } from './asSmokeError.ts';
+import { asSmokeError } from '../page/asSmokeError.ts';
 import { Deferred } from './deferred.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import type { SmokeEvents } from './events.ts';

@@ -5,7 +5,7 @@ import { notice, type Notice } from '../preset/notice.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
-import { asSmokeError } from './asSmokeError.ts';
+import { asSmokeError } from '../page/asSmokeError.ts';
 import { change } from './change.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from '../page/size.ts';

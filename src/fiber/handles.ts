@@ -12,7 +12,7 @@ import type { Group, Object3D } from 'three';
 import { UnsupportedError } from '../preset/errors.ts';
 import type { CartoonSmoke } from '../three/cartoonSmoke.ts';
 import type { CollideOptions } from '../three/colliders.ts';
-import type { EmitterOptions } from '../three/emitterOptions.ts';
+import type { EmitterOptions } from '../sim/emitterOptions.ts';
 import type { EmitterHandle } from '../three/emitters.ts';
 import type { SmokeHandle } from '../three/handle.ts';
 import type { CastOptions } from '../three/options.ts';

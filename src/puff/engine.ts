@@ -1,26 +1,29 @@
-/** The smoke of all calls on one canvas: one stage, whose emitters and obstacles the calls share. */
-import { ContextError, LoadError, SmokeError } from '../preset/errors.ts';
+/** The smoke of all calls on one canvas: one stage, whose emissions and obstacles the calls share. */
+import { ContextError, LoadError } from '../preset/errors.ts';
 import type { Value, Values } from '../preset/parameter.ts';
 import { defaults, differing } from '../preset/values.ts';
+import { asSmokeError } from '../page/asSmokeError.ts';
+import type { PlaneRectangle } from '../page/plane.ts';
 import { sizeOf } from '../page/size.ts';
 import type { RemoteStage } from '../remote/contract.ts';
 import { openStage } from '../remote/openStage.ts';
 import { Alarm } from './alarm.ts';
-import { emissionsOf, flowsAround } from './effects.ts';
+import { emissionsOf, flowsAround, type Emission } from './effects.ts';
+import { AIR, alongLine, emissionOptions } from './emission.ts';
 import { follow } from './follow.ts';
 import { hexOf, lookOf, Tints } from './look.ts';
+import { Obstacles } from './obstacles.ts';
 import type { Effect, PuffOptions } from './options.ts';
 import { Overlay, OwnCanvas, type Sheet } from './overlay.ts';
 import { Placement } from './placement.ts';
 import { Scrolling } from './scrolling.ts';
-import { AIR, Emitters, Obstacles, type PlacedEmission } from './slots.ts';
 import { sourceOf, type Source } from './target.ts';
 import { topLayerOf } from './topLayer.ts';
 
-/** Time until the engine looks for a free emitter again, milliseconds. */
+/** Time until a waiting call tries again, milliseconds. */
 const RETRY_MS = 80;
-/** Simulated seconds until a call begins while smoke is visible: longer than a message to the worker takes. */
-const LEAD = 0.05;
+/** Emissions of all calls: the limit of the stage. */
+const MAX_EMISSIONS = 384;
 /** The engine ends this long after the last particle, milliseconds. */
 const IDLE_MS = 10_000;
 /** The worker then presents the empty picture before it ends, milliseconds. */
@@ -29,8 +32,6 @@ const GRACE_MS = 1000;
 const WARM_UP = 0.2;
 /** Time without frames of the page after which it counts as hidden, milliseconds. */
 const HIDDEN_MS = 200;
-/** Simulated seconds after which the simulation starts again. Emitters cannot start after 3600 s. */
-const LATEST = 3000;
 
 /** A call with valid options. */
 export interface PuffCall extends PuffOptions {
@@ -50,17 +51,17 @@ interface Waiting {
   readonly reject: (error: Error) => void;
 }
 
-interface Running extends Waiting {
+/** A call whose emissions are on the way to the stage. */
+interface Starting extends Waiting {
+  readonly place: PlaneRectangle;
+  readonly tint: number;
+  readonly emissions: readonly Emission[];
+}
+
+interface Running extends Starting {
   /** Simulated time at which the last particle is gone. */
   readonly end: number;
   readonly stopFollowing: readonly (() => void)[];
-}
-
-/** What a call emits, and from which emitters. */
-interface Begun {
-  readonly each: Waiting;
-  readonly emissions: readonly PlacedEmission[];
-  readonly indices: readonly number[];
 }
 
 type Changes = Record<string, Value>;
@@ -102,12 +103,10 @@ export class Engine {
   private readonly usualLook: Values;
   private readonly onEnd: () => void;
   private readonly scrolling: Scrolling;
-  private readonly emitters = new Emitters();
   private readonly obstacles = new Obstacles();
   private readonly tints = new Tints();
   private waiting: Waiting[] = [];
-  /** Calls whose emitters are on the way to the stage. */
-  private starting: Waiting[] = [];
+  private starting: Starting[] = [];
   private running: Running[] = [];
   private look: Values;
   /** The values of the stage. */
@@ -210,9 +209,8 @@ export class Engine {
     const each = { call, look: undefined, color: undefined, resolve: () => undefined, reject: () => undefined };
     const changes: Changes = {};
     this.place(true, [each], changes);
-    this.emit(each, 0, 0, changes);
-    await this.set({ ...changes, ...this.emitters.values() });
-    await this.stage.seek(WARM_UP);
+    const placed = this.placed(each, changes);
+    await Promise.all([this.set(changes), this.emit(placed), this.stage.seek(WARM_UP)]);
     await this.reset();
   }
 
@@ -237,24 +235,25 @@ export class Engine {
     }
   }
 
-  /** Starts as many of the waiting calls as there are emitters for. */
+  /** Starts as many of the waiting calls as there are emissions for. */
   private async startSome(): Promise<void> {
-    const time = this.playing ? (await this.stage.stats()).time : 0;
-    if (this.playing && (time > LATEST || this.placement.isFar)) this.restart();
+    if (this.playing && this.placement.isFar) this.restart();
     const isFirst = !this.playing;
-    const now = isFirst ? 0 : time;
-    if (isFirst) this.emitters.clear();
+    const taken = this.takeWaiting();
+    if (taken.length === 0) return delay(RETRY_MS);
     const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
-    this.starting = this.takeWaiting(this.emitters.free(now));
-    if (this.starting.length === 0) return delay(RETRY_MS);
-    this.place(isFirst, this.starting, changes);
-    const start = isFirst ? 0 : now + LEAD;
-    const begun = this.starting.map((each) => this.emit(each, start, now, changes));
-    if (isFirst) await this.sendFirst(begun, changes);
-    else await this.send(begun, changes, start);
+    this.place(isFirst, taken, changes);
+    this.starting = taken.map((each) => this.placed(each, changes));
+    const sent = isFirst ? this.begin(taken[0].call, changes) : this.set(changes);
+    const emitted = Promise.all(this.starting.map((each) => this.emit(each)));
+    // Last, so that the first emissions are in step 0.
+    if (isFirst) this.beginPlay();
+    const [{ time }, numbers] = await Promise.all([this.stage.stats(), emitted, sent]);
+    this.starting.splice(0).forEach((each, index) => this.run(each, numbers[index], time));
   }
 
-  private takeWaiting(free: number): Waiting[] {
+  private takeWaiting(): Waiting[] {
+    let free = MAX_EMISSIONS - this.running.reduce((sum, { emissions }) => sum + emissions.length, 0);
     const taken: Waiting[] = [];
     for (let [next] = this.waiting; next; [next] = this.waiting) {
       free -= emissionsOf(next.call.effect, { halfWidth: 0, halfHeight: 0 }, next.call).length;
@@ -307,63 +306,44 @@ export class Engine {
     return this.stage.set(changes);
   }
 
-  private emit(each: Waiting, start: number, now: number, changes: Changes): Begun {
+  /** @param changes receives the obstacle and the tint */
+  private placed(each: Waiting, changes: Changes): Starting {
     const { call } = each;
     const box = this.placement.clipped(call.source.box()!);
-    const at = this.placement.pointOf(box);
-    const extent = this.placement.extentOf(box);
+    const place = this.placement.rectangleOf(box);
+    if (flowsAround(call.effect) && box.width > 0)
+      Object.assign(changes, this.obstacles.take(call, place, this.placement.plane));
     const tint = this.tints.take(each.color, changes);
-    const emissions = emissionsOf(call.effect, extent, call).map((emission) => ({ ...emission, at, tint }));
-    if (flowsAround(call.effect) && box.width > 0) Object.assign(changes, this.obstacles.take(call, at, extent));
-    return { each, emissions, indices: emissions.map((emission) => this.emitters.take(emission, start, now)) };
+    return { ...each, place, tint, emissions: emissionsOf(call.effect, place, call) };
+  }
+
+  /** @returns the number of its first emission */
+  private async emit({ emissions, place, tint }: Starting): Promise<number> {
+    const all = emissions.map((each) => this.stage.emit(emissionOptions(each, place.middle, tint)));
+    return (await Promise.all(all))[0];
   }
 
   /** Starts the simulation again, so that a seed decides all of its smoke. */
-  private async sendFirst(begun: readonly Begun[], changes: Changes): Promise<void> {
-    const seed = begun[0].each.call.seed ?? Math.floor(Math.random() * 2 ** 32);
-    // First, because a stage that plays does not draw the empty scene for a change.
-    this.beginPlay();
+  private async begin({ seed = Math.floor(Math.random() * 2 ** 32) }: PuffCall, changes: Changes): Promise<void> {
     // Only another seed starts it by itself.
     const isSame = seed === this.sent.seed;
-    const set = this.set({ ...changes, ...this.emitters.values(), seed });
-    await Promise.all([set, isSame && this.stage.restart()]);
-    for (const each of begun) this.run(each, 0);
+    await Promise.all([this.set({ ...changes, seed }), isSame && this.stage.restart()]);
   }
 
-  private async send(begun: readonly Begun[], changes: Changes, start: number): Promise<void> {
-    for (let lead = LEAD; ; lead *= 2) {
-      const sent = this.set({ ...changes, ...this.emitters.values() });
-      const [{ time }] = await Promise.all([this.stage.stats(), sent]);
-      if (time <= start || this.hasEnded) break;
-      // A burst does not start in the past.
-      start = time + 2 * lead;
-      for (const { indices } of begun) this.emitters.delay(indices, start);
-    }
-    for (const each of begun) this.run(each, start);
-  }
-
-  private run({ each, emissions, indices }: Begun, start: number): void {
+  private run(each: Starting, emission: number, start: number): void {
     const { call } = each;
-    // Cleared in the meantime.
-    if (!this.starting.includes(each)) return;
-    this.starting = this.starting.filter((other) => other !== each);
     const stopFollowing = [this.scrolling.enter(call.source.inside)];
-    if (call.effect === 'trail') stopFollowing.push(this.follow(call, emissions[0], indices[0]));
-    const life = Math.max(...emissions.map(lifeOf));
+    if (call.effect === 'trail') stopFollowing.push(this.follow(each, emission));
+    const life = Math.max(...each.emissions.map(lifeOf));
     this.running.push({ ...each, end: start + life, stopFollowing });
     this.alarm?.wake();
     call.onBegin();
   }
 
-  private follow({ source }: PuffCall, emission: PlacedEmission, index: number): () => void {
-    const isOwn = () => this.emitters.holds(index, emission);
-    return follow(this.placement, source, {
-      from: emission.at,
-      isOwn,
-      move: async (from, to) => {
-        this.moveVisible();
-        if (isOwn()) await this.set(this.emitters.moveAlong(index, from, to));
-      },
+  private follow({ call, place }: Starting, emission: number): () => void {
+    return follow(this.placement, call.source, place.middle, async (from, to) => {
+      this.moveVisible();
+      await this.stage.changeEmission(emission, alongLine(from, to));
     });
   }
 
@@ -419,10 +399,9 @@ export class Engine {
     this.reset().catch(() => undefined);
   }
 
-  /** Empties the paused stage. Its emitters must not start again when it plays, before those of the next call arrive. */
+  /** Empties the paused stage. */
   private async reset(): Promise<void> {
-    this.emitters.clear();
-    await Promise.all([this.set({ ...this.obstacles.release(), ...this.emitters.values() }), this.stage.restart()]);
+    await Promise.all([this.set(this.obstacles.release()), this.stage.restart()]);
   }
 
   private endPlay(): void {
@@ -444,7 +423,7 @@ function isLayered({ call }: Pick<Waiting, 'call'>): boolean {
 }
 
 /** Seconds from the start of an emission until its last particle is gone. */
-function lifeOf({ delay: wait, duration, life, lifeVariation }: PlacedEmission): number {
+function lifeOf({ delay: wait, duration, life, lifeVariation }: Emission): number {
   return wait + duration + life * (1 + lifeVariation);
 }
 
@@ -458,9 +437,4 @@ function pictureShown(): Promise<void> {
 
 function delay(milliseconds: number): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve, milliseconds));
-}
-
-function asSmokeError(error: unknown): SmokeError {
-  if (error instanceof SmokeError) return error;
-  return new LoadError(`The smoke stopped: ${(error as Error).message}`, { cause: error });
 }

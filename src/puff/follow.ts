@@ -1,25 +1,23 @@
 /** The source of a trail, frame by frame. */
+import type { Box, Triple } from '../page/plane.ts';
 import type { Placement } from './placement.ts';
-import type { ScenePoint } from './slots.ts';
-import type { Source, TargetBox } from './target.ts';
+import type { Source } from './target.ts';
 
 /** Moves below this length are not sent, metres. */
 const STILL = 0.001;
 
-/** An emitter that follows a source. */
-export interface Follower {
-  readonly from: ScenePoint;
-  /** Whether the emitter still belongs to the call. */
-  readonly isOwn: () => boolean;
-  /** Moves the emitter along a line. Resolves when the stage has it. */
-  readonly move: (from: ScenePoint, to: ScenePoint) => Promise<void>;
-}
-
 /**
- * Moves an emitter with an element or with the pointer.
+ * Follows an element or the pointer.
+ * @param from the place of the source
+ * @param move called with a line that the source has moved along. The next one waits until it resolves
  * @returns a function that stops
  */
-export function follow(placement: Placement, source: Source, { from, isOwn, move }: Follower): () => void {
+export function follow(
+  placement: Placement,
+  source: Source,
+  from: Triple,
+  move: (from: Triple, to: Triple) => Promise<void>,
+): () => void {
   const end = new AbortController();
   const { signal } = end;
   const placeOf = source.followsPointer ? pointerPlace(source, signal) : () => source.box();
@@ -27,12 +25,12 @@ export function follow(placement: Placement, source: Source, { from, isOwn, move
   let wasMoving = false;
   let isBehind = false;
   const step = () => {
-    if (signal.aborted || !isOwn()) return end.abort();
+    if (signal.aborted) return;
     requestAnimationFrame(step);
     if (isBehind) return;
     const box = placeOf();
-    const now = box ? placement.pointOf(box) : before;
-    const isMoving = Math.max(Math.abs(now.x - before.x), Math.abs(now.y - before.y)) > STILL;
+    const now = box ? placement.rectangleOf(box).middle : before;
+    const isMoving = now.some((metres, axis) => Math.abs(metres - before[axis]) > STILL);
     // A source that has stopped needs one more call, which ends the line.
     if (!isMoving && !wasMoving) return;
     wasMoving = isMoving;
@@ -47,8 +45,8 @@ export function follow(placement: Placement, source: Source, { from, isOwn, move
 }
 
 /** @returns a function for the place of the pointer; undefined if neither the pointer nor the page has moved since */
-function pointerPlace(source: Source, signal: AbortSignal): () => TargetBox | undefined {
-  let pointer: TargetBox | undefined;
+function pointerPlace(source: Source, signal: AbortSignal): () => Box | undefined {
+  let pointer: Box | undefined;
   // Places are not read in every frame, because that can cost a layout.
   let hasMoved = false;
   const given = { signal, capture: true, passive: true };

@@ -1,6 +1,7 @@
 /** The canvas over the page, or a canvas of the page. */
+import type { Box } from '../page/plane.ts';
 import { clientBox } from '../page/zoom.ts';
-import { boxOf, type TargetBox } from './target.ts';
+import { boxOf } from './target.ts';
 
 /** What an engine draws on. */
 export interface Sheet {
@@ -20,7 +21,7 @@ export interface Sheet {
   /** Moves the picture, until the next `place`, in client pixels. */
   shift(x: number, y: number): void;
   /** The canvas in client pixels. */
-  rectangle(): TargetBox;
+  rectangle(): Box;
   style(layer: 'above' | 'below' | undefined, zIndex: number | undefined): void;
   remove(): void;
 }
@@ -113,7 +114,7 @@ export class Overlay implements Sheet {
     this.moveTo(at.x + scale * x, at.y + scale * y);
   }
 
-  rectangle(): TargetBox {
+  rectangle(): Box {
     return clientBox(this.canvas);
   }
 
@@ -178,7 +179,7 @@ export class OwnCanvas implements Sheet {
 
   shift(): void {}
 
-  rectangle(): TargetBox {
+  rectangle(): Box {
     return boxOf(this.canvas);
   }
 

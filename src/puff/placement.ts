@@ -1,10 +1,9 @@
 /** Where the canvas is on the page, and where places of the page are in the scene. */
+import { placeOnPlane, rounded, type Box, type PlaneRectangle } from '../page/plane.ts';
 import { sizeOf, type Size } from '../page/size.ts';
 import type { Values } from '../preset/parameter.ts';
-import type { Extent } from './effects.ts';
+import type { ScenePlane } from '../stage/sight.ts';
 import type { Sheet } from './overlay.ts';
-import type { ScenePoint } from './slots.ts';
-import type { TargetBox } from './target.ts';
 
 /** CSS pixels per metre of the scene `air`. */
 const PIXELS_PER_METRE = 150;
@@ -18,7 +17,7 @@ const MIN_VISIBLE = 0.75;
 /** The camera in front of the plane of the page. */
 export class Placement {
   private readonly sheet: Sheet;
-  private camera: ScenePoint = { x: 0, y: 0 };
+  private camera = { x: 0, y: 0 };
   private size: Size;
 
   constructor(sheet: Sheet, size: Size) {
@@ -76,7 +75,7 @@ export class Placement {
   }
 
   /** The part of a box on the canvas; all of it if it is beside the canvas. */
-  clipped(box: TargetBox): TargetBox {
+  clipped(box: Box): Box {
     const around = this.sheet.rectangle();
     const [right, bottom] = [around.left + around.width, around.top + around.height];
     const [left, top] = [Math.max(box.left, around.left), Math.max(box.top, around.top)];
@@ -85,21 +84,22 @@ export class Placement {
     return width > 0 && height > 0 ? { left, top, width, height } : box;
   }
 
-  /** The middle of a box in the plane of the page, metres. */
-  pointOf(box: TargetBox): ScenePoint {
-    const around = middle(this.sheet.rectangle());
-    const { x, y } = middle(box);
-    const { metres } = this;
-    return {
-      x: limited(this.camera.x + (x - around.x) * metres),
-      y: limited(this.camera.y - (y - around.y) * metres),
-    };
+  /** The plane of the page. */
+  get plane(): ScenePlane {
+    const metres = 1 / PIXELS_PER_METRE;
+    return { middle: [this.camera.x, this.camera.y, 0], right: [metres, 0, 0], up: [0, metres, 0] };
   }
 
-  /** Half sides of a box in the plane of the page, metres. */
-  extentOf({ width, height }: TargetBox): Extent {
-    const { metres } = this;
-    return { halfWidth: limited((width / 2) * metres), halfHeight: limited((height / 2) * metres) };
+  /** A box in the plane of the page. */
+  rectangleOf(box: Box): PlaneRectangle {
+    const place = placeOnPlane(box, this.sheet.rectangle(), this.sheet.scale, this.plane);
+    const [x, y, z] = place.middle;
+    return {
+      ...place,
+      middle: [limited(x), limited(y), z],
+      halfWidth: limited(place.halfWidth),
+      halfHeight: limited(place.halfHeight),
+    };
   }
 }
 
@@ -107,11 +107,6 @@ function limited(metres: number): number {
   return Math.min(Math.max(metres, -FARTHEST_PLACE), FARTHEST_PLACE);
 }
 
-function middle({ left, top, width, height }: TargetBox): ScenePoint {
+function middle({ left, top, width, height }: Box): { x: number; y: number } {
   return { x: left + width / 2, y: top + height / 2 };
-}
-
-/** The precision with which the camera keeps its values. */
-function rounded(metres: number): number {
-  return Math.round(metres * 10_000) / 10_000;
 }

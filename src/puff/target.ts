@@ -1,4 +1,5 @@
 /** Where the smoke of a call begins. */
+import type { Box } from '../page/plane.ts';
 import { clientBox } from '../page/zoom.ts';
 import { ParameterError } from '../preset/errors.ts';
 
@@ -26,15 +27,7 @@ export type ElementHolder =
 export type PuffTarget =
   Element | Text | Event | WrappedEvent | ElementHolder | { readonly x: number; readonly y: number } | null;
 
-/** A box in client pixels; a point has no size. */
-export interface TargetBox {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
-
-type FromView = (box: TargetBox) => TargetBox;
+type FromView = (box: Box) => Box;
 
 /** The target of a call. */
 export interface Source {
@@ -50,7 +43,7 @@ export interface Source {
    * The current box; the last known one after an element has lost its own. Undefined if there never was one: for
    * elements outside of the document, without a size, or with `display: none`.
    */
-  box(): TargetBox | undefined;
+  box(): Box | undefined;
 }
 
 const ACCEPTED = 'an element, an event with coordinates, or { x, y } in client pixels';
@@ -103,13 +96,13 @@ function pointSource(x: number, y: number, followsPointer: boolean, inside?: Ele
 }
 
 /** @param sign 1 from the window to the page, -1 back */
-function onPage({ left, top, width, height }: TargetBox, sign = 1): TargetBox {
+function onPage({ left, top, width, height }: Box, sign = 1): Box {
   return { left: left + sign * scrollX, top: top + sign * scrollY, width, height };
 }
 
 function elementSource(element: Element): Source {
   const fromView = fromViewOf(element);
-  let known: TargetBox | undefined;
+  let known: Box | undefined;
   const box = () => {
     const now = boxOf(element, fromView);
     if (now.width > 0 && now.height > 0) known = onPage(now);
@@ -120,7 +113,7 @@ function elementSource(element: Element): Source {
 }
 
 /** The box of an element in client pixels of this window. */
-export function boxOf(element: Element, fromView = fromViewOf(element)): TargetBox {
+export function boxOf(element: Element, fromView = fromViewOf(element)): Box {
   return fromView(clientBox(element));
 }
 
@@ -136,7 +129,7 @@ function fromViewOf(element: Element | undefined): FromView {
   return (box) => frames.reduce(throughFrame, box);
 }
 
-function throughFrame({ left, top, width, height }: TargetBox, frame: HTMLElement): TargetBox {
+function throughFrame({ left, top, width, height }: Box, frame: HTMLElement): Box {
   const outer = clientBox(frame);
   const { paddingLeft, paddingTop, paddingRight } = getComputedStyle(frame);
   const [before, above, after] = [paddingLeft, paddingTop, paddingRight].map(Number.parseFloat);

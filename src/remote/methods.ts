@@ -6,6 +6,7 @@
 import { requireFinite, requireWhole } from '../preset/values.ts';
 import type { Values } from '../preset/parameter.ts';
 import type { Vector } from '../scenes/scene.ts';
+import type { EmissionChange, EmissionOptions } from '../sim/emitterOptions.ts';
 import type { BlowInput } from '../stage/blow.ts';
 import type { PointerInput } from '../stage/contract.ts';
 import type { Stage } from '../stage/stage.ts';
@@ -23,6 +24,7 @@ import {
   number,
   oneOf,
   optional,
+  optionsByName,
   record,
   text,
   valuesByKey,
@@ -188,6 +190,18 @@ export const methods = {
     takes: [integer(0, 7), place],
     gives: nothing,
     run: (stage, channel: number, value: number) => stage.steer(channel, value),
+  }),
+  /** Resolves to the number of the emission. */
+  emit: method({
+    takes: [optionsByName<EmissionOptions>()],
+    gives: integer(0, 2 ** 53),
+    run: (stage, given: EmissionOptions) => stage.emit(given),
+  }),
+  /** @param emission the result of `emit` */
+  changeEmission: method({
+    takes: [integer(0, 2 ** 53), optionsByName<EmissionChange>()],
+    gives: nothing,
+    run: (stage, emission: number, given: EmissionChange) => stage.changeEmission(emission, given),
   }),
   /**
    * Drops a ball or a crate at a position in the picture, in CSS pixels. Resolves to false if the scene has no objects

@@ -22,6 +22,7 @@ const KEY = /^[A-Za-z][A-Za-z0-9]*(\.[A-Za-z0-9]+)*$/;
 const LONGEST_KEY = 100;
 const LONGEST_TEXT = 8192;
 const MAX_VALUES = 4000;
+const MAX_OPTIONS = 100;
 
 function shape<Value>(words: string, passes: (value: unknown) => boolean): Shape<Value> {
   return Object.assign((value: unknown) => passes(value), { words });
@@ -32,6 +33,8 @@ export const anything = shape<unknown>('anything', () => true);
 export const nothing = shape<undefined>('nothing', (value) => value === undefined);
 
 export const flag = shape<boolean>('true or false', (value) => typeof value === 'boolean');
+
+const anyNumber = shape<number>('a number', (value) => typeof value === 'number');
 
 /** Between `min` and `max`; `min` defaults to -max, so NaN and infinities fail. */
 export function number(max: number, min = -max): Shape<number> {
@@ -98,6 +101,21 @@ export const valuesByKey = shape<Values>('an object of numbers and strings by pa
     entries.length <= MAX_VALUES && entries.every(([name, each]) => key(name) && (Number.isFinite(each) || text(each)))
   );
 });
+
+const components = record({ x: anyNumber, y: anyNumber, z: anyNumber });
+
+/** Options by name. The stage checks their names and ranges. */
+export function optionsByName<Options extends object>(): Shape<Options> {
+  return shape('an object of options: numbers, strings and vectors x, y, z', (value) => {
+    if (!isPlain(value)) return false;
+    const entries = Object.entries(value);
+    return entries.length <= MAX_OPTIONS && entries.every(([name, each]) => key(name) && isOption(each));
+  });
+}
+
+function isOption(value: unknown): boolean {
+  return value === undefined || anyNumber(value) || text(value) || components(value);
+}
 
 /** A plain object of finite numbers and booleans. */
 export const figures = shape<StageStats>(

@@ -256,8 +256,8 @@ export class Simulator {
 
   /**
    * Starts recording a take. It logs every {@link inputValues}, {@link inputCapacity}, {@link inputPose},
-   * {@link inputDrag}, {@link inputRelease}, {@link inputSteer}, {@link inputBlow} and {@link inputClear} with its step. Inputs
-   * take effect in the next step, quantised as in the log.
+   * {@link inputDrag}, {@link inputRelease}, {@link inputSteer}, {@link inputBlow}, {@link inputClear} and
+   * {@link inputEmission} with its step. Inputs take effect in the next step, quantised as in the log.
    */
   record(): void {
     this.#attempt(() => this.#handle.record());
@@ -312,6 +312,18 @@ export class Simulator {
   /** Removes all particles and the births that wait, as a recorded input. Emitters, rigids and parameters stay. */
   inputClear(): void {
     this.#attempt(() => this.#handle.inputClear());
+  }
+
+  /**
+   * Starts an emission in a free place of the pool, or changes one, as a recorded input.
+   *
+   * @param numbers As of {@link setEmitter}, NaN to keep those of the one that is changed. The envelope starts that long
+   * after the next step.
+   * @param emission Number of the one to change.
+   * @returns Its number; -1 if all places are taken, or if the one to change is over.
+   */
+  inputEmission(numbers: Float64Array, emission = -1): number {
+    return this.#attempt(() => this.#handle.inputEmission(numbers, emission));
   }
 
   /** Value of a steering channel, -1 to 1. Returns 0 for an unset or unknown channel. */

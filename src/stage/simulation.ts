@@ -1,9 +1,11 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
+import { ParameterError } from '../preset/errors.ts';
 import type { AnyValues, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
+import { EMISSION_LIMIT } from '../sim/emitterOptions.ts';
 import type { SimulatorFactory } from '../sim/load.ts';
 import { POSE_FLOATS } from '../sim/layout.ts';
 import type { Simulator } from '../sim/simulator.ts';
@@ -136,6 +138,24 @@ export class Simulation {
     act(this.simulator);
     this.states.dropFrom(this.simulator.steps);
     this.inputsSeen = this.simulator.inputsDone;
+  }
+
+  /**
+   * Starts an emission with these numbers.
+   * @returns its number
+   * @throws ParameterError when there are too many
+   */
+  emit(numbers: Float64Array): number {
+    const emission = this.changeEmission(-1, numbers);
+    if (emission >= 0) return emission;
+    throw new ParameterError('emit', EMISSION_LIMIT + 1, `at most ${EMISSION_LIMIT} emissions at a time`);
+  }
+
+  /** Changes an emission unless it is over. */
+  changeEmission(emission: number, numbers: Float64Array): number {
+    let changed = -1;
+    this.input((simulator) => (changed = simulator.inputEmission(numbers, emission)));
+    return changed;
   }
 
   /** Whether the log of a take has applied or undone inputs since the last call. */

@@ -8,6 +8,7 @@ import { requireFinite, requireWhole } from '../preset/values.ts';
 import { demandShapes } from '../puffs/lobes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
+import { changeNumbers, emissionNumbers, type EmissionChange, type EmissionOptions } from '../sim/emitterOptions.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { openFor, openStage, withDefaults } from './openStage.ts';
@@ -296,7 +297,8 @@ export class Stage {
 
   /**
    * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering,
-   * blows and clears. A take records up to 20,000 inputs; `isTruncated` says whether later ones took effect unrecorded.
+   * blows, emissions and clears. A take records up to 20,000 inputs; `isTruncated` says whether later ones took effect
+   * unrecorded.
    */
   take(): Take {
     const { simulator, startValues } = this.running.simulation;
@@ -348,6 +350,25 @@ export class Stage {
   /** Sets a steering channel of the scene, 0 to 7, to a value from -1 to 1. @throws ParameterError for any other */
   steer(channel: number, value: number): void {
     this.running.simulation.input((simulator) => simulator.inputSteer(channel, value));
+  }
+
+  /**
+   * Emits puffs from the next step on, besides the emitters of the values. Takes and saved states contain it.
+   * @returns the number of the emission, for `changeEmission`
+   * @throws ParameterError naming the option that is unknown or invalid, or when 384 emissions are not over
+   */
+  emit(options: EmissionOptions): number {
+    return this.running.simulation.emit(emissionNumbers(options));
+  }
+
+  /**
+   * Changes options of an emission, for example to move it; the others stay. Does nothing when the emission is over.
+   * @param emission the result of `emit`
+   * @throws ParameterError naming the option that is unknown or invalid
+   */
+  changeEmission(emission: number, options: EmissionChange): void {
+    requireWhole('emission', emission);
+    this.running.simulation.changeEmission(emission, changeNumbers(options));
   }
 
   /** Hash of the simulator's state as 16 hexadecimal digits. Equal states have equal hashes on all platforms. */

@@ -3,7 +3,7 @@ import type { AnyValues, NumberParameter, Values } from '../preset/parameter.ts'
 import { findParameter } from '../preset/table.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues } from '../sim/simulatorValues.ts';
-import { AXES } from './emitterOptions.ts';
+import { AXES } from '../sim/emitterOptions.ts';
 import type { SmokeFrame } from './frame.ts';
 import type { Overrides } from './overrides.ts';
 import type { Rider, Riders } from './riders.ts';

@@ -31,7 +31,7 @@ import { Attachment } from './attachment.ts';
 import { Carrier } from './carrier.ts';
 import { Caster } from './caster.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
-import type { BurstOptions, EmitterOptions } from './emitterOptions.ts';
+import type { BurstOptions, EmitterOptions } from '../sim/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, TableNumbers, type EmitterHandle } from './emitters.ts';
 import { SmokeFrame, type SmokeSpace } from './frame.ts';
 import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';

@@ -1,8 +1,7 @@
-import { Vector3, type Object3D } from 'three';
+import { Vector3, type Object3D, type Vector3Like } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { LIST_LIMIT } from '../preset/lists.ts';
 import type { Values } from '../preset/parameter.ts';
-import type { Simulator } from '../sim/simulator.ts';
 import {
   AXES,
   burstNumbers,
@@ -14,7 +13,8 @@ import {
   tableValues,
   type BurstOptions,
   type EmitterOptions,
-} from './emitterOptions.ts';
+} from '../sim/emitterOptions.ts';
+import type { Simulator } from '../sim/simulator.ts';
 import { Handle, type SmokeHandle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
 import type { SmokeFrame } from './frame.ts';
@@ -74,7 +74,7 @@ export class EmitterPool {
 
   /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
   burst(options: BurstOptions): void {
-    const numbers = burstNumbers(options, this.riders.frame);
+    const numbers = burstNumbers(placedIn(options, this.riders.frame));
     const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
     this.simulator.setEmitter(index, numbers, options.count);
   }
@@ -254,6 +254,25 @@ export class TableEmitter extends Handle implements EmitterHandle {
 }
 
 const pose = newPose();
+
+/** The options in the space of the smoke. Invalid ones stay as they are. */
+function placedIn(options: BurstOptions, frame: SmokeFrame): BurstOptions {
+  if (!frame.isMoved || !isObject(options)) return options;
+  const { position, direction } = options;
+  const moved = { ...options };
+  if (isObject(position)) moved.position = frame.toSmoke({ ...newPose(), position: copyOf(position) }).position;
+  if (isObject(direction)) moved.direction = frame.rotate(copyOf(direction));
+  return moved;
+}
+
+function isObject(given: unknown): given is object {
+  return typeof given === 'object' && given !== null;
+}
+
+/** A missing component stays missing, which is an error, instead of 0. */
+function copyOf({ x, y, z }: Vector3Like): Vector3 {
+  return Object.assign(new Vector3(), { x, y, z });
+}
 
 /** @throws ParameterError when there is no emitter with this index */
 function requireEmitter(emitter: number): void {

@@ -8,7 +8,7 @@ import { simulatorValues } from '../../src/sim/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
 import { Carrier } from '../../src/three/carrier.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
-import type { EmitterOptions } from '../../src/three/emitterOptions.ts';
+import type { EmitterOptions } from '../../src/sim/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
 import { SmokeFrame, type SmokeSpace } from '../../src/three/frame.ts';
 import { Handles, type Handle } from '../../src/three/handle.ts';

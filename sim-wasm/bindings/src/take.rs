@@ -91,6 +91,18 @@ impl Simulator {
         self.simulator.input_clear().map_err(parameter_error)
     }
 
+    /// Input: starts an emission, or changes the one with a number of at least 0. Returns its number; -1 if all slots are
+    /// taken, or if the one to change is over.
+    #[wasm_bindgen(js_name = inputEmission)]
+    pub fn input_emission(&mut self, numbers: &[f64], changed: f64) -> Result<f64, JsValue> {
+        let changed = (changed >= 0.0).then_some(changed as u64);
+        let number = self
+            .simulator
+            .input_emission(numbers, changed)
+            .map_err(parameter_error)?;
+        Ok(number.map_or(-1.0, |number| number as f64))
+    }
+
     /// Value of a channel.
     pub fn control(&self, channel: u32) -> f32 {
         self.simulator.control(channel)

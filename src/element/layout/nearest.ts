@@ -1,4 +1,4 @@
-export type Box = Pick<DOMRect, 'left' | 'top' | 'width' | 'height'>;
+import type { Box } from '../../page/plane.ts';
 
 /**
  * Selects the boxes that smoke is most likely to reach, in their original order. Boxes within the container come first,

@@ -1,14 +1,15 @@
 /** Elements of the page in the smoke: obstacles (`collide`) and emitters (`emit-from`). */
 import { notice, type Notice } from '../../preset/notice.ts';
 import type { AnyValues, Values } from '../../preset/parameter.ts';
+import { placeOnPlane, type Box } from '../../page/plane.ts';
 import { clientBox } from '../../page/zoom.ts';
 import type { RemoteStage } from '../../remote/contract.ts';
 import type { ScenePlane } from '../../stage/sight.ts';
 import { change } from '../change.ts';
 import { Deferred } from '../deferred.ts';
 import { EmitterSwitch } from './emitterSwitch.ts';
-import { nearest, type Box } from './nearest.ts';
-import { colliderValues, curlValues, emitterValues, MAX_FOLLOWED, maxCurled, placeOnPlane } from './pageValues.ts';
+import { nearest } from './nearest.ts';
+import { colliderValues, curlValues, emitterValues, MAX_FOLLOWED, maxCurled } from './pageValues.ts';
 import { ignoreRejection } from '../ignoreRejection.ts';
 
 interface PageOwner {

@@ -218,7 +218,7 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
     return found;
   };
   // The smoke of preload().
-  let held = await holdAfter(page, 'play');
+  let held = await holdAfter(page, 'set');
   let over = call();
   expect(await amounts()).toEqual(Array(8).fill(0));
   await held.release();
@@ -230,7 +230,7 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
   await expect.poll(async () => (await smoke(page)).amount).toBe(0);
   expect(await amounts()).toEqual(Array(8).fill(0));
   await held.release();
-  held = await holdAfter(page, 'play');
+  held = await holdAfter(page, 'set');
   over = call();
   expect(await amounts()).toEqual(Array(8).fill(0));
   await held.release();

@@ -55,6 +55,8 @@ const calls: { readonly [Name in MethodName]: Call<Name> } = {
   blow: { given: [{ x: 3, y: 4 }] },
   steer: { given: [1, 0.5] },
   drop: { given: [3, 4], result: true },
+  emit: { given: [{ position: { x: 0, y: 1, z: 0 }, count: 3 }], result: 7 },
+  changeEmission: { given: [7, { rate: 3, direction: { x: 0, y: 1, z: 0 } }] },
   nudge: { given: [{ dx: 1 }] },
   orbit: { given: [0.1, 0.2] },
   zoom: { given: [1.1] },

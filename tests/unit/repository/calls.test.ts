@@ -15,7 +15,7 @@ import { SmokeError } from '../../../src/preset/errors.ts';
 import { validate } from '../../../src/preset/values.ts';
 import { puff } from '../../../src/puff/puff.ts';
 import { requireCollideOptions } from '../../../src/three/colliders.ts';
-import { burstNumbers, emitterNumbers } from '../../../src/three/emitterOptions.ts';
+import { burstNumbers, emitterNumbers } from '../../../src/sim/emitterOptions.ts';
 
 type Call = (given: never) => unknown;
 const canvas = { width: 1, height: 1, getContext: () => null } as unknown as OffscreenCanvas;

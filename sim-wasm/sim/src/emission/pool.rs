@@ -1,22 +1,50 @@
 //! Emitters outside of the table, for objects that come and go while the simulation runs.
 //!
 //! A slot holds the parameters of `emitters.#`; its `share` is its rate in particles per second. The caller chooses the
-//! slots. The first one allocates the memory of all. A free slot has an emitter of size 0 and rate 0. Slots are saved; as of all emitters, only what they owe is part of
-//! the hash.
+//! slots, or starts emissions: each takes a slot until it is over. The first one allocates the memory of all. A free slot
+//! has an emitter of size 0 and rate 0. Slots are saved; as of all emitters, only what they owe is part of the hash.
 
 use crate::emission::{Births, Debt};
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
-use crate::layout::limits::POOL_LIMIT;
+use crate::layout::limits::{POOL_LIMIT, STEP};
 use crate::layout::parameters::accept;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::field::Meta;
 use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
+use crate::layout::quantise::within;
 
 /// Numbers of an emitter: its parameters in the order of the table, three for a vector.
 pub const EMITTER_NUMBERS: usize = 30;
 /// Largest share, which is a rate here (particles/s): the range of `emission.rate`.
 const MAX_RATE: f64 = 20_000.0;
+/// Latest start of an emitter (s): no simulation lasts as long.
+const LATEST: f64 = 1e12;
+
+/// A slot of the pool as an emission sets it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Emission {
+    pub(crate) slot: u16,
+    pub(crate) emitter: Emitter,
+}
+
+impl Emission {
+    /// A number that no other emission of a run has: its step and its slot.
+    pub fn number(&self) -> u64 {
+        step_of(&self.emitter) * POOL_LIMIT as u64 + u64::from(self.slot)
+    }
+
+    pub(crate) fn write(&self, body: &mut Writer) {
+        body.short(self.slot);
+        write_emitter(body, &self.emitter);
+    }
+
+    pub(crate) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+        let slot = within(reader.short()?, 0, POOL_LIMIT as u16 - 1)?;
+        let emitter = emitter_from(&read_numbers(reader)?, &Emitter::default())?;
+        Ok(Self { slot, emitter })
+    }
+}
 
 impl Births {
     /// Sets an emitter of the pool and adds births to those that an emitter makes in the next step.
@@ -37,15 +65,12 @@ impl Births {
             if slot >= POOL_LIMIT {
                 return Err(error_of(index));
             }
-            if self.pool.is_empty() {
-                if numbers.is_empty() && count == 0 {
-                    return Ok(());
-                }
-                self.pool = vec![Emitter::default(); POOL_LIMIT];
+            if self.pool.is_empty() && numbers.is_empty() && count == 0 {
+                return Ok(());
             }
-            let emitter = &mut self.pool[slot];
+            let emitter = &mut self.allocated()[slot];
             if !numbers.is_empty() {
-                *emitter = emitter_from(numbers)?;
+                *emitter = emitter_from(numbers, &Emitter::default())?;
                 if count > 0 {
                     self.debts[index].waiting = 0;
                 }
@@ -60,6 +85,66 @@ impl Births {
         *waiting = waiting.saturating_add(u64::from(count));
         Ok(())
     }
+
+    /// The emission that starts in a slot that is free before step `step`, or a changed one. None if all slots are taken, or
+    /// if the emission `changed` is over.
+    ///
+    /// # Arguments
+    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter. Its envelope starts that long after the step. NaN leaves a
+    ///   number of a changed emission as it is.
+    /// * `changed` - The number of an emission.
+    ///
+    /// # Errors
+    /// A number is out of range.
+    #[cold]
+    pub fn emission(
+        &self,
+        numbers: &[f64],
+        changed: Option<u64>,
+        step: u64,
+    ) -> Result<Option<Emission>, ParameterError> {
+        let is_free = |slot: usize| self.pool.get(slot).is_none_or(|_| self.is_over(slot, step));
+        let slot = match changed {
+            Some(number) => Some((number % POOL_LIMIT as u64) as usize)
+                .filter(|slot| !is_free(*slot) && step_of(&self.pool[*slot]) == number / POOL_LIMIT as u64),
+            None => (0..POOL_LIMIT).find(|slot| is_free(*slot)),
+        };
+        let Some(slot) = slot else {
+            return Ok(None);
+        };
+        let before = changed.map_or(Emitter::default(), |_| self.pool[slot]);
+        let mut emitter = emitter_from(numbers, &before)?;
+        if changed.is_none() {
+            emitter.scope.start += step as f64 * STEP;
+        }
+        let slot = slot as u16;
+        Ok(Some(Emission { slot, emitter }))
+    }
+
+    /// Starts or changes an emission.
+    #[cold]
+    pub(crate) fn emit(&mut self, Emission { slot, emitter }: &Emission) {
+        let slot = usize::from(*slot);
+        let before = std::mem::replace(&mut self.allocated()[slot], *emitter);
+        if before.scope.start != emitter.scope.start || before.size <= 0.0 {
+            self.debts[LIST_LIMIT + slot] = Debt::default();
+        }
+    }
+
+    /// Returns true if a slot emits nothing any more before step `step`: it is free, or its emission has ended.
+    fn is_over(&self, slot: usize, step: u64) -> bool {
+        let Emitter { size, scope, .. } = &self.pool[slot];
+        let ends = scope.duration > 0.0 && scope.period <= 0.0;
+        let is_past = scope.start + scope.duration < (step as f64 - 0.5) * STEP;
+        *size <= 0.0 || (ends && is_past && self.debts[LIST_LIMIT + slot].waiting == 0)
+    }
+
+    fn allocated(&mut self) -> &mut [Emitter] {
+        if self.pool.is_empty() {
+            self.pool = vec![Emitter::default(); POOL_LIMIT];
+        }
+        &mut self.pool
+    }
 }
 
 impl SnapshotSection for Births {
@@ -69,10 +154,7 @@ impl SnapshotSection for Births {
         table.iter().for_each(|debt| body.number(debt.owed));
         table.iter().for_each(|debt| body.long(debt.waiting));
         for (emitter, debt) in self.pool.iter().zip(pool) {
-            let mut emitter = *emitter;
-            for number in 0..EMITTER_NUMBERS {
-                body.number(*value(&mut emitter, place_of(number).1));
-            }
+            write_emitter(body, emitter);
             body.number(debt.owed);
             body.long(debt.waiting);
         }
@@ -90,10 +172,7 @@ impl SnapshotSection for Births {
         // States without a pool end here, others have all of its slots.
         let mut index = LIST_LIMIT;
         while reader.end().is_err() {
-            let mut numbers = [0.0; EMITTER_NUMBERS];
-            for number in &mut numbers {
-                *number = reader.number()?;
-            }
+            let numbers = read_numbers(reader)?;
             // A free slot is out of the ranges of an emitter.
             let is_free = numbers == [0.0; EMITTER_NUMBERS];
             births.put(index, if is_free { &[] } else { &numbers }, 0, 0)?;
@@ -112,15 +191,46 @@ fn read_owed(reader: &mut Reader) -> Result<f64, RestoreError> {
 }
 
 #[cold]
-fn emitter_from(numbers: &[f64]) -> Result<Emitter, ParameterError> {
-    let mut emitter = Emitter::default();
+fn write_emitter(body: &mut Writer, emitter: &Emitter) {
+    let mut emitter = *emitter;
+    for number in 0..EMITTER_NUMBERS {
+        body.number(*value(&mut emitter, place_of(number).1));
+    }
+}
+
+#[cold]
+fn read_numbers(reader: &mut Reader) -> Result<[f64; EMITTER_NUMBERS], RestoreError> {
+    let mut numbers = [0.0; EMITTER_NUMBERS];
+    for number in &mut numbers {
+        *number = reader.number()?;
+    }
+    Ok(numbers)
+}
+
+/// An emitter with these numbers. NaN keeps that of `before`, unless that is a free slot: then NaN is an error.
+#[cold]
+fn emitter_from(numbers: &[f64], before: &Emitter) -> Result<Emitter, ParameterError> {
+    let mut emitter = *before;
+    let is_changed = before.size > 0.0;
     for number in 0..EMITTER_NUMBERS {
         let (meta, at) = place_of(number);
         let given = numbers.get(number).copied().unwrap_or(f64::NAN);
-        let max = if meta.key == "share" { MAX_RATE } else { meta.max };
-        *value(&mut emitter, at) = accept(meta.key, &Meta { max, ..*meta }, given)?;
+        let max = match meta.key {
+            "share" => MAX_RATE,
+            "envelope.start" => LATEST,
+            _ => meta.max,
+        };
+        let value = value(&mut emitter, at);
+        if !(is_changed && given.is_nan()) {
+            *value = accept(meta.key, &Meta { max, ..*meta }, given)?;
+        }
     }
     Ok(emitter)
+}
+
+/// The step in which an emission starts.
+fn step_of(emitter: &Emitter) -> u64 {
+    libm::round(emitter.scope.start / STEP) as u64
 }
 
 /// The parameter of number 0..[`EMITTER_NUMBERS`] of an emitter.

@@ -4,6 +4,7 @@
 use proptest::prelude::*;
 use sim::Simulator;
 use sim::layout::blow::BlowNumbers;
+use sim::layout::parameters::rows;
 
 /// An input of the user.
 #[derive(Clone, Debug)]
@@ -16,6 +17,7 @@ pub enum Act {
     Drag(u32, [f64; 3], f64),
     Release(u32),
     Clear,
+    Emit(Option<u64>, f64, f64),
 }
 
 /// Parameters that users change, with ranges of strong effects.
@@ -41,6 +43,7 @@ pub fn act() -> impl Strategy<Value = Act> {
         2 => (0_u32..2, place(), 1.0..100.0).prop_map(|(rigid, place, stiffness)| Act::Drag(rigid, place, stiffness)),
         1 => (0_u32..2).prop_map(Act::Release),
         1 => Just(Act::Clear),
+        2 => (prop::option::of(0_u64..3000), 0.0..0.3, 0.0..400.0).prop_map(|(changed, delay, rate)| Act::Emit(changed, delay, rate)),
     ]
 }
 
@@ -58,6 +61,11 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
             seconds: *seconds,
         }),
         Act::Clear => simulator.input_clear(),
+        Act::Emit(changed, delay, rate) => {
+            let start = if changed.is_some() { f64::NAN } else { *delay };
+            let numbers = emitter(&[("share", *rate), ("envelope.start", start), ("envelope.duration", 0.2)]);
+            simulator.input_emission(&numbers, *changed).map(|_| ())
+        }
         #[cfg(feature = "rigids")]
         Act::Move(rigid, [x, y, z]) => simulator.input_pose(*rigid, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),
         #[cfg(feature = "rigids")]
@@ -73,4 +81,24 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
 /// Inputs with the number of steps before each.
 pub fn script() -> impl Strategy<Value = Vec<(usize, Act)>> {
     prop::collection::vec((prop_oneof![3 => 0..3_usize, 1 => 3..20_usize], act()), 1..40)
+}
+
+/// The numbers of an emitter with the defaults of the table, except `changes` by their keys in `emitters.#`.
+pub fn emitter(changes: &[(&str, f64)]) -> Vec<f64> {
+    let rows = rows();
+    let own: Vec<_> = rows
+        .iter()
+        .filter_map(|row| Some((row.key.strip_prefix("emitters.#.")?, row.default)))
+        .collect();
+    for (key, _) in changes {
+        assert!(own.iter().any(|(name, _)| name == key), "{key}");
+    }
+    own.iter()
+        .map(|(name, default)| {
+            changes
+                .iter()
+                .find(|(key, _)| key == name)
+                .map_or(*default, |change| change.1)
+        })
+        .collect()
 }

@@ -1,35 +1,15 @@
 //! Emitters of the pool: their rates, bursts and slots, and that they are saved.
 
+use crate::common::inputs::emitter;
 use crate::common::{LIVELY, STILL, place, simulator, steps};
 use sim::Simulator;
 use sim::emission::pool::EMITTER_NUMBERS;
 use sim::layout::limits::{POOL_LIMIT, STEP};
 use sim::layout::parameters::LIST_LIMIT;
-use sim::layout::parameters::rows;
 use sim::layout::scope::parts::{FIRST_PART, PART_FLOATS};
 
 /// Only the pool emits, and nothing dies.
 const SILENT: &[(&str, f64)] = &[("emission.rate", 0.0), ("emission.lifetime", 60.0)];
-
-/// The numbers of an emitter with the defaults of the table, except `changes` by their keys in `emitters.#`.
-fn emitter(changes: &[(&str, f64)]) -> Vec<f64> {
-    let rows = rows();
-    let own: Vec<_> = rows
-        .iter()
-        .filter_map(|row| Some((row.key.strip_prefix("emitters.#.")?, row.default)))
-        .collect();
-    for (key, _) in changes {
-        assert!(own.iter().any(|(name, _)| name == key), "{key}");
-    }
-    own.iter()
-        .map(|(name, default)| {
-            changes
-                .iter()
-                .find(|(key, _)| key == name)
-                .map_or(*default, |change| change.1)
-        })
-        .collect()
-}
 
 /// The index of a slot in `burst`.
 fn index(slot: u32) -> u32 {
@@ -275,4 +255,66 @@ fn to_free_a_slot_of_an_empty_pool_changes_nothing() {
     let hash = simulator.hash();
     simulator.set_emitter(index(2), &[], 0).unwrap();
     assert_eq!(simulator.hash(), hash);
+}
+
+/// Three steps long, 45 particles after 0.1 s.
+const PASSING: &[(&str, f64)] = &[
+    ("share", 900.0),
+    ("envelope.start", 0.1),
+    ("envelope.duration", 3.0 * STEP),
+    ("lifetime", 20.0),
+];
+
+#[test]
+fn an_emission_starts_and_ends_by_itself_with_an_exact_count() {
+    for before in [0, 7, 250_000] {
+        let mut simulator = simulator(4000, 1, &[STILL, SILENT]);
+        steps(&mut simulator, before);
+        simulator.input_emission(&emitter(PASSING), None).unwrap();
+        steps(&mut simulator, 6);
+        assert_eq!(simulator.alive(), 0);
+        steps(&mut simulator, 1);
+        assert_eq!(simulator.alive(), 15);
+        steps(&mut simulator, 60);
+        assert_eq!(simulator.alive(), 45, "after {before} steps");
+    }
+}
+
+#[test]
+fn emissions_take_the_slots_that_are_over() {
+    let mut simulator = simulator(40, 1, &[STILL, SILENT]);
+    let begin = |simulator: &mut Simulator| simulator.input_emission(&emitter(PASSING), None).unwrap();
+    let numbers: Vec<_> = (0..=POOL_LIMIT).map(|_| begin(&mut simulator)).collect();
+    assert_eq!(
+        numbers[..2],
+        [Some(6 * POOL_LIMIT as u64), Some(6 * POOL_LIMIT as u64 + 1)]
+    );
+    assert_eq!(numbers[POOL_LIMIT], None);
+    steps(&mut simulator, 20);
+    assert_eq!(begin(&mut simulator), None, "births of each wait for capacity");
+    simulator.input_clear().unwrap();
+    assert_eq!(begin(&mut simulator), Some(26 * POOL_LIMIT as u64));
+}
+
+#[test]
+fn a_change_moves_an_emission_until_it_is_over() {
+    let mut simulator = simulator(4000, 1, &[STILL, SILENT]);
+    let number = simulator.input_emission(&emitter(PASSING), None).unwrap();
+    steps(&mut simulator, 8);
+    let mut moved = [f64::NAN; EMITTER_NUMBERS];
+    moved[1] = 50.0;
+    assert_eq!(simulator.input_emission(&moved, number).unwrap(), number);
+    steps(&mut simulator, 12);
+    let far = (0..simulator.alive()).filter(|i| place(&simulator, *i)[0] > 40.0);
+    assert_eq!((far.count(), simulator.alive()), (15, 45));
+    assert_eq!(simulator.input_emission(&moved, number).unwrap(), None);
+    let next = simulator.input_emission(&emitter(PASSING), None).unwrap();
+    assert_ne!(next, number);
+    assert_eq!(
+        simulator.input_emission(&moved, number).unwrap(),
+        None,
+        "its slot is another's"
+    );
+    moved[1] = 1e9;
+    assert_eq!(simulator.input_emission(&moved, next).unwrap_err().key, "position");
 }

@@ -3,11 +3,17 @@
 
 use crate::layout::bytes::{Reader, Writer};
 use crate::layout::error::RestoreError;
-use crate::simulator::take::input::Input;
+use crate::layout::quantise::impossible_input;
+use crate::simulator::take::input::{EMIT, Input, RELEASE};
 use crate::simulator::take::log::{MAX_INPUTS, Record};
 
-/// Number of input kinds with numbers. Their first byte is below it; other inputs are that byte only.
-const KINDS: usize = 7;
+/// Number of input kinds. A kind is the first byte of its inputs.
+const KINDS: usize = 9;
+
+/// Returns true if the inputs of a kind have numbers. Takes without emissions have no block of them, as older ones.
+fn has_block(kind: usize, count: usize) -> bool {
+    kind <= usize::from(RELEASE) || (kind == usize::from(EMIT) && count > 0)
+}
 
 /// Inputs of one kind as bytes of equal length.
 type Rows = Vec<Vec<u8>>;
@@ -23,13 +29,15 @@ pub fn write(records: &[Record], body: &mut Writer) {
         kinds.byte(row[0]);
         waits.count(step - latest);
         latest = *step;
-        if let Some(rows) = rows.get_mut(usize::from(row[0])) {
-            rows.push(row);
-        }
+        rows[usize::from(row[0])].push(row);
     }
     body.block(&kinds.finish());
     body.block(&waits.finish());
-    rows.iter().for_each(|rows| body.block(&transposed(rows)));
+    for (kind, rows) in rows.iter().enumerate() {
+        if has_block(kind, rows.len()) {
+            body.block(&transposed(rows));
+        }
+    }
 }
 
 /// Reads what `write` wrote. The caller checks that the steps lie within the take.
@@ -42,15 +50,18 @@ pub fn read(reader: &mut Reader) -> Result<Vec<Record>, RestoreError> {
     let mut rows: [std::vec::IntoIter<Vec<u8>>; KINDS] = Default::default();
     for (kind, rows) in rows.iter_mut().enumerate() {
         let count = kinds.iter().filter(|&&found| usize::from(found) == kind).count();
-        *rows = untransposed(reader.block()?, count)?.into_iter();
+        let all = if has_block(kind, count) {
+            untransposed(reader.block()?, count)?
+        } else {
+            vec![vec![kind as u8]; count]
+        };
+        *rows = all.into_iter();
     }
     let mut records = Vec::with_capacity(kinds.len());
     let mut latest: u64 = 0;
     for kind in kinds {
-        let row = match rows.get_mut(usize::from(*kind)) {
-            Some(rows) => rows.next().ok_or_else(uneven)?,
-            None => vec![*kind],
-        };
+        let rows = rows.get_mut(usize::from(*kind)).ok_or_else(impossible_input)?;
+        let row = rows.next().ok_or_else(uneven)?;
         latest = latest.checked_add(waits.count()?).ok_or_else(uneven)?;
         let mut row = Reader::over(&row);
         let input = Input::read(&mut row)?;
@@ -97,7 +108,16 @@ fn uneven() -> RestoreError {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::emission::Births;
+    use crate::emission::pool::Emission;
     use crate::layout::blow::{Blow, BlowNumbers};
+    use crate::layout::parameters::rows;
+
+    fn emission() -> Emission {
+        let own = rows().into_iter().filter(|row| row.key.starts_with("emitters.#."));
+        let numbers: Vec<f64> = own.map(|row| row.default).collect();
+        Births::default().emission(&numbers, None, 7).unwrap().unwrap()
+    }
 
     fn records() -> Vec<Record> {
         let blow = |speed: f64| {
@@ -117,9 +137,10 @@ mod tests {
             Input::Release { rigid: 300 },
             Input::Resize { capacity: 70_000 },
             Input::Clear,
+            Input::Emit(Box::new(emission())),
             blow(7.25),
         ];
-        let steps = [3, 3, 130, 131, 40_000, 40_001, 1 << 38];
+        let steps = [3, 3, 130, 131, 40_000, 40_001, 40_001, 1 << 38];
         steps
             .into_iter()
             .zip(inputs)

@@ -1,5 +1,6 @@
 //! The kinds of input, quantised, and their serialisation.
 
+use crate::emission::pool::Emission;
 use crate::layout::blow::Blow;
 use crate::layout::bytes::{Reader, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
@@ -9,7 +10,7 @@ use crate::layout::quantised::{Grip, QuantisedPose};
 use crate::simulator::take::active_inputs::{CHANNELS, STEER_PARTS};
 
 /// One input of a user.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// Sets a parameter; `key` is its index in the keys of the log.
     Set { key: u16, value: f64 },
@@ -27,6 +28,8 @@ pub enum Input {
     Blow(Blow),
     /// Removes all particles.
     Clear,
+    /// Starts or changes an emission. Boxed, because it is much larger than the others.
+    Emit(Box<Emission>),
 }
 
 const SET: u8 = 0;
@@ -35,8 +38,9 @@ const MOVE: u8 = 2;
 const STEER: u8 = 3;
 const BLOW: u8 = 4;
 const DRAG: u8 = 5;
-const RELEASE: u8 = 6;
+pub(super) const RELEASE: u8 = 6;
 const CLEAR: u8 = 7;
+pub(super) const EMIT: u8 = 8;
 
 impl Input {
     /// Sets `channel`, below [`CHANNELS`], to `value`, -1..=1.
@@ -112,6 +116,10 @@ impl Input {
                 blow.write(body);
             }
             Self::Clear => body.byte(CLEAR),
+            Self::Emit(emission) => {
+                body.byte(EMIT);
+                emission.write(body);
+            }
         }
     }
 
@@ -140,6 +148,7 @@ impl Input {
             RELEASE => Self::Release { rigid: reader.short()? },
             BLOW => Self::Blow(Blow::read(reader)?),
             CLEAR => Self::Clear,
+            EMIT => Self::Emit(Box::new(Emission::read(reader)?)),
             _ => return Err(impossible_input()),
         })
     }

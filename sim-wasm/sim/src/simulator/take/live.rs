@@ -1,5 +1,6 @@
 //! Live inputs: they are quantised, applied and recorded.
 
+use crate::emission::Births;
 use crate::layout::blow::{Blow, BlowNumbers};
 use crate::layout::error::ParameterError;
 use crate::layout::limits::check_capacity;
@@ -83,6 +84,17 @@ impl Simulator {
     /// Removes all particles, and the births that wait. Emitters keep the fractions that they owe.
     pub fn input_clear(&mut self) -> Result<(), ParameterError> {
         self.give(Input::Clear)
+    }
+
+    /// Starts an emission, or changes one. Returns its number; none if all slots are taken, or if the one to change is over.
+    /// See [`crate::emission::Births::emission`].
+    pub fn input_emission(&mut self, numbers: &[f64], changed: Option<u64>) -> Result<Option<u64>, ParameterError> {
+        let Some(emission) = self.births.emission(numbers, changed, self.steps)? else {
+            return Ok(None);
+        };
+        let number = emission.number();
+        self.give(Input::Emit(Box::new(emission)))?;
+        Ok(Some(number))
     }
 
     /// Value of a channel set by `input_steer`, -1..=1. 0 initially, and for an index out of range.
@@ -171,6 +183,10 @@ impl Simulator {
                 self.births.forget_waiting();
                 Ok(())
             }
+            Input::Emit(emission) => {
+                self.births.emit(emission);
+                Ok(())
+            }
         }
     }
 
@@ -187,7 +203,10 @@ impl Simulator {
 pub(super) fn origin_of(simulator: &Simulator) -> Origin {
     Origin {
         state: simulator.save(),
-        is_fresh: simulator.steps == 0 && simulator.alive() == 0 && simulator.active_inputs.is_nothing(),
+        is_fresh: simulator.steps == 0
+            && simulator.alive() == 0
+            && simulator.active_inputs.is_nothing()
+            && simulator.births == Births::default(),
         scene: scene_of(simulator),
         seed: simulator.seed,
         capacity: simulator.capacity() as u32,

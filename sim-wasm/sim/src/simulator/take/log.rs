@@ -9,7 +9,7 @@ pub const MAX_INPUTS: usize = 20_000;
 const INTEGRATOR: &str = "simulation.integrator";
 
 /// An input, and the number of steps made before it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     pub step: u64,
     pub input: Input,

@@ -2,8 +2,8 @@
 //!
 //! A recording simulator keeps its state at the start of the take and a log of inputs. An input is quantised before it
 //! acts, so a live run and its replay are equal. Inputs of step k are given after k steps and act in the step that
-//! follows. They are not part of the hash after k steps, with two exceptions that change particles at once: a smaller
-//! capacity and another integrator. [`Simulator::rewind`] goes back and applies the log again. A new input drops the
+//! follows. They are not part of the hash after k steps, with exceptions that change the state at once: a smaller
+//! capacity, another integrator, a clear, and an emission, whose slot owes nothing from then on. [`Simulator::rewind`] goes back and applies the log again. A new input drops the
 //! rest of the log.
 //!
 //! Changes by the program itself at fixed steps, such as a scene that steers a rigid by the clock, are not inputs.

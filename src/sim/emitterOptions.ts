@@ -1,12 +1,17 @@
-import { Vector3, type Vector3Like } from 'three';
 import { ParameterError } from '../preset/errors.ts';
 import { LIST_LIMIT } from '../preset/lists.ts';
 import { accepted, type ChoiceParameter, type NumberParameter, type AnyValues } from '../preset/parameter.ts';
 import { table } from '../preset/table.ts';
 import { isAccepted } from '../preset/values.ts';
-import { simulatorValues } from '../sim/simulatorValues.ts';
-import type { SmokeFrame } from './frame.ts';
-import { newPose } from './shapes.ts';
+import { STEP_SECONDS } from './clock.ts';
+import { simulatorValues } from './simulatorValues.ts';
+
+/** VectorComponents of a vector, for example of a Vector3 of three.js. */
+export interface VectorComponents {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
 
 /** How an emitter emits. Lengths are in metres; see `emitters.#` in the parameter table for each value and its range. */
 export interface PuffOptions {
@@ -17,7 +22,7 @@ export interface PuffOptions {
   /** Inner radius of a ring, as a fraction of its radius, 0 to 1. Default 0.8. */
   inner?: number;
   /** Half sides of a box, or half of a line. Default 0.5 each. */
-  extent?: Vector3Like;
+  extent?: VectorComponents;
   /** Speed at which puffs leave, m/s, 0 to 50. Default 0.5. */
   speed?: number;
   /** Largest random change of the speed, as a fraction, 0 to 1. Default 0.2. */
@@ -49,12 +54,31 @@ export interface EmitterOptions extends PuffOptions {
 /** Options of a burst. */
 export interface BurstOptions extends PuffOptions {
   /** Centre in world space. */
-  position: Vector3Like;
+  position: VectorComponents;
   /** Number of puffs, 1 to 20,000. */
   count: number;
   /** Direction in which puffs leave, of any length. Default: all directions. */
-  direction?: Vector3Like;
+  direction?: VectorComponents;
 }
+
+/** Options of an emission. Without `duration`, `count` puffs appear at once, or `rate` goes on until a change ends it. */
+export interface EmissionOptions extends PuffOptions {
+  /** Centre, in the space of the scene. */
+  position: VectorComponents;
+  /** Direction in which puffs leave, of any length. Default: all directions. */
+  direction?: VectorComponents;
+  /** Number of puffs, 1 to 20,000. Either this or `rate` is required. */
+  count?: number;
+  /** Puffs per second, 0 to 1000. */
+  rate?: number;
+  /** Seconds from the start to the end, rounded to steps of 1/60 s, of which there is at least one; up to 3600. */
+  duration?: number;
+  /** Simulated seconds from the next step to the start, rounded to steps, 0 to 3600. Default 0. */
+  delay?: number;
+}
+
+/** What can change while puffs are emitted. `duration` still counts from the start: 0 ends an emission. */
+export type EmissionChange = Partial<Omit<EmissionOptions, 'count' | 'delay'>>;
 
 /** An option of a call: the first number that it sets, and the parameter of the table. */
 interface Field {
@@ -78,6 +102,10 @@ const PUFF_KEYS =
   );
 export const AXES = ['x', 'y', 'z'] as const;
 const MAX_COUNT = 20_000;
+/** Puffs per second, `MAX_RATE` in Rust. */
+const MAX_RATE = 20_000;
+/** Emissions that are not over, at a time: `POOL_LIMIT` in Rust. */
+export const EMISSION_LIMIT = 384;
 const ALL_DIRECTIONS = Math.PI;
 
 /** Index of a number of an emitter. */
@@ -89,9 +117,12 @@ export const RIGID = indexOf('rigid');
 const SHARE = indexOf('share');
 const SPREAD = indexOf('spread');
 const DIRECTION = indexOf('direction.x');
+const BURST = indexOf('burst.count');
+const DURATION = indexOf('envelope.duration');
+const DELAY = indexOf('envelope.start');
 
 /** The share of an emitter outside the table is its rate. */
-const INDICES: Readonly<Record<string, number>> = { rate: SHARE };
+const INDICES: Readonly<Record<string, number>> = { rate: SHARE, duration: DURATION, delay: DELAY };
 
 function fieldsOf(keys: readonly string[]): ReadonlyMap<string, Field> {
   return new Map(
@@ -105,6 +136,8 @@ function fieldsOf(keys: readonly string[]): ReadonlyMap<string, Field> {
 
 const OBJECT_FIELDS = fieldsOf([...PUFF_KEYS, 'inherit', 'rate']);
 const BURST_FIELDS = fieldsOf([...PUFF_KEYS, 'position', 'direction']);
+const CHANGE_FIELDS = fieldsOf([...PUFF_KEYS, 'position', 'direction', 'rate', 'duration']);
+const EMISSION_FIELDS = new Map([...CHANGE_FIELDS, ...fieldsOf(['delay'])]);
 
 /** The numbers of an emitter without options. */
 function initialNumbers(changes: Readonly<Record<string, number | string>>): Float64Array {
@@ -149,36 +182,64 @@ const burst = BURST_NUMBERS.slice();
 
 /**
  * Numbers of the emitter of a burst, in an array that the next call overwrites.
- * @param frame where the position and the direction are in the world
  * @throws ParameterError for an unknown option or an invalid value
  */
-export function burstNumbers(options: BurstOptions, frame?: SmokeFrame): Float64Array {
+export function burstNumbers(options: BurstOptions): Float64Array {
   burst.set(BURST_NUMBERS);
-  const isPlaced = frame?.isMoved && isObject(options);
-  write('burst', isPlaced ? placedIn(options, frame) : options, BURST_FIELDS, burst, 'count');
+  writePlaced('burst', options, BURST_FIELDS, burst);
   requireCount('burst', options.count);
-  if (options.position === undefined)
-    throw new ParameterError('burst.position', undefined, 'a vector x, y, z in metres');
-  if (options.direction === undefined && options.spread === undefined) burst[SPREAD] = ALL_DIRECTIONS;
   return burst;
 }
 
-/** The options in the space of the smoke. Invalid vectors stay as they are. */
-function placedIn(options: BurstOptions, frame: SmokeFrame): BurstOptions {
-  const { position, direction } = options;
-  const moved = { ...options };
-  if (isObject(position)) moved.position = frame.toSmoke({ ...newPose(), position: copyOf(position) }).position;
-  if (isObject(direction)) moved.direction = frame.rotate(copyOf(direction));
-  return moved;
+/**
+ * Numbers of an emission.
+ * @throws ParameterError for an unknown option or an invalid value
+ */
+export function emissionNumbers(options: EmissionOptions): Float64Array {
+  const numbers = BURST_NUMBERS.slice();
+  writePlaced('emit', options, EMISSION_FIELDS, numbers);
+  const { count, rate, duration } = options;
+  numbers[DELAY] = wholeSteps(numbers[DELAY]);
+  if (count === undefined && rate !== undefined) return lasting(numbers, duration);
+  if (rate !== undefined) throw new ParameterError('emit.rate', rate, 'no value together with count');
+  requireCount('emit', count!);
+  lasting(numbers, duration ?? 0);
+  if (duration === undefined) numbers[BURST] = count!;
+  else numbers[SHARE] = count! / numbers[DURATION];
+  if (numbers[SHARE] > MAX_RATE)
+    throw new ParameterError('emit.duration', duration, `at least ${count! / MAX_RATE} s for ${count} puffs`);
+  return numbers;
 }
 
-function isObject(given: unknown): given is object {
-  return typeof given === 'object' && given !== null;
+/**
+ * Numbers of a change of an emission; NaN where it changes nothing.
+ * @throws ParameterError for an unknown option or an invalid value
+ */
+export function changeNumbers(options: EmissionChange): Float64Array {
+  const numbers = NOT_SET.slice();
+  write('changeEmission', options, CHANGE_FIELDS, numbers);
+  return lasting(numbers, options.duration);
 }
 
-/** A missing component stays missing, which is an error, instead of 0. */
-function copyOf({ x, y, z }: Vector3Like): Vector3 {
-  return Object.assign(new Vector3(), { x, y, z });
+function lasting(numbers: Float64Array, duration: number | undefined): Float64Array {
+  if (duration !== undefined) numbers[DURATION] = Math.max(wholeSteps(duration), STEP_SECONDS);
+  return numbers;
+}
+
+function wholeSteps(seconds: number): number {
+  return Math.round(seconds / STEP_SECONDS) * STEP_SECONDS;
+}
+
+function writePlaced(
+  call: string,
+  options: BurstOptions | EmissionOptions,
+  fields: ReadonlyMap<string, Field>,
+  numbers: Float64Array,
+): void {
+  write(call, options, fields, numbers, 'count');
+  if (options.position === undefined)
+    throw new ParameterError(`${call}.position`, undefined, 'a vector x, y, z in metres');
+  if (options.direction === undefined && options.spread === undefined) numbers[SPREAD] = ALL_DIRECTIONS;
 }
 
 /** @throws ParameterError unless `count` is a number of puffs */
@@ -195,7 +256,8 @@ export function tableValues(call: string, emitter: number, options: EmitterOptio
   const values: Record<string, number | string> = {};
   for (const [key, value] of Object.entries(options)) {
     const name = `emitters.${emitter}.${key}`;
-    if (typeof value === 'object') for (const axis of AXES) values[`${name}.${axis}`] = (value as Vector3Like)[axis];
+    if (typeof value === 'object')
+      for (const axis of AXES) values[`${name}.${axis}`] = (value as VectorComponents)[axis];
     else if (value !== undefined) values[name] = value as number | string;
   }
   return values;
@@ -204,7 +266,7 @@ export function tableValues(call: string, emitter: number, options: EmitterOptio
 // Bursts come often: this creates no objects.
 function write(
   call: string,
-  options: EmitterOptions | BurstOptions,
+  options: EmitterOptions | BurstOptions | EmissionChange,
   fields: ReadonlyMap<string, Field>,
   numbers: Float64Array,
   besides?: string,
@@ -215,7 +277,7 @@ function write(
     if (value === undefined || key === besides) continue;
     const field = fields.get(key);
     if (!field) throw unknownOption(call, key, value, fields, besides);
-    if (field.isVector) writeVector(call, key, value as Vector3Like, field, numbers);
+    if (field.isVector) writeVector(call, key, value as VectorComponents, field, numbers);
     else numbers[field.index] = checked(call, key, value, field.parameter);
   }
 }
@@ -223,7 +285,7 @@ function write(
 function writeVector(
   call: string,
   key: string,
-  vector: Vector3Like,
+  vector: VectorComponents,
   { index, parameter }: Field,
   numbers: Float64Array,
 ): void {
@@ -239,7 +301,7 @@ function writeVector(
 }
 
 /** The factor that makes the largest component of a direction 1. */
-function scaleOfDirection(call: string, key: string, { x, y, z }: Vector3Like): number {
+function scaleOfDirection(call: string, key: string, { x, y, z }: VectorComponents): number {
   const most = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
   if (most > 0 && most < Infinity) return 1 / most;
   throw new ParameterError(`${call}.${key}`, `${x}, ${y}, ${z}`, 'a finite vector other than 0');
