@@ -23,7 +23,8 @@ import { USDZExporter } from 'three/examples/jsm/exporters/USDZExporter.js';
 import { unzipSync } from 'three/examples/jsm/libs/fflate.module.js';
 import { mergeGeometries } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import { changedPixels, dispose, draw, emptyHost, HEIGHT, smokeIn, WIDTH } from './scene.ts';
+import { keepPrograms } from '../pageDevice.ts';
+import { changedPixels, dispose, draw, emptyHost, HEIGHT, makeRenderer, smokeIn, WIDTH } from './scene.ts';
 
 type Drawn = Object3D & { geometry?: BufferGeometry };
 
@@ -162,17 +163,20 @@ export const STATES: Readonly<
 /** Names of the states with which smoke is drawn, or not, against the table. */
 export async function states(): Promise<string[]> {
   const wrong: string[] = [];
+  const renderer = makeRenderer();
+  renderer.shadowMap.enabled = true;
   for (const [name, [set, isDrawn]] of Object.entries(STATES)) {
-    const host = emptyHost();
+    const host = emptyHost(renderer);
     const smoke = await smokeIn(host);
-    host.renderer.shadowMap.enabled = true;
     host.keyLight.castShadow = true;
     set(smoke, host);
     const whole = draw(host);
     smoke.removeFromParent();
     if (changedPixels(whole, draw(host)) > 500 !== isDrawn) wrong.push(name);
-    dispose(smoke, host.renderer);
+    keepPrograms(renderer);
+    dispose(smoke);
   }
+  dispose(renderer);
   return wrong;
 }
 
@@ -218,8 +222,9 @@ const EMPTY_VIEWS: Readonly<Record<string, (host: ReturnType<typeof emptyHost>) 
 /** Errors and changed pixels by the view that shows nothing, and pixels of smoke after it. */
 export async function emptyViews(): Promise<string[]> {
   const wrong: string[] = [];
+  const renderer = makeRenderer();
   for (const [name, set] of Object.entries(EMPTY_VIEWS)) {
-    const host = emptyHost();
+    const host = emptyHost(renderer);
     const smoke = await smokeIn(host, undefined, {});
     smoke.addEventListener('error', ({ error }) => wrong.push(`${name}: ${error.message}`));
     set(host);
@@ -233,7 +238,9 @@ export async function emptyViews(): Promise<string[]> {
     host.camera = emptyHost(host.renderer).camera;
     if (!(pixelsOf(host, smoke) > 1000)) wrong.push(`${name}: no smoke afterwards`);
     smoke.update(0);
-    dispose(smoke, host.renderer);
+    keepPrograms(renderer);
+    dispose(smoke);
   }
+  dispose(renderer);
   return wrong;
 }

@@ -21,6 +21,7 @@ import {
   type Host,
   type Pixels,
 } from '../scene.ts';
+import { keepPrograms } from '../../pageDevice.ts';
 
 /** A camera with the view in the projection, as map layers have it. */
 function ofProduct(camera: Camera, change: (clip: Matrix4) => Matrix4 = (clip) => clip): Camera {
@@ -127,10 +128,13 @@ export interface View {
   errors: string[];
 }
 
+/** All views share a renderer, so that programs compile once. */
+const shared = makeRenderer();
+
 /** @param isMirrored compares with the picture of the first camera from right to left */
 async function compare(name: string, pairOf: (camera: PerspectiveCamera) => Pair, isMirrored = false): Promise<View> {
   // three.js shades the other side of objects in a mirrored view.
-  const host = isMirrored ? emptyHost() : floored();
+  const host = isMirrored ? emptyHost(shared) : floored(shared);
   host.camera.updateMatrixWorld();
   const smoke = await smokeIn(host);
   const errors: string[] = [];
@@ -140,7 +144,8 @@ async function compare(name: string, pairOf: (camera: PerspectiveCamera) => Pair
   smoke.update(0);
   smoke.visible = false;
   const without = draw({ ...host, camera: cameras[0] });
-  dispose(smoke, host.renderer);
+  keepPrograms(shared);
+  dispose(smoke);
   const shown = isMirrored ? mirrored(second) : second;
   return { name, changed: changedPixels(first, shown, 8), smoke: changedPixels(first, without), errors };
 }
