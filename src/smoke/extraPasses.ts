@@ -81,6 +81,13 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
   };
 }
 
+/** Names of the modules that a picture needs and that are not loaded. */
+export function missingExtras(kind: PictureKind): string {
+  return missing(kind)
+    .map(([name]) => name)
+    .join();
+}
+
 /** Whether all modules that a picture needs are loaded. */
 export function hasExtras(kind: PictureKind): boolean {
   return missing(kind).length === 0;

@@ -1,4 +1,12 @@
-import { MathUtils, Vector2, type DepthTexture, type Matrix4, type PerspectiveCamera, type WebGLRenderer } from 'three';
+import {
+  MathUtils,
+  Vector2,
+  Vector3,
+  type DepthTexture,
+  type Matrix4,
+  type PerspectiveCamera,
+  type WebGLRenderer,
+} from 'three';
 import type { GpuTimer } from '../device/gpuTimer.ts';
 import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
 import { ParameterError } from '../preset/errors.ts';
@@ -10,9 +18,12 @@ import type { PictureKind } from '../smoke/extraPasses.ts';
 import { deviationFor } from '../smoke/detail.ts';
 import { drawFrame } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
+import { lightOf, moved, type Light } from '../smoke/light.ts';
+import { drawnSurfaces } from '../smoke/sceneSurfaces.ts';
+import { ShownSmoke } from '../smoke/shownSmoke.ts';
+import { SmokeRenderer, type SmokeOptions } from '../smoke/smoke.ts';
 import { OrbitCamera } from './orbit.ts';
 import type { PictureSize, Presenter } from './presenter.ts';
-import { ShownSmoke } from './shownSmoke.ts';
 
 const LARGEST_PIXEL_RATIO = 4;
 /** Milliseconds per picture spent on baking puffs. */
@@ -53,9 +64,11 @@ export class Picture {
   /** Undefined unless frames are timed on the GPU. */
   timer: GpuTimer | undefined;
   report: FrameReport = { bodiesDrawn: 0, castersDrawn: 0, arrangeMs: 0 };
-  private readonly presenter: Presenter;
-  private camera: OrbitCamera;
-  private shown: ShownSmoke;
+  /** Replaced when another scene is entered, as the smoke. */
+  eye: OrbitCamera;
+  smoke: ShownSmoke;
+  readonly presenter: Presenter;
+  private scene: Scene;
   private width = 0;
   private height = 0;
   private chosenQuality: Quality = 1;
@@ -64,16 +77,9 @@ export class Picture {
 
   constructor(presenter: Presenter, scene: Scene, values: Values) {
     this.presenter = presenter;
-    this.camera = new OrbitCamera(scene, values);
-    this.shown = new ShownSmoke(presenter.device, scene, values);
-  }
-
-  get eye(): OrbitCamera {
-    return this.camera;
-  }
-
-  get smoke(): ShownSmoke {
-    return this.shown;
+    this.scene = scene;
+    this.eye = new OrbitCamera(scene, values);
+    this.smoke = this.smokeOf(values);
   }
 
   /** See StageOptions. */
@@ -119,7 +125,7 @@ export class Picture {
 
   /** The settings that decide whether more code must be loaded. */
   get kind(): PictureKind {
-    return { ...this.shown.kind, view: this.chosenView };
+    return { ...this.smoke.style, view: this.chosenView };
   }
 
   get isVisible(): boolean {
@@ -129,14 +135,6 @@ export class Picture {
   /** Width and height in CSS pixels. */
   get size(): [width: number, height: number] {
     return [this.width / this.pixelRatio, this.height / this.pixelRatio];
-  }
-
-  get drawCalls(): number {
-    return this.presenter.device.renderer.info.render.calls;
-  }
-
-  get writesDepth(): boolean {
-    return this.presenter.device.writesDepth;
   }
 
   /**
@@ -152,27 +150,23 @@ export class Picture {
 
   /** Applies new values. */
   follow(values: Values): void {
-    this.shown.follow(values);
-    this.camera.hold(values);
+    this.smoke.follow(values);
+    this.eye.hold(values);
   }
 
   /** Switches to another scene. */
   enter(scene: Scene, values: Values): void {
-    this.shown.dispose();
-    this.shown = new ShownSmoke(this.presenter.device, scene, values);
-    this.camera = new OrbitCamera(scene, values);
-    if (this.isVisible) this.camera.setSize(...this.size);
+    this.smoke.dispose();
+    this.scene = scene;
+    this.smoke = this.smokeOf(values);
+    this.eye = new OrbitCamera(scene, values);
+    if (this.isVisible) this.eye.setSize(...this.size);
   }
 
   /** Converts CSS pixels from the top left to normalized device coordinates: -1 to 1, y up. */
   deviceCoordinates(x: number, y: number): Vector2 {
     const [width, height] = this.size;
     return new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
-  }
-
-  /** @throws ContextError while the graphics context is lost */
-  requireContext(): void {
-    this.presenter.device.requireUsable();
   }
 
   /**
@@ -209,16 +203,6 @@ export class Picture {
     return { renderer, depth: targets.depth, camera: this.eye.camera };
   }
 
-  /** Releases the render targets until the next picture. The canvas keeps the latest one. */
-  rest(): void {
-    this.smoke.renderer.rest();
-  }
-
-  /** Encodes the picture just drawn as a PNG. Must be called in the task that drew it. */
-  encode(): Promise<Blob> {
-    return this.presenter.encode();
-  }
-
   /** Also disposes the device if the stage owns it. */
   dispose(): void {
     this.timeGpu(false);
@@ -226,16 +210,26 @@ export class Picture {
     this.presenter.dispose();
   }
 
+  private smokeOf(values: Values): ShownSmoke {
+    const { backdrop, surfaces } = this.scene;
+    const { device } = this.presenter;
+    const make = (given: Pick<SmokeOptions, 'capacity' | 'puffs'>) =>
+      new SmokeRenderer(device, { ...given, backdrop, surfaces: drawnSurfaces(surfaces) });
+    return new ShownSmoke(values, make);
+  }
+
   private inputOf(
     { simulator, rigids, parts, blend, scale }: PictureState,
     drawn: PictureSize,
     output: FrameInput['output'],
   ): FrameInput {
+    const time = simulator.steps * STEP_SECONDS;
     return this.smoke.inputOf({
       simulator,
       camera: this.eye.camera,
+      light: lightIn(this.scene, this.smoke.values, time),
       blend,
-      time: simulator.steps * STEP_SECONDS,
+      time,
       ...drawn,
       pixelRatio: this.pixelRatio * scale,
       rigids,
@@ -259,6 +253,12 @@ export function firstDeviation(scene: Scene, values: Values, width: number, heig
   const eye = new OrbitCamera(scene, values);
   eye.setSize(width, height);
   return deviationOf(eye, pixelsOf(width, height, pixelRatio)[1]);
+}
+
+/** @param seconds simulated */
+function lightIn({ lightMove, lightCentre, camera }: Scene, values: Values, seconds: number): Light {
+  const shift = lightMove?.(seconds);
+  return lightOf(shift ? moved(values, shift) : values, new Vector3(...(lightCentre ?? camera.target)));
 }
 
 /** @param height in pixels */

@@ -224,7 +224,7 @@ export class RunningScene implements FrameTasks {
    */
   set isSeen(isSeen: boolean) {
     this.loop.isSeen = isSeen;
-    if (!isSeen) this.picture.rest();
+    if (!isSeen) this.picture.smoke.renderer.rest();
     if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
   }
 

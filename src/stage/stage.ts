@@ -260,10 +260,10 @@ export class Stage {
   async picture(): Promise<Blob> {
     const { completion, picture } = this.running;
     await completion.wait();
-    picture.requireContext();
+    picture.presenter.device.requireUsable();
     picture.smoke.bake();
     this.#running.drawNow(1);
-    return picture.encode();
+    return picture.presenter.encode();
   }
 
   /**

@@ -44,8 +44,9 @@ export interface StatsOptions {
 
 export function statsOf(
   { simulator, historyBytes, stepMs }: Simulation,
-  { smoke, report, renderMs, drawCalls, writesDepth, scale, timer }: Picture,
+  { smoke, presenter, report, renderMs, scale, timer }: Picture,
 ): StageStats {
+  const { renderer, writesDepth } = presenter.device;
   const { alive, waiting, steps, inputCount, isTruncated } = simulator;
   return {
     time: steps * STEP_SECONDS,
@@ -57,10 +58,10 @@ export function statsOf(
     historyBytes,
     ...report,
     bodiesTotal: alive,
-    castersTotal: smoke.throwsShadow ? alive : 0,
+    castersTotal: smoke.style.shadows ? alive : 0,
     simMs: stepMs,
     renderMs,
-    drawCalls,
+    drawCalls: renderer.info.render.calls,
     writesDepth,
     scale,
     ...timer?.read(),

@@ -3,8 +3,6 @@ import {
   BufferGeometry,
   Group,
   Object3D,
-  Vector2,
-  Vector4,
   type Camera,
   type JSONMeta,
   type Material,
@@ -13,20 +11,19 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { Device } from '../device/device.ts';
-import type { BakedPuffs } from '../device/puffTextures.ts';
 import { SimulatorError, SmokeError, UnsupportedError, type LoadError } from '../preset/errors.ts';
 import { runOnSelf } from '../preset/onSelf.ts';
 import type { AnyValues, Values } from '../preset/parameter.ts';
 import { findParameter } from '../preset/table.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
-import { Clock, STEP_SECONDS } from '../sim/clock.ts';
+import { Clock } from '../sim/clock.ts';
 import { loadSimulators } from '../sim/load.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import { simulatorValues, valuesIn } from '../sim/simulatorValues.ts';
 import { completionOf, type Completion } from '../smoke/completion.ts';
-import { fetchExtras, hasStrokes, isSimplified } from '../smoke/extraPasses.ts';
-import { LivePuffs } from '../smoke/livePuffs.ts';
-import type { Style } from '../smoke/style.ts';
+import { fetchExtras, missingExtras } from '../smoke/extraPasses.ts';
+import { ShownSmoke } from '../smoke/shownSmoke.ts';
+import { SmokeRenderer } from '../smoke/smoke.ts';
 import { Attachment } from './attachment.ts';
 import { Carrier } from './carrier.ts';
 import { Caster } from './caster.ts';
@@ -34,10 +31,10 @@ import { Collider, requireCollideOptions, type CollideOptions } from './collider
 import type { BurstOptions, EmitterOptions } from '../sim/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, TableNumbers, type EmitterHandle } from './emitters.ts';
 import { SmokeFrame, type SmokeSpace } from './frame.ts';
-import { Handles, type Handle, type HandleOwner, type SmokeHandle } from './handle.ts';
+import { Handles, type Handle, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost } from './hostFrame.ts';
-import { lightFrom, requireKeyLight, type KeyLight } from './keyLight.ts';
+import { requireKeyLight, type KeyLight } from './keyLight.ts';
 import {
   changeable,
   hostStyle,
@@ -50,10 +47,9 @@ import {
   type CartoonSmokeStats,
   type CastOptions,
 } from './options.ts';
-import { receiversIn } from './casters.ts';
 import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
-import { isEmptyView, isOverridden, requireDrawable, requireRenderer } from './requirements.ts';
+import { isEmptyView, isOverridden, requireRenderer } from './requirements.ts';
 import { Riders } from './riders.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
@@ -106,12 +102,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private readonly reported = new Set<string>();
   private readonly hasPhysics: boolean;
   private readonly clock = new Clock();
-  private readonly viewport = new Vector4();
-  private readonly puffs: LivePuffs;
+  private readonly shown: ShownSmoke;
   private readonly completion: Completion;
   private readonly stopListening: () => void;
-  private values: Values;
-  private style: Style;
   private now = 0;
   private isDrawing = false;
   /** Whether its programs exist. The first frame compiles them, so that the first puff does not wait. */
@@ -165,23 +158,21 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.hasPhysics = options.physics ?? true;
     this.simulator = simulator;
     this.start = simulator.save();
-    this.values = values;
-    this.style = hostStyle(values);
+    this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
     this.space = options.space ?? 'world';
     this.frame = new SmokeFrame(this.space);
     this.riders = new Riders(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.riders);
     this.overrides = new Overrides(simulator, (key) => this.carrier.numberOf(key));
-    this.table = new TableNumbers(simulator, this.overrides, () => this.values);
+    this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
     const { riders, overrides, frame } = this;
-    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
-    this.handles = new Handles(this.owner());
+    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.shown.values });
+    const report = (error: unknown) => this.report(error);
+    this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
-    this.passes = new HostPasses(device, values['simulation.maxParticles'] as number, frame, miss);
-    this.puffs = new LivePuffs(values);
-    this.showPuffs(this.puffs.finish());
+    this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
-      () => this.style,
+      () => this.shown.style,
       () => {},
       miss,
     );
@@ -280,7 +271,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       this.now += 1000 * seconds;
       this.advance(this.clock.tick(this.now));
       this.handles.show(this.clock.blend);
-      this.showPuffs(this.puffs.workFor(BAKING_MS));
+      this.shown.bake(BAKING_MS);
       this.markVisible();
     } catch (error) {
       this.reportOnce(error);
@@ -299,7 +290,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.clock.settle();
     this.advance(count);
     this.handles.show(this.clock.blend);
-    this.showPuffs(this.puffs.finish());
+    this.shown.bake();
     this.markVisible();
   }
 
@@ -313,7 +304,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     requireChangeable(values);
     this.simulator.set(this.overrides.over(simulatorValues(values)));
-    this.change({ ...this.values, ...values });
+    this.change({ ...this.shown.values, ...values });
   }
 
   /**
@@ -328,7 +319,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** All current values that `set` takes. */
   get(): Values {
-    return changeable(this.values);
+    return changeable(this.shown.values);
   }
 
   /** Removes all puffs, and those that wait. Handles, emitters, values and the children of this object stay. */
@@ -342,16 +333,15 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Restarts from the first step with the current values. Handles stay and act from where their objects are. */
   restart(): void {
     this.requireAlive();
-    const { values } = this;
     this.takeState(this.start);
-    this.useValues(values);
+    this.useValues(this.shown.values);
   }
 
   /** Serializes the simulator's state and the values that it reads, without the effects of handles on them. */
   save(): Uint8Array {
     this.requireAlive();
     const { simulator } = this;
-    const values: AnyValues = this.values;
+    const values: AnyValues = this.shown.values;
     const numbers = simulator.parameters();
     const plain = [...numbers.keys()].flatMap((key) => {
       const value = values[key] ?? findParameter(key)?.default;
@@ -371,8 +361,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restore(bytes: Uint8Array): void {
     this.requireAlive();
     this.takeState(bytes);
-    this.useValues(valuesIn(this.simulator, this.values, {}));
-    this.puffs.follow(this.values, this.simulator.variationsAlive);
+    this.useValues(valuesIn(this.simulator, this.shown.values, {}));
+    this.shown.keepVariations(this.simulator.variationsAlive);
   }
 
   get stats(): CartoonSmokeStats {
@@ -430,11 +420,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** Takes over values that the simulator has. */
   private change(values: Values): void {
-    const before = codeFor(this.style);
-    this.values = values;
-    this.style = hostStyle(values);
-    this.puffs.follow(values);
-    if (codeFor(this.style) !== before) this.completion.begin();
+    const before = missingExtras(this.shown.style);
+    this.shown.follow(values);
+    if (missingExtras(this.shown.style) !== before) this.completion.begin();
   }
 
   /** Puts the simulator into a state without handles. */
@@ -461,41 +449,15 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.markVisible();
   }
 
-  private showPuffs(puffs: BakedPuffs | undefined): void {
-    if (puffs) this.passes.smoke.setPuffs(puffs);
-  }
-
-  private owner(): HandleOwner {
-    const isAlive = () => !this.isDisposed;
-    return {
-      object: this,
-      report: (error) => this.report(error),
-      get isAlive() {
-        return isAlive();
-      },
-    };
-  }
-
   /** Draws smoke. The next `update` reports why it could not be drawn. */
   private draw(renderer: WebGLRenderer, scene: Scene, camera: Camera): void {
     if (this.isDrawing || !this.device.isUsable) return;
     if (isOverridden(renderer, scene) || isEmptyView(renderer, camera)) return;
     this.isDrawing = true;
     try {
-      requireDrawable(renderer, camera);
-      const { origin, ...input } = this.lookFrom(renderer);
-      const { keyLight, onRelight } = this;
-      const { clippingPlanes } = renderer;
-      const { boxes, planes, ...placed } = this.frame.view(
-        this,
-        camera,
-        lightFrom(keyLight),
-        receiversIn(scene),
-        clippingPlanes,
-      );
-      const { scale } = this.frame.drawn;
-      const view = { renderer, scene, camera, keyLight, scale, planes, origin, onRelight };
-      this.drawn = drawIntoHost(this.passes, view, boxes, { ...input, ...placed });
+      const { keyLight, onRelight, frame, simulator } = this;
+      const smoke = { object: this, frame, simulator, style: this.shown.style, blend: this.clock.blend };
+      this.drawn = drawIntoHost(this.passes, { renderer, scene, camera, keyLight, onRelight }, smoke);
       this.hasDrawn = true;
     } catch (failure) {
       this.error = failure;
@@ -509,24 +471,6 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const isVisible = !this.hasDrawn || this.simulator.alive > 0 || !this.passes.casters.isEmpty;
     this.material.visible = isVisible;
     if (!isVisible) this.drawn = NOTHING;
-  }
-
-  private lookFrom(renderer: WebGLRenderer) {
-    const { x, y, z: width, w: height } = renderer.getCurrentViewport(this.viewport);
-    return {
-      simulator: this.simulator,
-      style: this.style,
-      blend: this.clock.blend,
-      time: this.simulator.steps * STEP_SECONDS,
-      origin: new Vector2(x, y),
-      width,
-      height,
-      pixelRatio: renderer.getPixelRatio(),
-      rigids: [],
-      // What is cut off hides nothing.
-      cull: renderer.clippingPlanes.length === 0,
-      output: null,
-    };
   }
 
   private advance(steps: number): void {
@@ -581,9 +525,4 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     if (this.simulator.steps === 0) this.place(1);
   }
-}
-
-/** What selects the code that a style needs. */
-function codeFor(style: Style): string {
-  return [style.form, style.isEroded, isSimplified(style), hasStrokes(style)].join();
 }

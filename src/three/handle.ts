@@ -21,7 +21,7 @@ export interface HandleOwner {
   /** Reports an error that no caller can catch. */
   report(error: unknown): void;
   /** Whether the simulator and the renderer of the smoke still exist. */
-  readonly isAlive: boolean;
+  isAlive(): boolean;
 }
 
 /** Largest coordinate of objects, bursts and positions of the parameter table, in metres. */
@@ -63,7 +63,7 @@ export abstract class Handle implements SmokeHandle {
     if (!handles) return;
     this.handles = undefined;
     handles.delete(this);
-    if (!handles.owner.isAlive) return;
+    if (!handles.owner.isAlive()) return;
     this.deactivate();
     this.release();
   }
@@ -114,7 +114,7 @@ export abstract class Handle implements SmokeHandle {
   protected requireUsable(what: string): void {
     const { call, handles } = this;
     if (!handles) throw new SimulatorError(`${call}.${what}: this handle was removed; call ${call}() again.`);
-    if (!handles.owner.isAlive)
+    if (!handles.owner.isAlive())
       throw new SimulatorError(`${call}.${what}: the smoke of this handle was disposed; create a new one.`);
   }
 

@@ -1,13 +1,27 @@
-import { Box3, Vector2 } from 'three';
+import { Box3, Vector2, Vector4, type Object3D } from 'three';
+import { STEP_SECONDS } from '../sim/clock.ts';
 import type { Rows } from '../sim/rows.ts';
+import type { Simulator } from '../sim/simulator.ts';
 import { isSimplified } from '../smoke/extraPasses.ts';
 import { arrangeFrame, drawSmoke, reportOf } from '../smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
+import { receiversIn } from './casters.ts';
+import type { SmokeFrame } from './frame.ts';
 import type { HostPasses } from './hostPasses.ts';
-import { hasStencilBuffer, isLinearPicture } from './requirements.ts';
+import { lightFrom } from './keyLight.ts';
+import { hasStencilBuffer, isLinearPicture, requireDrawable } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
 import { straightened } from './target/straightCamera.ts';
 import { insertShadow, type HostView } from './target/insertion.ts';
+
+/** The smoke that a host's frame shows. */
+interface HostedSmoke extends Pick<FrameInput, 'style' | 'blend'> {
+  object: Object3D;
+  frame: SmokeFrame;
+  simulator: Simulator;
+}
+
+type Host = Omit<HostView, 'scale' | 'planes' | 'origin'>;
 
 /**
  * Draws smoke in the middle of the host's frame, between its opaque and its blended objects:
@@ -17,16 +31,13 @@ import { insertShadow, type HostView } from './target/insertion.ts';
  *
  * Without a stencil buffer, the shadow is drawn into a target with one; see {@link OwnStencil}. Until its code is loaded, the
  * host's objects have none.
- * @param boxes boxes of the host's opaque objects, in the space of the smoke
+ * @throws UnsupportedError when smoke cannot be drawn into the renderer's current target
  */
-export function drawIntoHost(
-  passes: HostPasses,
-  view: HostView,
-  boxes: readonly Box3[],
-  asked: FrameInput,
-): FrameReport {
+export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke): FrameReport {
   const { smoke, picture, depth, casters, volumes, insert } = passes;
-  const { renderer, scene, camera } = view;
+  const { renderer, scene, camera } = host;
+  requireDrawable(renderer, camera);
+  const { view, boxes, asked } = lookFrom(host, hosted);
   const { eye, targets } = smoke.passes;
   const target = renderer.getRenderTarget();
   const hasStencil = hasStencilBuffer(target);
@@ -88,4 +99,31 @@ export function drawIntoHost(
   } finally {
     state.restore();
   }
+}
+
+const viewport = new Vector4();
+
+/** What a frame is drawn from. */
+function lookFrom(host: Host, { object, frame, simulator, style, blend }: HostedSmoke) {
+  const { renderer, scene, camera: seen, keyLight } = host;
+  const { clippingPlanes } = renderer;
+  const placed = frame.view(object, seen, lightFrom(keyLight), receiversIn(scene), clippingPlanes);
+  const { camera, light, boxes, planes } = placed;
+  const { x, y, z: width, w: height } = renderer.getCurrentViewport(viewport);
+  const view: HostView = { ...host, planes, scale: frame.drawn.scale, origin: new Vector2(x, y) };
+  const asked = {
+    simulator,
+    camera,
+    light,
+    style,
+    blend,
+    time: simulator.steps * STEP_SECONDS,
+    width,
+    height,
+    pixelRatio: renderer.getPixelRatio(),
+    rigids: [],
+    // What is cut off hides nothing.
+    cull: clippingPlanes.length === 0,
+  };
+  return { view, boxes, asked };
 }

@@ -1,7 +1,7 @@
 import { Device } from '../device/device.ts';
 import { pictureTarget } from '../device/pictureTarget.ts';
 import { InsertPass } from '../passes/insert.ts';
-import { SmokeRenderer } from '../smoke/smoke.ts';
+import type { SmokeRenderer } from '../smoke/smoke.ts';
 import { HostCasters } from './casters.ts';
 import type { SmokeFrame } from './frame.ts';
 import { HostDepth } from './hostDepth.ts';
@@ -23,13 +23,20 @@ export class HostPasses {
   readonly ownStencil: LateStencil;
 
   /**
+   * @param smoke which these passes dispose of
    * @param capacity maximum number of particles
    * @param frame the space of the smoke
    * @param miss called with the error, if the code for targets without stencil cannot be loaded
    */
-  constructor(device: Device, capacity: number, frame: SmokeFrame, miss: (error: LoadError) => void) {
-    this.smoke = new SmokeRenderer(device, { capacity });
-    const { eye } = this.smoke.passes;
+  constructor(
+    smoke: SmokeRenderer,
+    device: Device,
+    capacity: number,
+    frame: SmokeFrame,
+    miss: (error: LoadError) => void,
+  ) {
+    const { eye } = smoke.passes;
+    this.smoke = smoke;
     this.casters = new HostCasters(device, eye, frame);
     this.volumes = new HostVolumes(capacity);
     this.insert = new InsertPass(eye);

@@ -52,14 +52,8 @@ export class HandledSmoke {
     this.overrides = new Overrides(this.simulator, (key) => this.carrier.numberOf(key));
     const { simulator, riders, overrides, frameOfSmoke: frame } = this;
     this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
-    const isAlive = () => this.isAlive;
-    this.handles = new Handles({
-      object: this.object,
-      report: (error) => this.errors.push(error),
-      get isAlive() {
-        return isAlive();
-      },
-    });
+    const report = (error: unknown) => this.errors.push(error);
+    this.handles = new Handles({ object: this.object, report, isAlive: () => this.isAlive });
   }
 
   set(values: Values): void {

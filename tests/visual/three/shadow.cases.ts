@@ -15,6 +15,7 @@ import {
 import { pictureTarget } from '../../../src/device/pictureTarget.ts';
 import { drawFrame } from '../../../src/smoke/frame.ts';
 import type { FrameInput } from '../../../src/smoke/frameInput.ts';
+import type { ShownSmoke } from '../../../src/smoke/shownSmoke.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { HostPasses } from '../../../src/three/hostPasses.ts';
 import { lightFrom } from '../../../src/three/keyLight.ts';
@@ -289,8 +290,12 @@ export async function likeStage(values: Values = {}): Promise<{ shadowed: number
   renderer.autoClear = false;
   const output = pictureTarget();
   output.setSize(WIDTH, HEIGHT);
-  const { passes, simulator, style } = smoke as unknown as Record<'passes', HostPasses> &
-    Pick<FrameInput, 'simulator' | 'style'>;
+  const {
+    passes,
+    simulator,
+    shown: look,
+  } = smoke as unknown as Record<'passes', HostPasses> & Pick<FrameInput, 'simulator'> & { shown: ShownSmoke };
+  const { style } = look;
   const input = { simulator, camera, light: lightFrom(keyLight), blend: 1, rigids: [], cull: true, output };
   const [stage, lit] = [style, { ...style, shadows: false }].map((each) => {
     drawFrame(passes.smoke, { ...input, style: each, width: WIDTH, height: HEIGHT, pixelRatio: 1 });
