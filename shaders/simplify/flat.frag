@@ -7,7 +7,7 @@ uniform int reach;
 
 out vec4 isFlat;
 
-#include ../lib/flatTiles.glsl
+#include flatTiles.glsl
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);

@@ -7,7 +7,7 @@ uniform sampler2D fields;
 
 out vec4 field;
 
-#include ../lib/flatTiles.glsl
+#include flatTiles.glsl
 
 void main() {
   ivec2 start = FLAT_TILE * ivec2(gl_FragCoord.xy);

@@ -25,7 +25,7 @@ uniform float plumeForm;
 out vec4 pixel;
 
 #include unpackShading.glsl
-#include ../lib/smoothing.glsl
+#include smoothing.glsl
 #ifdef FORM
 #include ../lib/depth.glsl
 #include ../lib/light.glsl

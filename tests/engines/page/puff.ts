@@ -24,7 +24,7 @@ export async function playPuff(effect: Effect): Promise<Played> {
   let most = 0;
   // After the stage's own callback of the frame: WebKitGTK draws on the canvas itself, which is empty after the frame.
   const timer = setInterval(() => requestAnimationFrame(() => (most = Math.max(most, opaque()))), 20);
-  await puff(box, { effect, count: 10, seed: 5 });
+  await puff(box, { effect, count: 30, duration: 2, seed: 5 });
   clearInterval(timer);
   // The last picture may be on its way from the worker.
   for (let frame = 0; frame < 5; ++frame) await new Promise(requestAnimationFrame);
