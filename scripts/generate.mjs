@@ -21,6 +21,7 @@ const FILES = [
     'lists.json, singles.json and words/lists.json in src/preset, src/sim/layout.ts',
     (say) => cargoNative('test', ['--test', 'all', 'simulator::page_table'], say, environment),
   ],
+  ['tests/visual/passes/volumes.txt', (say) => cargoNative('test', ['--lib', 'coverage::outline'], say, environment)],
   ['src/preset/valueTypes.ts', (say) => vitest('preset/valueTypes', 'are those of the table', say)],
   ['attributes/names.json and methods.json in src/element', (say) => vitest('element/names', 'npm run generate', say)],
   ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],

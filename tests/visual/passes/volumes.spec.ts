@@ -2,6 +2,7 @@ import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./ballShadows.cases.ts');
 type TileCases = typeof import('./volumes.cases.ts');
+type LawCases = typeof import('./volumeLaw.cases.ts');
 const CASES = '/tests/visual/passes/ballShadows.cases.ts';
 
 /** reference.spec.ts compares the shadows of whole puffs. */
@@ -31,5 +32,17 @@ test('large volumes in tiles shade the same pixels as whole', async ({ load }) =
     expect.soft(hasTiles, view).toBe(true);
     expect.soft(shadowed, view).toBeGreaterThan(3000);
     expect.soft(differing, view).toBe(0);
+  }
+});
+
+test('the shader, TypeScript and Rust agree on shadow volumes', async ({ load }) => {
+  const cases = await load<LawCases>('/tests/visual/passes/volumeLaw.cases.ts');
+  const { pairs, late, small } = await cases.evaluate((module) => module.compareLaw());
+  expect(pairs).toHaveLength(24);
+  expect(small).toBeGreaterThan(2);
+  expect(late).toBe(0);
+  for (const [row, values] of pairs.entries()) {
+    for (const [name, [found, expected]] of Object.entries(values))
+      expect.soft(Math.abs(found - expected), `${name}, puff ${row}: ${found}, ${expected}`).toBeLessThan(2e-4);
   }
 });

@@ -11,6 +11,7 @@ pub mod row_layout;
 pub mod rows;
 pub(crate) mod view;
 pub mod view_layout;
+pub(crate) mod volume;
 
 use wide::f32x4;
 

@@ -5,9 +5,9 @@ use wide::f32x4;
 use crate::arrange::coverage::plan::Plan;
 use crate::arrange::coverage::solids::BALLS_LIMIT;
 use crate::arrange::coverage::start_caps::ENTRIES;
-use crate::arrange::view_layout::{LIFTERS_LIMIT, NEAREST_LAMP, VIEW_LENGTH, ViewNumbers};
+use crate::arrange::view_layout::{LIFTERS_LIMIT, VIEW_LENGTH, ViewNumbers};
+use crate::arrange::volume::{LampSweep, Sweep};
 use crate::layout::error::ParameterError;
-use crate::math::scalar::greater;
 use crate::math::simd::{Vector4, positive_part};
 
 /// Maximum number of covers.
@@ -160,28 +160,6 @@ struct Plane {
     offset: f32x4,
 }
 
-/// The path of a shadow: from the caster along the light to the exit from the receivers' box.
-#[derive(Clone, Copy, Debug)]
-struct Sweep {
-    direction: Vector4,
-    /// The face of the box through which each component exits.
-    face: Vector4,
-    /// 1 / direction, or 0 for a component close to 0, whose exit time is then `never`.
-    inverse: Vector4,
-    never: Vector4,
-}
-
-/// The paths of the shadows of a lamp.
-#[derive(Clone, Copy, Debug)]
-struct LampSweep {
-    place: Vector4,
-    /// Distances to the faces of the receivers' box in the positive and in the negative directions, and to its farthest
-    /// corner.
-    ahead: Vector4,
-    behind: Vector4,
-    farthest: f32x4,
-}
-
 impl Cull {
     fn new(numbers: &ViewNumbers, direction: [f32; 3]) -> Self {
         let row = |row: usize| [0, 1, 2, 3].map(|column| f64::from(numbers.clip_from_world[4 * column + row]));
@@ -207,7 +185,7 @@ impl Cull {
     #[inline(always)]
     pub fn keeps(&self, place: Vector4, radius: f32x4) -> f32x4 {
         if let Some(lamp) = &self.lamp {
-            return lamp.reaches(&self.planes, place, radius * self.reach);
+            return self.keeps_by_lamp(lamp, place, radius * self.reach);
         }
         let length = self.sweep.map_or(f32x4::ZERO, |sweep| sweep.length(place));
         let direction = self.sweep.map_or(Vector4::zero(), |sweep| sweep.direction);
@@ -221,6 +199,21 @@ impl Cull {
             let start = plane.value(place);
             let gain = positive_part(plane.normal.dot(direction) * length);
             kept &= (start + gain + touch + plane.offset.abs() * f32x4::splat(2e-6)).simd_ge(f32x4::ZERO);
+        }
+        kept
+    }
+
+    /// The same for balls in the light of a lamp.
+    #[inline(never)]
+    fn keeps_by_lamp(&self, lamp: &LampSweep, place: Vector4, ball: f32x4) -> f32x4 {
+        let path = lamp.path(place, ball);
+        let size = place.x.abs() + place.y.abs() + place.z.abs() + path.distance;
+        let mut kept = ball.simd_gt(f32x4::ZERO);
+        for plane in &self.planes {
+            let (at_lamp, start) = (plane.value(lamp.place), plane.value(place));
+            let touch = path.radius + (size + at_lamp.abs() + plane.offset.abs()) * f32x4::splat(4e-6);
+            let end = at_lamp + (start - at_lamp + touch) * path.growth;
+            kept &= (start + touch).fast_max(end).simd_ge(f32x4::ZERO);
         }
         kept
     }
@@ -267,75 +260,5 @@ impl ExactPlane {
             normal: Vector4::splat(self.normal.map(|component| component as f32)),
             offset: f32x4::splat(self.offset as f32),
         }
-    }
-}
-
-impl LampSweep {
-    fn new(receivers: [f32; 6], place: [f32; 3]) -> Self {
-        let ahead = [0, 1, 2].map(|axis: usize| receivers[3 + axis] - place[axis]);
-        let behind = [0, 1, 2].map(|axis: usize| place[axis] - receivers[axis]);
-        let corner = Vector4::splat([0, 1, 2].map(|axis: usize| greater(ahead[axis].abs(), behind[axis].abs())));
-        Self {
-            place: Vector4::splat(place),
-            ahead: Vector4::splat(ahead),
-            behind: Vector4::splat(behind),
-            farthest: corner.length(),
-        }
-    }
-
-    /// A mask of the balls whose shadows may touch the frustum: of those that are not empty, see [`Cull::keeps`].
-    #[inline(never)]
-    fn reaches(&self, planes: &[Plane; 4], place: Vector4, ball: f32x4) -> f32x4 {
-        let way = place - self.place;
-        let distance = way.length().fast_max(f32x4::splat(1e-6));
-        // A disc at the caster spans the same angle as the ball, and one at the end of the shadow, too.
-        let sine = (ball / distance).fast_min(f32x4::splat(1.0 / NEAREST_LAMP));
-        let radius = ball / (f32x4::splat(1.0) - sine * sine).sqrt();
-        let mut growth = self.farthest / distance;
-        let [x, y, z] = [
-            (way.x, self.ahead.x, self.behind.x),
-            (way.y, self.ahead.y, self.behind.y),
-            (way.z, self.ahead.z, self.behind.z),
-        ];
-        for (way, ahead, behind) in [x, y, z] {
-            let face = way.simd_gt(f32x4::ZERO).select(ahead, behind);
-            let least = way.abs() - radius;
-            growth = least.simd_gt(f32x4::ZERO).select(growth.fast_min(face / least), growth);
-        }
-        growth = growth.fast_max(f32x4::splat(1.0));
-        let size = place.x.abs() + place.y.abs() + place.z.abs() + distance;
-        let mut kept = ball.simd_gt(f32x4::ZERO);
-        for plane in planes {
-            let (at_lamp, start) = (plane.value(self.place), plane.value(place));
-            let touch = radius + (size + at_lamp.abs() + plane.offset.abs()) * f32x4::splat(4e-6);
-            let end = at_lamp + (start - at_lamp + touch) * growth;
-            kept &= (start + touch).fast_max(end).simd_ge(f32x4::ZERO);
-        }
-        kept
-    }
-}
-
-impl Sweep {
-    fn new(receivers: [f32; 6], direction: [f32; 3]) -> Self {
-        let moves = direction.map(|component| component.abs() > 1e-6);
-        let axes = [0, 1, 2];
-        Self {
-            direction: Vector4::splat(direction),
-            face: Vector4::splat(axes.map(|i| receivers[if direction[i] > 0.0 { 3 + i } else { i }])),
-            inverse: Vector4::splat(axes.map(|i| if moves[i] { 1.0 / direction[i] } else { 0.0 })),
-            never: Vector4::splat(axes.map(|i| if moves[i] { 0.0 } else { 1e30 })),
-        }
-    }
-
-    /// Distance to the exit (m); 0 behind the box.
-    #[inline(always)]
-    fn length(&self, place: Vector4) -> f32x4 {
-        let way = self.face - place;
-        let exit = Vector4 {
-            x: way.x * self.inverse.x + self.never.x,
-            y: way.y * self.inverse.y + self.never.y,
-            z: way.z * self.inverse.z + self.never.z,
-        };
-        positive_part(exit.x.fast_min(exit.y).fast_min(exit.z))
     }
 }

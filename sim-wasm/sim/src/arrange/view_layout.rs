@@ -96,9 +96,6 @@ view_numbers! {
     lamp: [f32; 3],
 }
 
-/// A lamp counts as at least this many radii away; as in shaders/lib/volume.glsl.
-pub(crate) const NEAREST_LAMP: f32 = 1.2;
-
 /// Count of the numbers of a view, without its solids.
 pub const VIEW_LENGTH: usize = size_of::<ViewNumbers>() / size_of::<f32>();
 

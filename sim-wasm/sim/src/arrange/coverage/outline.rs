@@ -9,9 +9,9 @@ use crate::arrange::coverage::plan::{Bodies, EyePoint, Plan, PlanKind, ShadowFra
 use crate::arrange::coverage::polygon::{Polygon, Reaches};
 use crate::arrange::coverage::solids::{Orientations, RotatedBalls, Solids};
 use crate::arrange::deformation::undeformed;
-use crate::arrange::row_layout::{Attributes, END_STEPS, EROSION, NO_END};
-use crate::arrange::view_layout::NEAREST_LAMP;
-use crate::math::scalar::{clamped, greater, lesser};
+use crate::arrange::row_layout::{Attributes, EROSION, NO_END};
+use crate::arrange::volume::{self, NEAREST_LAMP, Relief};
+use crate::math::scalar::{clamped, greater};
 use crate::math::simd::positive_part;
 
 /// In the place of an end: nothing is left of the shadow.
@@ -31,10 +31,6 @@ const MIN_COVERING_CLEARANCE: f32 = 0.05;
 const CLEARANCE_TOLERANCE: f32 = 0.002;
 /// Distance from the eye, in twice the greatest height of puffs, from which a stretched one certainly has its full size.
 const STRETCHED_FROM: f32 = 1.5;
-/// As in shaders/lib/volume.glsl: least depth of the shear, in drawn radii.
-const NEAREST_SHEARED: f32 = 0.5;
-/// As in shaders/volumes/volumes.vert.
-const CAP_SLACK: f32 = 0.02;
 /// Radii by which the chart of a lamp may move a point of a shadow that covers others.
 const MAX_BEND: f32 = 0.25;
 
@@ -176,12 +172,7 @@ impl<'a> Outliner<'a> {
         if depth <= outline.polygon.depth {
             return NOTHING_LEFT;
         }
-        let steps = (depth - outline.projected.depth) / place[3] * END_STEPS + 1.0;
-        if steps < NO_END as f32 {
-            greater(steps, 0.0) as u32
-        } else {
-            NO_END
-        }
+        volume::packed_end((depth - outline.projected.depth) / place[3])
     }
 
     #[inline(never)]
@@ -297,12 +288,12 @@ impl<'a> Outliner<'a> {
         projected.tolerance += EDGE_PIXELS * shadows.eye.pixel * greater(eye_w, 0.0) / place[3];
         projected.slack += (CAP_ROUNDING + shadows.tolerance) * place[3];
         let start = if projected.covers {
-            projected.depth + Shadows::cap(shadows.caps.range[0], shear) * place[3]
+            projected.depth + volume::start(shadows.caps.range[0], shear) * place[3]
         } else {
             // Less than all depths, but not than those outside of the grid.
             f32::MIN
         };
-        let radius = (frame.across(shadows.reach) + projected.tolerance) * place[3];
+        let radius = (volume::across(shadows.reach, frame.growth) + projected.tolerance) * place[3];
         outline.hull = flat(&projected, radius, start - projected.slack);
         (outline.projected, outline.frame) = (projected, frame);
         true
@@ -331,7 +322,7 @@ impl<'a> Outliner<'a> {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
         };
-        let starts = caps.map(|cap| projected.depth + Shadows::cap(cap, projected.shear) * radius);
+        let starts = caps.map(|cap| projected.depth + volume::start(cap, projected.shear) * radius);
         let cells = radius * projected.density;
         let nearest = if projected.covers {
             starts[0] - projected.slack
@@ -339,20 +330,17 @@ impl<'a> Outliner<'a> {
             f32::NEG_INFINITY
         };
         // The starts are planes across the light; the rays of a lamp that are beside the middle reach them farther on.
-        let edge = frame.across(shadows.reach) * frame.growth;
+        let edge = volume::across(shadows.reach, frame.growth) * frame.growth;
         let start = starts[1] * (1.0 + edge * edge).sqrt();
         let mut reaches = Reaches::new();
         let lanes = f32x4::splat;
         for (group, ball) in outline.balls.groups().iter().enumerate() {
-            let nearness = lanes(1.0) / (lanes(1.0) - lanes(frame.growth) * ball.z);
-            let (x, y) = (ball.x * nearness * lanes(cells), ball.y * nearness * lanes(cells));
-            let inside = ball.radius * nearness;
-            let slope = inside * lanes(frame.growth);
-            let widest = inside * lanes(outline.balls.ratio) / (lanes(1.0) - slope * slope).sqrt();
-            let outside = (widest + lanes(projected.tolerance)) * lanes(cells);
+            let discs = volume::discs(ball, outline.balls.ratio, frame.growth);
+            let (x, y) = (discs.x * lanes(cells), discs.y * lanes(cells));
+            let outside = (discs.outside + lanes(projected.tolerance)) * lanes(cells);
             let is_present = ball.radius.simd_gt(f32x4::ZERO);
             reaches.add(x, y, is_present.select(outside, lanes(f32::NEG_INFINITY)));
-            let certain = is_present & positive_part((inside - lanes(projected.tolerance)) * lanes(cells));
+            let certain = is_present & positive_part((discs.inside - lanes(projected.tolerance)) * lanes(cells));
             outline.inner.groups[group] = DiscGroup {
                 u: lanes(projected.u) + x,
                 v: lanes(projected.v) + y,
@@ -387,8 +375,7 @@ impl Drawn {
     fn of(place: [f32; 4], eye: &EyePoint, stretched: Option<f32>) -> Option<Self> {
         let [x, y, z, radius] = place;
         let share = eye.beyond_near(place) / (2.0 * radius);
-        let clamped = share.clamp(0.0, 1.0);
-        let clearance = clamped * clamped * (3.0 - 2.0 * clamped);
+        let clearance = volume::clearance(share);
         let is_certain = match stretched {
             Some(reach) => share > STRETCHED_FROM * reach,
             None => clearance > MIN_COVERING_CLEARANCE,
@@ -417,20 +404,13 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
 }
 
 impl ShadowFrame {
-    /// Radius of a puff's shadow at its centre (radii).
-    #[inline(never)]
-    fn across(&self, reach: f32) -> f32 {
-        let sine = lesser(self.growth * reach, 1.0 / NEAREST_LAMP);
-        reach / (1.0 - sine * sine).sqrt()
-    }
-
     /// Distance (radii) by which the chart of a lamp moves a point of a puff's shadow, against a plane at its centre.
     #[inline(never)]
     fn bend(&self, reach: f32) -> f32 {
         if self.growth == 0.0 {
             return 0.0;
         }
-        let across = self.across(reach);
+        let across = volume::across(reach, self.growth);
         let edge = across * self.growth;
         let w = 1.0 + self.cosine - edge * self.sine;
         if w > 0.0 && self.growth * reach * NEAREST_LAMP < 1.0 {
@@ -473,22 +453,125 @@ impl Shadows<'_> {
         let eye = &self.eye;
         let lines = point.lines.at(place);
         let [_, _, w, _] = lines.to_array();
-        let ahead = greater(w, NEAREST_SHEARED * place[3]);
+        let ahead = volume::sheared_depth(w, place[3]);
         let ray = (lines / f32x4::splat(ahead)).to_array();
         let ray = [0, 1].map(|axis: usize| clamped(ray[axis], eye.slopes[axis][0], eye.slopes[axis][1]));
         let travel = [-frame.in_view[2][0], -frame.in_view[2][1]];
-        let slope = -(travel[0] * ray[0] + travel[1] * ray[1]);
-        if self.solids.faces_eye {
-            return [w, greater(slope, 0.0)];
-        }
-        let sideways = (travel[0] * travel[0] + travel[1] * travel[1]).sqrt();
-        let aside = 0.5 * tallest * tallest * sideways * place[3] / ahead;
-        [w, greater(tallest * slope, -self.depth * slope) + aside]
+        let relief = Relief {
+            tallest,
+            depth: self.depth,
+            faces_eye: self.solids.faces_eye,
+        };
+        [w, volume::shear(&relief, travel, ray, [place[3], ahead])]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+    use std::path::Path;
+
+    use super::*;
+    use crate::arrange::row_layout::{ROLL, SEED};
+    use crate::arrange::view_layout::ViewNumbers;
+    use crate::math::random::Random;
+
+    /// The lobe of the puff, its reach, and its visible depth.
+    const LOBE: [f32; 4] = [0.3, -0.2, 0.25, 0.7];
+    const REACH: f32 = 1.138_748_2;
+    const DEPTH: f32 = 0.8;
+
+    /// The line of a puff in the file: place, roll, seed, light, and the values of its volume.
+    fn line(place: [f32; 4], attributes: Attributes, light: [f32; 4]) -> String {
+        let [x, y, z, is_lamp] = light;
+        let numbers = ViewNumbers {
+            purpose: 1.0 + is_lamp,
+            cull: 1.0,
+            // A camera at the origin with a near plane at 0.1 and a far plane at 100.
+            clip_from_world: [
+                2.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                2.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                -1.002_002,
+                -1.0,
+                0.0,
+                0.0,
+                -0.200_200_2,
+                0.0,
+            ],
+            reach: REACH,
+            nearest: 0.1,
+            farthest: 100.0,
+            covers: 1.0,
+            cap_range: [0.0, REACH],
+            depth: DEPTH,
+            balls: 4.0,
+            lamp: [x, y, z],
+            ..ViewNumbers::default()
+        };
+        let direction = if is_lamp > 0.0 { [0.0, -1.0, 0.0] } else { [-x, -y, -z] };
+        let table = LOBE.map(|value| [value, 0.0, 0.0, 0.0]);
+        let plan = Plan::new(&numbers, table.as_flattened(), direction).expect("a plan");
+        let (grid, orientations) = (CoverageGrid::new(1), Orientations::new());
+        let outliner = Outliner::new(&plan, &grid, &orientations, None);
+        let mut outline = Outline::default();
+        assert!(
+            outliner.place(place, &mut outline) && outline.projected.covers,
+            "{place:?}"
+        );
+        outliner.draw(attributes, &mut outline);
+        let Outline {
+            frame,
+            projected,
+            balls,
+            ..
+        } = &outline;
+        let disc = volume::discs(&balls.groups()[0], balls.ratio, frame.growth);
+        let [u, v, radius] = [disc.x, disc.y, disc.outside].map(|lanes| lanes.to_array()[0]);
+        let values = [
+            projected.radius,
+            frame.growth,
+            volume::across(REACH, frame.growth),
+            (u * u + v * v).sqrt(),
+            radius,
+            volume::start(0.0, projected.shear),
+        ];
+        let packed = [ROLL.of(attributes), SEED.of(attributes)].map(|value| value as f32);
+        let all = [&place[..], &packed, &light, &values].concat();
+        all.iter().map(f32::to_string).collect::<Vec<_>>().join(" ")
     }
 
-    /// Distance from the centre to the start (radii). Same as in the shader.
-    #[inline(always)]
-    fn cap(tabulated: f32, shear: f32) -> f32 {
-        tabulated + shear + CAP_SLACK
+    /// `npm run generate` writes the file, and `tests/visual/passes/volumes.spec.ts` compares it with the shader.
+    #[test]
+    fn shadow_volumes_are_those_of_the_file() {
+        let mut random = Random::new(11);
+        let mut expected = String::new();
+        for number in 0..24 {
+            let depth = 0.45 + 3.0 * random.unit();
+            let place = [0.4 * depth * random.signed(), 0.4 * depth * random.signed(), -depth];
+            let radius = 0.15 + 0.6 * random.unit();
+            let towards = [random.signed(), 0.4 + random.unit(), random.signed()];
+            let length = dot(towards, towards).sqrt();
+            let light = match number % 2 {
+                0 => [0, 1, 2, 3].map(|i| towards.get(i).map_or(0.0, |c| c / length)),
+                _ => [0, 1, 2, 3].map(|i| towards.get(i).map_or(1.0, |c| place[i] + 4.0 * c / length)),
+            };
+            let attributes = [4096 * (number % 16), (number * 37 % 256) << 8, 0, 0];
+            let [x, y, z] = place;
+            writeln!(expected, "{}", line([x, y, z, radius], attributes, light)).unwrap();
+        }
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/visual/passes/volumes.txt");
+        if std::env::var_os("GENERATE").is_some() {
+            std::fs::write(&file, &expected).unwrap();
+        }
+        let found = std::fs::read_to_string(&file).unwrap();
+        assert!(found == expected, "volumes.txt is stale: run npm run generate");
     }
 }

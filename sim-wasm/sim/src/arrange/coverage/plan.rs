@@ -96,7 +96,7 @@ impl EyePoint {
     }
 }
 
-/// The inputs of a nailboard's shear; see `shearOf` in shaders/lib/volume.glsl.
+/// The inputs of a nailboard's shear; see `volume::shear`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowEye {
     /// Minimum and maximum slope of rays relative to the view axis, to the right and up.
