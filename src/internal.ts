@@ -5,7 +5,7 @@
 export { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.ts';
 export { linkCapacity, lookOf } from './page/moment.ts';
 export { sizeOf, watchSize } from './page/size.ts';
-export { restWhileHidden } from './page/visibility.ts';
+export { pauseWhileHidden } from './page/visibility.ts';
 export { FullScreen } from './device/fullScreen.ts';
 export { LONGEST_LINK } from './preset/codec.ts';
 export { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from './preset/curve.ts';
@@ -26,7 +26,7 @@ export { STEP_SECONDS } from './sim/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS } from './sim/layout.ts';
 export { readBits, type Rows } from './sim/rows.ts';
 export type { Arranged, Bounds } from './sim/arranged.ts';
-export { ALL_THAT_LIVES, type View } from './sim/view.ts';
+export { ALL_PARTICLES as ALL_THAT_LIVES, type View } from './sim/view.ts';
 export type { Arranger, FrameInput } from './smoke/frameInput.ts';
 export type { Light } from './smoke/light.ts';
 export { showsBillboards } from './smoke/livePuffs.ts';

@@ -18,7 +18,7 @@ import { buildPage, type Page } from './page.ts';
 import { Pointers } from './input/pointer.ts';
 import { Scrubber } from './playback/scrubber.ts';
 import { strings } from './strings.ts';
-import { takeStep, togglePlaying } from './playback/transport.ts';
+import { stepOnce, togglePlaying } from './playback/transport.ts';
 
 /** What the controls act on. */
 export interface Controlled {
@@ -77,7 +77,7 @@ function connectInput(
     {
       ...page,
       togglePlaying: () => togglePlaying(stage),
-      step: () => takeStep(stage),
+      step: () => stepOnce(stage),
       stepBack: () => void scrubber.stepBack(),
       shift: (seconds) => void scrubber.shift(seconds),
       stopSeeking: () => scrubber.stop(),

@@ -1,6 +1,6 @@
 /** The demo page, built on the public API. Parses the address, creates the stage and then adds the controls. */
 import { ContextError, createStage, LoadError, type Stage } from '../index.ts';
-import { nextTask, readEnvironment, restWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
+import { nextTask, readEnvironment, pauseWhileHidden, sizeOf, watchSize, type Environment } from '../internal.ts';
 import { decode, type Values } from '../preset.ts';
 import { fadePoster, linkOf, removePoster } from './poster.ts';
 import { textButton } from './ui/dom.ts';
@@ -52,7 +52,7 @@ async function start(): Promise<void> {
   // Before anything follows the stage, so that the address keeps the moment until the first edit.
   if (moment) await goToMoment(stage, moment, notices, container);
   watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
-  restWhileHidden(stage);
+  pauseWhileHidden(stage);
   const seen = firstPicture(stage);
   const beginning = begin(stage, moment ? { ...environment, time: 0 } : environment, notices);
   await Promise.all([

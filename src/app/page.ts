@@ -106,10 +106,10 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
       if (isShown && !matchMedia(ROOMY).matches) dock.closeGallery();
     },
     toggleStatistics: () => statistics.toggle(),
-    drop: () => things.here(),
-    blow: () => blowing.here(),
+    drop: () => things.dropAtPointer(),
+    blow: () => blowing.blowAtPointer(),
     get dragsBlow() {
-      return blowing.takesDrags;
+      return blowing.isBlowing;
     },
   };
   const header = createHeader(page, captureButton.element, gizmoToggle, toggle);
@@ -158,12 +158,12 @@ class Blowing {
   }
 
   /** Whether a drag that grabs nothing blows instead of orbiting the camera. */
-  get takesDrags(): boolean {
+  get isBlowing(): boolean {
     return this.isOn;
   }
 
   /** Blows away from the viewer, at the pointer or in the middle. */
-  here(): void {
+  blowAtPointer(): void {
     const { clientWidth, clientHeight } = this.canvas;
     this.stage.blow(this.pointer ?? { x: clientWidth / 2, y: clientHeight / 2 });
   }

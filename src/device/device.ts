@@ -119,10 +119,10 @@ export class Device {
     clearTimeout(this.waiting);
     const now = performance.now();
     this.losses = [...this.losses.filter((at) => now - at < LOSSES_WITHIN_MS), now];
-    if (this.losses.length > MAX_LOSSES) return this.giveUp();
+    if (this.losses.length > MAX_LOSSES) return this.abandonRestore();
     // The browser restores the context only if the default action is prevented.
     event.preventDefault();
-    this.waiting = setTimeout(() => this.giveUp(), TIMEOUT_MS);
+    this.waiting = setTimeout(() => this.abandonRestore(), TIMEOUT_MS);
   };
 
   private readonly handleRestoration = (): void => {
@@ -131,7 +131,7 @@ export class Device {
     this.notify('restored');
   };
 
-  private giveUp(): void {
+  private abandonRestore(): void {
     this.isMissing = true;
     this.notify('missing');
   }

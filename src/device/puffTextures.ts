@@ -74,12 +74,12 @@ export class PuffTextures {
   }
 
   get lobes(): LobeTextures {
-    this.lobeTextures ??= this.library.lobes.hold(this.puffs.lobes);
+    this.lobeTextures ??= this.library.lobes.acquire(this.puffs.lobes);
     return this.lobeTextures;
   }
 
   get billboards(): BillboardTextures {
-    this.billboardTextures ??= this.library.billboards.hold(this.puffs.billboards);
+    this.billboardTextures ??= this.library.billboards.acquire(this.puffs.billboards);
     return this.billboardTextures;
   }
 

@@ -18,7 +18,7 @@ export class Shared<Key extends object, Item extends { dispose(): void }> {
   }
 
   /** Returns the item of a key. Each call needs a matching `release`. */
-  hold(key: Key): Item {
+  acquire(key: Key): Item {
     const held = this.held.get(key) ?? { item: this.make(key), holders: 0 };
     held.holders += 1;
     this.held.set(key, held);

@@ -11,7 +11,7 @@ import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from '../page/visibility.ts';
 import { fetchAhead } from './parts.ts';
 import { fetched } from '../preset/timeout.ts';
-import { defineProperties, FLAGS, takeUpEarlier, TEXTS } from './attributes/properties.ts';
+import { defineProperties, FLAGS, upgradeProperties, TEXTS } from './attributes/properties.ts';
 import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
 import { isInert, Shell } from './shell/shell.ts';
@@ -142,7 +142,7 @@ export class CartoonSmokeElement extends Base {
   }
 
   connectedCallback(): void {
-    takeUpEarlier(this);
+    upgradeProperties(this);
     this.#waitOrStart();
   }
 
@@ -164,8 +164,8 @@ export class CartoonSmokeElement extends Base {
     if (name === 'loading') this.#waitOrStart();
     else if (this.#hasFailed) this.#tryAnew(name);
     else if (!this.#session) this.#changed.add(name);
-    else if (PARSED_TOGETHER.includes(name) || keyOfAttribute.has(name)) this.#session.follow();
-    else this.#session.takeUp(name);
+    else if (PARSED_TOGETHER.includes(name) || keyOfAttribute.has(name)) this.#session.requestValues();
+    else this.#session.applyAttribute(name);
   }
 
   /**
@@ -201,7 +201,7 @@ export class CartoonSmokeElement extends Base {
     this.#changed.clear();
     const { signal } = (this.#start = new AbortController());
     this.#open(signal).then(
-      (session) => this.#stand(session, signal),
+      (session) => this.onReady(session, signal),
       (error) => signal.aborted || this.#fail(asSmokeError(error)),
     );
   }
@@ -224,11 +224,11 @@ export class CartoonSmokeElement extends Base {
     );
   }
 
-  #stand(session: Session, signal: AbortSignal): void {
+  onReady(session: Session, signal: AbortSignal): void {
     if (signal.aborted) return;
     this.#session = session;
     if (this.#changed.size > 0) session.catchUp();
-    if (this.#isConsented && !this.paused) session.hold(false);
+    if (this.#isConsented && !this.paused) session.setUserPaused(false);
     this.#shell.show('smoke');
     this.#awaited.resolve(session);
     this.#notify('ready', { thread: session.stage.thread });
@@ -286,7 +286,7 @@ export class CartoonSmokeElement extends Base {
       this.paused = true;
       this.#setsPaused = true;
     } else if (!isHeld && this.#setsPaused) this.paused = false;
-    this.#session?.hold(isHeld);
+    this.#session?.setUserPaused(isHeld);
   }
 
   #notify<Name extends keyof SmokeEvents>(name: Name, detail: SmokeEvents[Name]): void {

@@ -54,14 +54,14 @@ export class Playback {
   }
 
   /** A share link pauses or plays, or a call of play() overrides it. */
-  follow(isLinkPaused: boolean): void {
+  setLinkPaused(isLinkPaused: boolean): void {
     if (isLinkPaused === this.isLinkPaused) return;
     this.isLinkPaused = isLinkPaused;
     this.update();
   }
 
   /** Pauses by a user action, or starts playback, which overrides the page and reduced motion. */
-  hold(isHeld: boolean): void {
+  setUserPaused(isHeld: boolean): void {
     this.isHeld = isHeld;
     this.isPaused &&= isHeld;
     this.isLinkPaused &&= isHeld;

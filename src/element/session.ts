@@ -112,7 +112,7 @@ export class Session {
   }
 
   /** Applies a changed attribute that is not a parameter. */
-  takeUp(name: string): void {
+  applyAttribute(name: string): void {
     const { element, shell } = this.owner;
     const isOn = element.hasAttribute(name);
     if (name === 'alt') shell.describe(element.getAttribute(name));
@@ -124,25 +124,25 @@ export class Session {
   }
 
   /** Pauses by a user action, or starts playback despite reduced motion and the attribute `paused`. */
-  hold(isHeld: boolean): void {
-    this.playback.hold(isHeld);
+  setUserPaused(isHeld: boolean): void {
+    this.playback.setUserPaused(isHeld);
   }
 
   /** Plays although the share link pauses. */
   overrideLink(): void {
-    this.playback.follow(false);
+    this.playback.setLinkPaused(false);
   }
 
   /** Applies changed parameters. Changes of the same task are merged. */
-  follow(): void {
+  requestValues(): void {
     this.isBehind = true;
-    if (!this.isFollowing) ignoreRejection(this.followAll());
+    if (!this.isFollowing) ignoreRejection(this.applyRequestedValues());
   }
 
   /** Applies attributes that changed before the session was ready. */
   catchUp(): void {
-    for (const name of [...FLAGS, ...LABELS, 'alt', 'collide']) this.takeUp(name);
-    this.follow();
+    for (const name of [...FLAGS, ...LABELS, 'alt', 'collide']) this.applyAttribute(name);
+    this.requestValues();
   }
 
   dispose(): void {
@@ -155,21 +155,21 @@ export class Session {
     ignoreRejection(this.stage.dispose());
   }
 
-  private async followAll(): Promise<void> {
+  private async applyRequestedValues(): Promise<void> {
     this.isFollowing = true;
     while (this.isBehind && !this.isDisposed) {
       await Promise.resolve();
       this.isBehind = false;
       const attributes = await parseAttributes(this.owner.element).catch((error: Error) => this.notifyMissing(error));
-      if (attributes) await this.followAttributes(attributes);
+      if (attributes) await this.applyAttributes(attributes);
     }
     this.isFollowing = false;
   }
 
-  private async followAttributes(after: ParsedAttributes): Promise<void> {
+  private async applyAttributes(after: ParsedAttributes): Promise<void> {
     const before = this.attributes;
     this.attributes = after;
-    if (after.isPaused !== before.isPaused) this.playback.follow(after.isPaused);
+    if (after.isPaused !== before.isPaused) this.playback.setLinkPaused(after.isPaused);
     this.notify(
       after.notices.filter(({ message }) => !before.notices.some((notified) => notified.message === message)),
     );

@@ -16,7 +16,7 @@ import type { EmitterOptions } from '../sim/emitterOptions.ts';
 import type { EmitterHandle } from '../three/emitters.ts';
 import type { SmokeHandle } from '../three/handle.ts';
 import type { CastOptions } from '../three/options.ts';
-import { give, placementIn, targetOf, useLatest, useStable, type PlacementProps, type Target } from './hooks.ts';
+import { assignRef, placementIn, targetOf, useLatest, useStable, type PlacementProps, type Target } from './hooks.ts';
 import { SmokeContext } from './smoke.ts';
 
 /** Props of all handles, besides their options. */
@@ -124,10 +124,10 @@ function useHandle<Kind extends SmokeHandle>(
       return report(error);
     }
     handle.current = made;
-    give(given, made);
+    assignRef(given, made);
     return () => {
       handle.current = undefined;
-      give(given, null);
+      assignRef(given, null);
       made.remove();
     };
   }, [smoke, live, object, latest, report, group, ...others]);

@@ -40,7 +40,7 @@ export function useStable<Options extends object>(options: Options): Options {
 }
 
 /** Sets a reference of any kind. */
-export function give<Kind>(ref: Ref<Kind> | undefined, value: Kind | null): void {
+export function assignRef<Kind>(ref: Ref<Kind> | undefined, value: Kind | null): void {
   if (typeof ref === 'function') ref(value);
   else if (ref) ref.current = value;
 }

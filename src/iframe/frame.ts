@@ -3,7 +3,7 @@ import { CartoonSmokeElement } from '../element/define.ts';
 import { answerPage, elementStage, originOf } from './answerPage.ts';
 import { LoadError } from '../preset/errors.ts';
 import { unpackBytes } from '../preset/packing.ts';
-import { takeWasmFrom } from '../sim/load.ts';
+import { setWasmSource } from '../sim/load.ts';
 
 /**
  * Defined by the build: the core WASM, deflated and base64url-encoded, and the URL of the script that contains the
@@ -40,7 +40,7 @@ function begin(smoke: CartoonSmokeElement): void {
  */
 function useBytesInside(): void {
   if (typeof CORE_WASM === 'undefined') return;
-  takeWasmFrom(async (physics) => {
+  setWasmSource(async (physics) => {
     const packed = physics ? await fetchPhysics(PHYSICS_SCRIPT) : CORE_WASM;
     return (await unpackBytes(packed, MAX_BYTES)).bytes;
   });

@@ -20,7 +20,7 @@ export function whenNear(element: Element, arrive: () => void): () => void {
 }
 
 /** Pauses while the page is hidden, and resumes only if the stage was playing. */
-export function restWhileHidden(stage: Stage): void {
+export function pauseWhileHidden(stage: Stage): void {
   let goesOn = false;
   document.addEventListener('visibilitychange', () => {
     if (document.hidden) {

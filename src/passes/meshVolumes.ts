@@ -88,7 +88,7 @@ export class MeshVolumesPass {
 
   draw(renderer: WebGLRenderer): void {
     if (this.casters.size === 0) return;
-    this.follow(this.eye.uniforms.lightInWorld.value);
+    this.updateCasters(this.eye.uniforms.lightInWorld.value);
     this.volumes.draw(renderer);
   }
 
@@ -98,11 +98,11 @@ export class MeshVolumesPass {
   }
 
   /** Writes the triangles again if a caster has turned in the light, or if one appeared or disappeared. */
-  private follow(light: Vector4): void {
+  private updateCasters(light: Vector4): void {
     let isStale = false;
     for (const [surface, caster] of this.casters) {
       const isVisible = this.transforms.isVisible(surface);
-      const hasMoved = isVisible && followLight(caster, this.transforms.worldFromModel(surface), light);
+      const hasMoved = isVisible && updateCaster(caster, this.transforms.worldFromModel(surface), light);
       isStale ||= hasMoved || caster.isVisible !== isVisible;
       caster.isVisible = isVisible;
     }
@@ -154,7 +154,7 @@ const stretch = new Matrix4();
  * Finds the faces of a caster that face the light.
  * @returns false if they are known: the light has not moved in the frame of the model
  */
-function followLight(caster: Caster, worldFromModel: Matrix4, { x, y, z, w }: Vector4): boolean {
+function updateCaster(caster: Caster, worldFromModel: Matrix4, { x, y, z, w }: Vector4): boolean {
   const { mesh, facesLight } = caster;
   const e = worldFromModel.elements;
   // A normal n of the model is M n in the world. Its product with a world direction d is that of n with M^T d. The

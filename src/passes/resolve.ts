@@ -69,13 +69,13 @@ export class ResolvePass {
   }
 
   /** Releases the render targets until the next draw. */
-  rest(): void {
+  releaseTargets(): void {
     for (const target of [this.chosen, this.marks]) target.dispose();
   }
 
   dispose(): void {
     for (const part of [this.tones, this.tiles, this.copy, this.edges]) part.dispose();
-    this.rest();
+    this.releaseTargets();
   }
 
   private drawPicture(

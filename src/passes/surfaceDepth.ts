@@ -18,7 +18,7 @@ export class SurfaceDepthPass {
   }
 
   /** Copies the depth if lines are drawn, and leaves the targets bound. */
-  take(renderer: WebGLRenderer, targets: Targets, isInked: boolean): SurfaceDepth | undefined {
+  copy(renderer: WebGLRenderer, targets: Targets, isInked: boolean): SurfaceDepth | undefined {
     return isInked && this.hasSurfaces ? { depth: targets.copyDepth(renderer), slack: 0 } : undefined;
   }
 }

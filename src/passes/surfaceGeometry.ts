@@ -46,7 +46,7 @@ export class SurfaceGeometry extends BufferGeometry {
   }
 
   /** Writes the triangles again if they were replaced, or if a surface has appeared or disappeared. */
-  follow(transforms: SurfaceTransforms): void {
+  cullBy(transforms: SurfaceTransforms): void {
     if (this.changes === transforms.changes) return;
     this.changes = transforms.changes;
     const { surfaces, firstVertices, indices } = this;

@@ -85,7 +85,7 @@ export class SurfacesPass {
 
   private get geometry(): SurfaceGeometry {
     const { geometry } = this.surfaces.mesh;
-    geometry.follow(this.transforms);
+    geometry.cullBy(this.transforms);
     return geometry;
   }
 

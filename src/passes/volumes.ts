@@ -48,7 +48,7 @@ export abstract class ParticleVolumes {
    * Selects the puff form and binds the current puffs, so that no volume darkens the lit part of its own puff.
    * @param litThreshold N . L from which a lit pixel differs from a shadowed one; below 0 if it differs for every N . L
    */
-  follow(form: PuffForm, litThreshold: number): void {
+  setForm(form: PuffForm, litThreshold: number): void {
     const { startCaps = null, latestCap, casterTable, reach, depth, spread } = this.puffs.of(form);
     const uniforms = this.form;
     uniforms.minCap.value = spread * minCapOf(litThreshold, latestCap);

@@ -313,7 +313,7 @@ export class Engine {
     const place = this.placement.rectangleOf(box);
     if (flowsAround(call.effect) && box.width > 0)
       Object.assign(changes, this.obstacles.take(call, place, this.placement.plane));
-    const tint = this.tints.take(each.color, changes);
+    const tint = this.tints.acquireTint(each.color, changes);
     return { ...each, place, tint, emissions: emissionsOf(call.effect, place, call) };
   }
 

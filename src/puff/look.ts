@@ -33,7 +33,7 @@ export class Tints {
    * The number of a colour's tint; 0 without a colour. A new colour takes the tint of the oldest one.
    * @param values receives the colour
    */
-  take(color: string | undefined, values: Record<string, Value>): number {
+  acquireTint(color: string | undefined, values: Record<string, Value>): number {
     if (color === undefined) return 0;
     const known = this.colors.indexOf(color);
     const tint = known >= 0 ? this.indices[known] : this.next();

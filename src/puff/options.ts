@@ -61,7 +61,7 @@ const CHOICES: Readonly<Record<string, readonly string[]>> = {
 const isColor = (color: unknown) => typeof color === 'string' && CSS.supports('color', color);
 
 /** @throws ParameterError for an unknown option or a value that is out of range */
-export function demandOptions(options: PuffOptions): void {
+export function requirePuffOptions(options: PuffOptions): void {
   if (typeof options !== 'object' || (options as unknown) === null)
     throw new ParameterError('options', options, `an object with ${OPTIONS.join(', ')}`);
   for (const [name, value] of Object.entries(options)) {

@@ -1,7 +1,7 @@
 /** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
 import { LoadError, ParameterError } from '../preset/errors.ts';
 import type { Engine } from './engine.ts';
-import { demandOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
+import { requirePuffOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
 import { sourceOf, type PuffTarget } from './target.ts';
 import { visibilityChange } from './visibility.ts';
 
@@ -66,7 +66,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
   };
 
   const play = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
-    demandOptions(options);
+    requirePuffOptions(options);
     if (!globalThis.document) return;
     const source = sourceOf(target);
     const { effect = 'poof', reducedMotion = 'skip' } = options;

@@ -28,7 +28,7 @@ export class Scrolling {
     this.calls.add(boxes);
     for (const box of boxes) {
       this.offsets.set(box, offsetOf(box));
-      scrollerOf(box).addEventListener('scroll', () => this.follow(box), { passive: true, signal: end.signal });
+      scrollerOf(box).addEventListener('scroll', () => this.watch(box), { passive: true, signal: end.signal });
     }
     return () => {
       end.abort();
@@ -36,7 +36,7 @@ export class Scrolling {
     };
   }
 
-  private follow(box: Element): void {
+  private watch(box: Element): void {
     const before = this.offsets.get(box)!;
     const now = offsetOf(box);
     this.offsets.set(box, now);

@@ -96,7 +96,7 @@ const LARGEST_REACH = 1.001;
  * @throws ShapeError for an invalid number of shapes or lobes, for lobes outside the unit ball, or for radii not above
  * 0
  */
-export function demandShapes(shapes: readonly PuffShape[]): void {
+export function requireShapes(shapes: readonly PuffShape[]): void {
   if (shapes.length < 1 || shapes.length > MAX_VARIATIONS) {
     throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: use 1 to ${MAX_VARIATIONS}.`);
   }

@@ -26,14 +26,14 @@ const MIN_LOBES = 5;
  * @throws RangeError if a knob or `lobes` is out of range
  */
 export function proceduralPuff(name: string, seed: number, knobs = CARTOON_KNOBS, lobes = 10): PuffShape {
-  demandRanges(knobs, lobes);
+  requireRanges(knobs, lobes);
   const next = randomNumbers(seed);
   const around = Array.from({ length: lobes - 1 }, (_, index) => outerLobe(index, lobes - 1, knobs, next));
   const main: Lobe = { center: [0, 0, 0], radius: 0.72 - 0.2 * knobs.lumpiness };
   return { name, lobes: inUnitBall([main, ...around]) };
 }
 
-function demandRanges(knobs: PuffKnobs, lobes: number): void {
+function requireRanges(knobs: PuffKnobs, lobes: number): void {
   for (const [knob, value] of Object.entries(knobs)) {
     if (!(value >= 0 && value <= 1)) throw new RangeError(`${knob} is ${value}: use a number from 0 to 1.`);
   }

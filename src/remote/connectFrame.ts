@@ -24,7 +24,7 @@ export async function connectFrame(iframe: HTMLIFrameElement, options: ConnectOp
   requireOptions('connectFrame', options, ['origin', 'signal']);
   const { origin = '*', signal } = options;
   signal?.throwIfAborted();
-  demandOrigin(origin);
+  requireOrigin(origin);
   const hearing = new AbortController();
   const tries: PortStage[] = [];
   const connect = () => {
@@ -42,7 +42,7 @@ export async function connectFrame(iframe: HTMLIFrameElement, options: ConnectOp
     };
     whenHeard(iframe, hearing.signal, () => fail('was reloaded'));
     whenRemoved(iframe, hearing.signal, () => fail('was removed'));
-    return stage.face;
+    return stage.stage;
   } catch (error) {
     for (const one of tries) one.abandon();
     hearing.abort();
@@ -54,7 +54,7 @@ export async function connectFrame(iframe: HTMLIFrameElement, options: ConnectOp
  * Checks the origin early: `postMessage` would throw later, in an event listener of the page.
  * @throws ParameterError for an origin that `postMessage` rejects
  */
-function demandOrigin(origin: string): void {
+function requireOrigin(origin: string): void {
   try {
     if (origin !== '*' && origin !== '/') new URL(origin);
   } catch {

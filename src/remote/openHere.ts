@@ -9,8 +9,8 @@ import { threadDevice } from './sharedDevice.ts';
 const FRAME_RATE = 60;
 
 /** @throws UnsupportedError when this thread cannot draw on an OffscreenCanvas */
-export function demandDrawing(): void {
-  const device = threadDevice.hold();
+export function requireDrawing(): void {
+  const device = threadDevice.acquire();
   if (!device) throw new UnsupportedError('This browser has no WebGL2 in workers.');
   threadDevice.release(device);
 }
@@ -25,7 +25,7 @@ export async function openHere(
   thread: Thread = 'main',
 ): Promise<RemoteStage> {
   signal?.throwIfAborted();
-  const device = threadDevice.hold();
+  const device = threadDevice.acquire();
   const release = () => device && threadDevice.release(device);
   const stage = await createStage(canvas, { frameRate: FRAME_RATE, ...options, device }).catch((error) => {
     release();

@@ -29,7 +29,7 @@ export async function enterWorker(): Promise<WorkerSlot> {
       stage?.fail(error);
     },
   };
-  const worker = await pageWorker.hold(holder);
+  const worker = await pageWorker.acquire(holder);
   const leave = (graceMs?: number) => pageWorker.release(holder, graceMs);
   return {
     leave: () => leave(),
@@ -42,20 +42,20 @@ export async function enterWorker(): Promise<WorkerSlot> {
       const request: OpenRequest = { canvas: moved, options: { ...options, values }, assets: assetUrls(), port: port2 };
       worker.postMessage(request, [moved, port2]);
       await unlessAborted(stage, signal);
-      return stage.face;
+      return stage.stage;
     },
   };
 }
 
 /** Waits until the stage is open. Disposes it when opening fails or is aborted. */
 export async function unlessAborted(stage: PortStage, signal: AbortSignal | undefined): Promise<void> {
-  const stop = () => void stage.face.dispose();
+  const stop = () => void stage.stage.dispose();
   signal?.addEventListener('abort', stop);
   try {
     signal?.throwIfAborted();
     await stage.opened;
   } catch (error) {
-    await stage.face.dispose();
+    await stage.stage.dispose();
     throw signal?.aborted ? signal.reason : error;
   } finally {
     signal?.removeEventListener('abort', stop);

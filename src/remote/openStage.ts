@@ -26,7 +26,7 @@ export async function openStage(
     signal?.throwIfAborted();
     const canvas = makeCanvas();
     try {
-      return following(canvas, await place.open(canvas, options));
+      return pausedOffscreen(canvas, await place.open(canvas, options));
     } catch (error) {
       if (thread === 'worker' || !(error instanceof UnsupportedError || error instanceof ContextError)) throw error;
     }
@@ -35,7 +35,7 @@ export async function openStage(
   const { openHere } = await fetched('The smoke', import('./openHere.ts'));
   signal?.throwIfAborted();
   const canvas = makeCanvas();
-  return following(canvas, await openHere(canvas, options));
+  return pausedOffscreen(canvas, await openHere(canvas, options));
 }
 
 /** @throws when a worker is required and unavailable */
@@ -51,8 +51,8 @@ async function slotInWorker(thread: 'auto' | 'worker'): Promise<WorkerSlot | und
 }
 
 /** Wraps a stage so that it does not draw while its canvas is not visible. */
-function following(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
-  const stopFollowing = followSight(canvas, stage);
+function pausedOffscreen(canvas: HTMLCanvasElement, stage: RemoteStage): RemoteStage {
+  const stopFollowing = watchVisibility(canvas, stage);
   return {
     ...stage,
     dispose() {
@@ -69,7 +69,7 @@ const MARGIN = '64px';
  * Tracks whether the canvas is in the viewport and its page is visible. A paused stage stays paused.
  * @returns a function that stops the tracking
  */
-function followSight(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
+function watchVisibility(canvas: HTMLCanvasElement, stage: Pick<RemoteStage, 'setVisible'>): () => void {
   const page = canvas.ownerDocument;
   let isNear = true;
   let notified = true;

@@ -24,7 +24,7 @@ class PageWorker {
   private worker: Worker | undefined;
   private holders = new Set<Holder>();
   private deaths = 0;
-  private farewell: ReturnType<typeof setTimeout> | undefined;
+  private shutdownTimer: ReturnType<typeof setTimeout> | undefined;
   private failure: Error | undefined;
   private stopWatching: (() => void) | undefined;
 
@@ -33,9 +33,9 @@ class PageWorker {
    * started again.
    * @throws the reason why no worker is available
    */
-  async hold(holder: Holder): Promise<Worker> {
+  async acquire(holder: Holder): Promise<Worker> {
     if (this.failure) throw this.failure;
-    clearTimeout(this.farewell);
+    clearTimeout(this.shutdownTimer);
     this.holders.add(holder);
     this.starting ??= this.start();
     try {
@@ -49,7 +49,7 @@ class PageWorker {
 
   release(holder: Holder, graceMs = GRACE_MS): void {
     if (this.holders.delete(holder) && this.holders.size === 0) {
-      this.farewell = setTimeout(() => this.end(), graceMs);
+      this.shutdownTimer = setTimeout(() => this.end(), graceMs);
     }
   }
 

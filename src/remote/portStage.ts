@@ -18,7 +18,7 @@ const ended = () => new SimulatorError('This stage was disposed; create a new on
 export class PortStage {
   /** Resolves when the stage is open; rejects with the error that prevented it. */
   readonly opened: Promise<void>;
-  readonly face: RemoteStage;
+  readonly stage: RemoteStage;
   private readonly port: MessagePort;
   private readonly release: () => void;
   private readonly onProgress: ((progress: LoadProgress) => void) | undefined;
@@ -43,8 +43,8 @@ export class PortStage {
     });
     // Avoids an unhandled rejection when `opened` is not awaited.
     this.opened.catch(() => undefined);
-    this.face = this.makeFace(thread);
-    port.onmessage = ({ data }) => this.take(data);
+    this.stage = this.makeFace(thread);
+    port.onmessage = ({ data }) => this.receive(data);
   }
 
   /** The other side is gone: rejects pending and later calls and notifies the error listeners. */
@@ -85,7 +85,7 @@ export class PortStage {
     });
   }
 
-  private take(message: unknown): void {
+  private receive(message: unknown): void {
     const reply = readReply(message, (id) => (id === OPENING ? 'listen' : this.waiting.get(id)?.method));
     if (reply) {
       const isWaitedFor = this.waiting.has(reply.id);

@@ -13,15 +13,15 @@ const GRACE_MS = 2_000;
 export class SharedDevice {
   private device: Device | undefined;
   private readonly holders = new Map<Device, number>();
-  private farewell: ReturnType<typeof setTimeout> | undefined;
+  private shutdownTimer: ReturnType<typeof setTimeout> | undefined;
 
   /**
    * Returns the device. It must be released once for each call.
    * @returns undefined if the browser cannot draw on an OffscreenCanvas: each stage then needs its own device
    */
-  hold(): Device | undefined {
-    clearTimeout(this.farewell);
-    this.leaveDead();
+  acquire(): Device | undefined {
+    clearTimeout(this.shutdownTimer);
+    this.dropLostDevice();
     this.device ??= createOffPage();
     if (this.device) this.holders.set(this.device, this.countOf(this.device) + 1);
     return this.device;
@@ -31,12 +31,12 @@ export class SharedDevice {
     const left = this.countOf(device) - 1;
     if (left > 0) return void this.holders.set(device, left);
     this.holders.delete(device);
-    if (device === this.device) this.farewell = setTimeout(() => this.end(), GRACE_MS);
+    if (device === this.device) this.shutdownTimer = setTimeout(() => this.end(), GRACE_MS);
     else device.dispose();
   }
 
   /** Drops a device that new stages cannot use. */
-  private leaveDead(): void {
+  private dropLostDevice(): void {
     const { device } = this;
     if (!device) return;
     if (this.countOf(device) === 0 && !device.isUsable) this.end();

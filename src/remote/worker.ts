@@ -2,7 +2,7 @@
 import { setAssetUrls, type AssetUrls } from '../preset/assetUrls.ts';
 import type { RemoteStageOptions } from './contract.ts';
 import { BEAT, beatWhile } from './heartbeat.ts';
-import { demandDrawing, openHere } from './openHere.ts';
+import { requireDrawing, openHere } from './openHere.ts';
 import { packError } from './packedErrors.ts';
 import { OPENING, notificationOf } from './protocol.ts';
 import { serveStage } from './serveStage.ts';
@@ -45,7 +45,7 @@ async function open({ canvas, options, assets, port }: OpenRequest): Promise<voi
 
 function greet(): void {
   try {
-    demandDrawing();
+    requireDrawing();
     worker.postMessage({ greeting: true });
   } catch (error) {
     worker.postMessage({ greeting: true, error: packError(error) });

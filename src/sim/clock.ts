@@ -22,7 +22,7 @@ export class Clock {
   }
 
   /** Whether the clock is paused. No time elapses until the next tick. */
-  get isResting(): boolean {
+  get isPaused(): boolean {
     return this.last === undefined;
   }
 
@@ -40,13 +40,13 @@ export class Clock {
   }
 
   /** Pauses the clock. The time until the next tick is not counted. */
-  rest(): void {
+  pause(): void {
     this.last = undefined;
   }
 
   /** Pauses the clock and sets `blend`. The default is the latest step. */
   settle(blend = 1): void {
-    this.rest();
+    this.pause();
     this.owed = blend;
   }
 }

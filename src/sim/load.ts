@@ -66,7 +66,7 @@ export type WasmSource = (physics: boolean) => Promise<BufferSource>;
 let wasmSource: WasmSource | undefined;
 
 /** Overrides where this page gets its WASM from. Applies to loads that start after the call. */
-export function takeWasmFrom(source: WasmSource): void {
+export function setWasmSource(source: WasmSource): void {
   wasmSource = source;
 }
 
@@ -198,14 +198,14 @@ async function compileAnswer(response: Response, report: Listener): Promise<WebA
   if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`.trim());
   if (response.headers.get('content-type')?.startsWith('text/html')) throw new Error(HTML);
   // The compiler reports an interrupted download.
-  follow(response.clone(), report).catch(() => undefined);
+  reportProgress(response.clone(), report).catch(() => undefined);
   if (response.headers.get('content-type')?.startsWith('application/wasm')) {
     return WebAssembly.compileStreaming(response);
   }
   return WebAssembly.compile(await response.arrayBuffer());
 }
 
-async function follow({ body, headers }: Response, report: Listener): Promise<void> {
+async function reportProgress({ body, headers }: Response, report: Listener): Promise<void> {
   if (body === null) return;
   const stated = Number(headers.get('content-length')) || undefined;
   let loaded = 0;

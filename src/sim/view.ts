@@ -33,7 +33,7 @@ export interface View {
 }
 
 /** A view that returns all live particles, without culling. */
-export const ALL_THAT_LIVES: Omit<View, 'blend'> = {
+export const ALL_PARTICLES: Omit<View, 'blend'> = {
   purpose: 'eye',
   cull: false,
   pad: 0,

@@ -27,14 +27,14 @@ export function countVolumes(passes: SmokePasses, style: Style, casters: RowGeom
     extras.countedVolumes!.draw(renderer, casters);
     return;
   }
-  const tiled = !isFlat && isAmong(passes.eye, passes.bodies.places) ? extras.tiledVolumes : undefined;
-  tiled?.follow(style.form, litThresholdOf(style));
+  const tiled = !isFlat && isCameraClose(passes.eye, passes.bodies.places) ? extras.tiledVolumes : undefined;
+  tiled?.setForm(style.form, litThresholdOf(style));
   if (tiled) tiled.drawTiles(renderer, casters, targets, limit);
   else passes.volumes.draw(renderer, casters, targets.copyDepth(renderer), limit);
 }
 
 /** Whether the nearest puff is close. @param places x, y, z and radius of the visible puffs, near to far */
-function isAmong({ uniforms }: FrameView, [x, y, z, radius]: Float32Array): boolean {
+function isCameraClose({ uniforms }: FrameView, [x, y, z, radius]: Float32Array): boolean {
   const e = uniforms.viewFromWorld.value.elements;
   return e[2] * x + e[6] * y + e[10] * z + e[14] > -CLOSE * radius;
 }

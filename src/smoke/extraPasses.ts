@@ -122,7 +122,7 @@ interface Sources {
   readonly ramps: RampTexture;
 }
 
-type PassName = Exclude<keyof FrameExtras, 'billboardsOf' | 'rest' | 'dispose'>;
+type PassName = Exclude<keyof FrameExtras, 'billboardsOf' | 'releaseTargets' | 'dispose'>;
 
 /** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
@@ -166,9 +166,9 @@ export class ExtraPasses implements FrameExtras {
   }
 
   /** Releases render targets until the next frame. */
-  rest(): void {
-    this.made.simplify?.rest();
-    this.made.strokes?.rest();
+  releaseTargets(): void {
+    this.made.simplify?.releaseTargets();
+    this.made.strokes?.releaseTargets();
   }
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */

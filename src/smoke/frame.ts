@@ -2,7 +2,7 @@ import { Vector3, type Texture } from 'three';
 import type { ChooseTones } from '../passes/resolve.ts';
 import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
 import type { PuffRows } from '../rows/puffRows.ts';
-import { ALL_THAT_LIVES } from '../sim/view.ts';
+import { ALL_PARTICLES } from '../sim/view.ts';
 import { countVolumes, limitOf } from './countVolumes.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
@@ -40,7 +40,7 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
   passes.scene?.surfaces.draw(renderer, targets);
   passes.scene?.creases.draw(renderer);
-  const surfaceDepth = passes.surfaceDepth.take(renderer, targets, style.outlines);
+  const surfaceDepth = passes.surfaceDepth.copy(renderer, targets, style.outlines);
   if (style.renderer === 'selle') passes.extras.selle!.draw(renderer, targets, arranged.bodies, style, input.output);
   else if (view) passes.extras.debugViews!.draw(passes, input, arranged, surfaceDepth);
   else drawSmoke(passes, input, arranged, surfaceDepth);
@@ -89,7 +89,7 @@ function simplifying(
   { simulator, blend, style }: FrameInput,
   shading: Texture,
 ): ChooseTones {
-  const all = style.plumeForm > 0 ? simulator.arrange({ ...ALL_THAT_LIVES, blend }).rows : undefined;
+  const all = style.plumeForm > 0 ? simulator.arrange({ ...ALL_PARTICLES, blend }).rows : undefined;
   return (output) => extras.simplify!.draw(renderer, targets, shading, output, all);
 }
 
@@ -122,7 +122,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   const throwsShadow = style.shadows && style.renderer === 'nailboards';
   if (throwsShadow) {
     const { rows } = simulator.arrange(lightView(sources, input, receivers, travel));
-    input.others?.take(rows);
+    input.others?.captureCasters(rows);
     const { reach } = sources.extents;
     const shown = { bodies: bodies.places, reach: shownWithin(reach, eye), boxes: input.others ? [] : sources.boxes };
     casters.fill(rows, passes.findShadowEnds(rows, reach, shown, travel, eye.lamp));

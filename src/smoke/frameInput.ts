@@ -52,7 +52,7 @@ export interface OtherReceivers {
   /** World-space boxes that contain them. */
   readonly boxes: readonly Box3[];
   /** Receives all casters, valid until the next call of arrange. */
-  take(casters: Rows): void;
+  captureCasters(casters: Rows): void;
 }
 
 /** Statistics of a frame. */

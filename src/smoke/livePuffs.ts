@@ -37,7 +37,7 @@ export class LivePuffs {
    * variation.
    * @param alive number of variations that live particles may have
    */
-  follow(values: Values, alive = 0): void {
+  requestPuffs(values: Values, alive = 0): void {
     this.variations = Math.max(this.variations, alive);
     this.wanted = this.requestOf(values);
   }
@@ -45,19 +45,19 @@ export class LivePuffs {
   /** Requests custom shapes, or again the puffs that values describe if `own` is undefined. */
   use(own: readonly PuffShape[] | undefined, values: Values): void {
     this.own = own;
-    this.follow(values);
+    this.requestPuffs(values);
   }
 
   /** Bakes for a number of milliseconds. Returns the new puffs when they are ready. */
   workFor(milliseconds: number): BakedPuffs | undefined {
     if (!this.begin()) return undefined;
-    return this.taken(workedFor(this.baking!.work, milliseconds));
+    return this.adopted(workedFor(this.baking!.work, milliseconds));
   }
 
   /** Completes the last request synchronously. Returns the new puffs, or undefined if they are already in use. */
   finish(): BakedPuffs | undefined {
     if (this.baking?.key !== this.wanted.key) this.baking = undefined;
-    return this.begin() ? this.taken(finished(this.baking!.work)) : undefined;
+    return this.begin() ? this.adopted(finished(this.baking!.work)) : undefined;
   }
 
   /** Starts a bake if one is requested. Returns whether there is work to do. */
@@ -67,7 +67,7 @@ export class LivePuffs {
     return this.baking !== undefined;
   }
 
-  private taken(puffs: BakedPuffs | undefined): BakedPuffs | undefined {
+  private adopted(puffs: BakedPuffs | undefined): BakedPuffs | undefined {
     if (!puffs) return undefined;
     this.currentKey = this.baking!.key;
     this.baking = undefined;

@@ -40,13 +40,13 @@ export class ShownSmoke {
     const before = capacityOf(this.values);
     this.values = values;
     this.style = this.styleIn(values);
-    this.puffs.follow(values);
+    this.puffs.requestPuffs(values);
     if (capacityOf(values) !== before) this.renew();
   }
 
   /** Provides at least as many variations as restored particles use. */
   keepVariations(alive: number): void {
-    this.puffs.follow(this.values, alive);
+    this.puffs.requestPuffs(this.values, alive);
   }
 
   /** Custom shapes, if set. */

@@ -119,10 +119,10 @@ export class SmokeRenderer {
   }
 
   /** Releases the render targets until the next frame. */
-  rest(): void {
+  releaseTargets(): void {
     this.passes.targets.dispose();
-    this.passes.resolve.rest();
-    this.passes.extras.rest();
+    this.passes.resolve.releaseTargets();
+    this.passes.extras.releaseTargets();
   }
 
   /** Releases all resources on the device, but not the device. */
@@ -159,12 +159,12 @@ export class SmokeRenderer {
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
     body.setForm(extras.billboardsOf(style.form), isSimplified(style));
-    extras.simplify?.follow(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    extras.simplify?.setUniforms(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
-    strokes?.follow(style.strokes, pixelRatio);
+    strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
-    volumes.follow(style.form, litThresholdOf(style));
-    extras.countedVolumes?.follow(style.form, litThresholdOf(style));
+    volumes.setForm(style.form, litThresholdOf(style));
+    extras.countedVolumes?.setForm(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     this.style = style;
     this.pixelRatio = pixelRatio;

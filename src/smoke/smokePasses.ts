@@ -74,7 +74,7 @@ export interface FrameExtras {
   readonly tiledVolumes: TiledVolumesPass | undefined;
   /** The shaders of a puff form; undefined for lobes. */
   billboardsOf(form: PuffForm): Shaders | undefined;
-  rest(): void;
+  releaseTargets(): void;
   dispose(): void;
 }
 

@@ -77,7 +77,7 @@ export class Drag implements Mover {
   /**
    * Follows the pointer that grabbed the rigid, in the plane through the grabbed point that is parallel to the picture.
    */
-  follow(pointer: number, at: Vector2, camera: Camera): boolean {
+  movePointer(pointer: number, at: Vector2, camera: Camera): boolean {
     if (pointer !== this.pointer) return false;
     this.aim(at, camera);
     const hit = this.ray.intersectPlane(this.plane, new Vector3());

@@ -78,19 +78,19 @@ export class FrameLoop {
   }
 
   /** Resets the governor's measurement after the picture size changes. */
-  restGovernor(): void {
-    this.governor.rest();
+  pauseGovernor(): void {
+    this.governor.pause();
   }
 
   private begin(): void {
-    this.clock.rest();
-    this.governor.rest();
+    this.clock.pause();
+    this.governor.pause();
     this.request = requestAnimationFrame(this.tick);
   }
 
   private end(): void {
     cancelAnimationFrame(this.request);
-    this.clock.rest();
+    this.clock.pause();
   }
 
   private isDue(now: number): boolean {
@@ -103,9 +103,9 @@ export class FrameLoop {
     if (!this.isRunning || !this.hasViewers) return;
     this.request = requestAnimationFrame(this.tick);
     if (this.tasks.isBehind || !this.isDue(now)) return;
-    if (this.isHeld) return this.governor.rest();
+    if (this.isHeld) return this.governor.pause();
     this.governor.tick(now);
-    const isFirst = this.clock.isResting;
+    const isFirst = this.clock.isPaused;
     const steps = this.clock.tick(now);
     // No time has passed since playback started. The picture is up to date, and drawing it again would delay the next
     // one.

@@ -31,7 +31,7 @@ export class Gestures {
     const { camera } = this.picture.eye;
     if (type === 'down') return drag.grab(id, at, camera) ? 'rigid' : null;
     if (type !== 'move') return drag.release(id) ? 'rigid' : null;
-    if (!drag.follow(id, at, camera)) return null;
+    if (!drag.movePointer(id, at, camera)) return null;
     this.onMove();
     return 'rigid';
   }

@@ -72,7 +72,7 @@ export class Governor {
   }
 
   /** Discards the measurement when frames pause or change size. The scale is kept. */
-  rest(): void {
+  pause(): void {
     this.last = undefined;
     this.warmUpMs = 0;
     this.warmUpFrames = 0;

@@ -29,7 +29,7 @@ export class OrbitCamera {
   /** @param values whose `camera.*` entries override the scene's camera */
   constructor(shot: Shot, values: Values = {}) {
     this.shot = shot;
-    this.hold(values);
+    this.override(values);
   }
 
   /** The target of the camera. */
@@ -64,7 +64,7 @@ export class OrbitCamera {
   }
 
   /** Applies the `camera.*` entries of these values. Omitted ones follow the scene again. */
-  hold(values: AnyValues): void {
+  override(values: AnyValues): void {
     const given = rows.flatMap(({ key }) => (values[key] === undefined ? [] : [[key, values[key]] as const]));
     this.values = Object.fromEntries(given);
     this.settle();
@@ -73,7 +73,7 @@ export class OrbitCamera {
   /** Rotates about the target, radians. */
   orbit(azimuth: number, elevation: number): void {
     const { theta, phi } = this.place;
-    this.take({
+    this.adopt({
       'camera.azimuth': wrapped(MathUtils.radToDeg(theta + azimuth)),
       'camera.elevation': 90 - MathUtils.radToDeg(phi - elevation),
     });
@@ -81,7 +81,7 @@ export class OrbitCamera {
 
   /** A factor above 1 moves the camera closer. */
   zoom(factor: number): void {
-    this.take({ 'camera.distance': this.place.radius / factor });
+    this.adopt({ 'camera.distance': this.place.radius / factor });
   }
 
   /** Moves the target parallel to the picture, in pixels; the height of the view in pixels sets the scale. */
@@ -89,7 +89,7 @@ export class OrbitCamera {
     const metres = this.metresPerPixel(heightInPixels);
     const right = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 0);
     const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
-    this.take(targetValues(this.centre.addScaledVector(right, -x * metres).addScaledVector(up, y * metres)));
+    this.adopt(targetValues(this.centre.addScaledVector(right, -x * metres).addScaledVector(up, y * metres)));
   }
 
   /** Metres that a pixel spans at the target, in a picture of this height. */
@@ -98,7 +98,7 @@ export class OrbitCamera {
   }
 
   /** Follows the scene's camera movement to a simulated time, except for overridden parameters. */
-  follow(seconds: number): void {
+  moveTo(seconds: number): void {
     if (seconds === this.seconds) return;
     this.seconds = seconds;
     if (this.shot.cameraMove) this.settle();
@@ -117,7 +117,7 @@ export class OrbitCamera {
     return { ...pose, distance: this.height / pose.pixelsPerMetre / (2 * Math.tan(pose.fieldOfView / 2)) };
   }
 
-  private take(values: Record<string, number>): void {
+  private adopt(values: Record<string, number>): void {
     const taken = rounded(values);
     requireFinite(taken);
     this.values = { ...this.values, ...taken };
@@ -139,21 +139,25 @@ export class OrbitCamera {
   private settle(): void {
     const { target, azimuth, elevation, distance } = this.scenes();
     const { x, y, z } = target;
-    this.target.set(this.taken('target.x') ?? x, this.taken('target.y') ?? y, this.taken('target.z') ?? z);
+    this.target.set(
+      this.overriddenValue('target.x') ?? x,
+      this.overriddenValue('target.y') ?? y,
+      this.overriddenValue('target.z') ?? z,
+    );
     this.place.set(
-      this.taken('distance') ?? distance,
-      Math.PI / 2 - (this.takenAngle('elevation') ?? elevation),
-      this.takenAngle('azimuth') ?? azimuth,
+      this.overriddenValue('distance') ?? distance,
+      Math.PI / 2 - (this.overriddenAngle('elevation') ?? elevation),
+      this.overriddenAngle('azimuth') ?? azimuth,
     );
     this.apply();
   }
 
-  private taken(name: string): number | undefined {
+  private overriddenValue(name: string): number | undefined {
     return this.values[`camera.${name}`] as number | undefined;
   }
 
-  private takenAngle(name: string): number | undefined {
-    const degrees = this.taken(name);
+  private overriddenAngle(name: string): number | undefined {
+    const degrees = this.overriddenValue(name);
     return degrees === undefined ? undefined : MathUtils.degToRad(degrees);
   }
 

@@ -149,9 +149,9 @@ export class Picture {
   }
 
   /** Applies new values. */
-  follow(values: Values): void {
+  setValues(values: Values): void {
     this.smoke.follow(values);
-    this.eye.hold(values);
+    this.eye.override(values);
   }
 
   /** Switches to another scene. */
@@ -179,7 +179,7 @@ export class Picture {
     const end = this.timer?.begin();
     try {
       this.smoke.bake(moment.isPlaying ? BAKING_MS : Infinity);
-      this.eye.follow(secondsAt(moment.simulator.steps, moment.blend));
+      this.eye.moveTo(secondsAt(moment.simulator.steps, moment.blend));
       const started = performance.now();
       const canvas = { width: this.width, height: this.height };
       const drawn = scaled(canvas, moment.scale);

@@ -97,7 +97,7 @@ export class RunningScene implements FrameTasks {
   advance(steps: number): void {
     if (steps > 0) this.gestures.settle();
     this.simulation.advance(steps, this.options.onStep);
-    this.values.followLog();
+    this.values.applyLog();
   }
 
   /** See `Stage.advance`. */
@@ -194,7 +194,7 @@ export class RunningScene implements FrameTasks {
    */
   showJump(values?: Values): void {
     if (values) this.values.follow(values);
-    else this.values.followLog();
+    else this.values.applyLog();
     this.picture.smoke.keepVariations(this.simulation.simulator.variationsAlive);
     this.showLatest();
   }
@@ -224,7 +224,7 @@ export class RunningScene implements FrameTasks {
    */
   set isSeen(isSeen: boolean) {
     this.loop.isSeen = isSeen;
-    if (!isSeen) this.picture.smoke.renderer.rest();
+    if (!isSeen) this.picture.smoke.renderer.releaseTargets();
     if (isSeen && this.isStale && !this.loop.isPlaying) this.draw();
   }
 
@@ -232,7 +232,7 @@ export class RunningScene implements FrameTasks {
   resize(width: number, height: number, pixelRatio?: number): void {
     requireFinite({ width, height, pixelRatio: pixelRatio ?? 1 });
     if (!this.picture.resize(width, height, pixelRatio)) return;
-    this.loop.restGovernor();
+    this.loop.pauseGovernor();
     this.draw();
   }
 

@@ -5,7 +5,7 @@ import { SimulatorError } from '../preset/errors.ts';
 import { runOnSelf } from '../preset/onSelf.ts';
 import type { Values } from '../preset/parameter.ts';
 import { requireFinite, requireWhole } from '../preset/values.ts';
-import { demandShapes } from '../puffs/lobes.ts';
+import { requireShapes } from '../puffs/lobes.ts';
 import type { PuffShape } from '../puffs/shapes.ts';
 import { STEP_SECONDS } from '../sim/clock.ts';
 import { changeNumbers, emissionNumbers, type EmissionChange, type EmissionOptions } from '../sim/emitterOptions.ts';
@@ -224,7 +224,7 @@ export class Stage {
    */
   setPuffs(shapes?: readonly PuffShape[]): void {
     const { smoke } = this.running.picture;
-    if (shapes) demandShapes(shapes);
+    if (shapes) requireShapes(shapes);
     this.#running.show(() => smoke.usePuffs(shapes));
   }
 

@@ -55,12 +55,12 @@ export class StageValues {
   /** Applies values that the simulator already has. */
   follow(values: Values): void {
     this.now = values;
-    this.followers.picture.follow(values);
+    this.followers.picture.setValues(values);
     this.followers.announce();
   }
 
   /** Applies values that the log of a take changed since the last call. */
-  followLog(): void {
+  applyLog(): void {
     const { simulation } = this.followers;
     if (simulation.hasFollowed()) this.follow(simulation.valuesIn(this.now));
   }

@@ -43,7 +43,7 @@ export class Attachment extends Handle {
   protected override follow(): void {
     const { riders } = this.context;
     this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
-    riders.follow(this.rider!, pose);
+    riders.move(this.rider!, pose);
   }
 
   protected stop(): void {

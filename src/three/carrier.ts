@@ -55,8 +55,8 @@ export class Carrier {
     const { simulator, riders, overrides, frame, values } = this.context;
     // Until it moved, the object was at the origin.
     this.rider ??= riders.add(newPose());
-    riders.follow(this.rider, frame.object);
-    if (isFirst) riders.follow(this.rider, frame.object);
+    riders.move(this.rider, frame.object);
+    if (isFirst) riders.move(this.rider, frame.object);
     const items = new Set(Object.keys(values()).flatMap((key) => /^\w+\.\d+(?=\.)/.exec(key) ?? []));
     const numbers: Record<string, number> = {};
     for (const item of items) {

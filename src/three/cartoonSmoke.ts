@@ -333,7 +333,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Restarts from the first step with the current values. Handles stay and act from where their objects are. */
   restart(): void {
     this.requireAlive();
-    this.takeState(this.start);
+    this.restoreState(this.start);
     this.useValues(this.shown.values);
   }
 
@@ -360,7 +360,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    */
   restore(bytes: Uint8Array): void {
     this.requireAlive();
-    this.takeState(bytes);
+    this.restoreState(bytes);
     this.useValues(valuesIn(this.simulator, this.shown.values, {}));
     this.shown.keepVariations(this.simulator.variationsAlive);
   }
@@ -426,7 +426,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   }
 
   /** Puts the simulator into a state without handles. */
-  private takeState(bytes: Uint8Array): void {
+  private restoreState(bytes: Uint8Array): void {
     const { simulator, hasPhysics } = this;
     const before = simulator.save();
     // The handles end in the state that has what they own, after the new one has proved valid.

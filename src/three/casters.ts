@@ -15,7 +15,7 @@ import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
 import { ParameterError } from '../preset/errors.ts';
 import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
 import { toSmoke, type SmokeFrame } from './frame.ts';
-import { ballsOf, follow, type ProxyBall } from './proxies.ts';
+import { ballsOf, worldBall, type ProxyBall } from './proxies.ts';
 import { newPose, poseOf, partsOf, scaleOf, trianglesOf } from './shapes.ts';
 import { isBlended, materialsOf } from './materials.ts';
 
@@ -59,7 +59,7 @@ export class HostCasters {
    */
   add(object: Object3D, proxies: readonly ProxyBall[] | undefined): HostCaster[] {
     object.updateWorldMatrix(true, true);
-    if (proxies) return [this.balls.add(proxies.map(follow), object)];
+    if (proxies) return [this.balls.add(proxies.map(worldBall), object)];
     const meshes: Mesh[] = [];
     object.traverse((part) => ('isMesh' in part ? meshes.push(part as Mesh) : undefined));
     if (meshes.length === 0)

@@ -6,7 +6,7 @@ import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
 import type { Simulator } from '../sim/simulator.ts';
 import type { SmokeFrame } from './frame.ts';
 import { Handle } from './handle.ts';
-import { boneBalls, follow, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
+import { boneBalls, worldBall, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
 import { meshesIn, newPose, partsOf, poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Options for collisions with an object. */
@@ -72,7 +72,7 @@ export class Collider extends Handle {
     object.updateWorldMatrix(true, true);
     this.scale = this.frame.now.scale;
     try {
-      if (proxies) for (const proxy of proxies) this.addBall(follow(proxy), proxy.follows, surface);
+      if (proxies) for (const proxy of proxies) this.addBall(worldBall(proxy), proxy.follows, surface);
       else for (const mesh of meshesIn(object)) this.addMesh(mesh, surface);
     } catch (error) {
       this.stop();
@@ -102,7 +102,7 @@ export class Collider extends Handle {
   private addMesh(mesh: Mesh, surface: RigidSurface): void {
     const parts = partsOf('collide', mesh);
     if ('isSkinnedMesh' in mesh) {
-      for (const proxy of boneBalls(mesh as SkinnedMesh)) this.addBall(follow(proxy), proxy.follows, surface);
+      for (const proxy of boneBalls(mesh as SkinnedMesh)) this.addBall(worldBall(proxy), proxy.follows, surface);
       return;
     }
     for (const { geometry, worldOf } of parts)

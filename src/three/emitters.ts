@@ -55,14 +55,14 @@ export class EmitterPool {
   }
 
   /** Index of a free emitter for the simulator. @throws ParameterError when all are taken */
-  take(): number {
+  acquire(): number {
     const slot = this.isTaken.indexOf(false);
     if (slot < 0) throw new ParameterError('emitFrom', OBJECT_SLOTS + 1, `at most ${OBJECT_SLOTS} objects at a time`);
     this.isTaken[slot] = true;
     return LIST_LIMIT + slot;
   }
 
-  giveBack(index: number): void {
+  release(index: number): void {
     this.isTaken[index - LIST_LIMIT] = false;
   }
 
@@ -98,7 +98,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
     this.own = options instanceof TableNumbers ? NOT_SET : emitterNumbers('emitFrom', options);
     this.requireSound(pool.riders.frame.toSmoke(worldPose(object, pose)));
     this.pool = pool;
-    this.index = pool.take();
+    this.index = pool.acquire();
   }
 
   set(values: EmitterOptions): void {
@@ -124,7 +124,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   protected override follow(): void {
     const { riders } = this.pool;
     this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
-    riders.follow(this.rider!, pose);
+    riders.move(this.rider!, pose);
     if (this.table && this.table.read() !== this.base) this.write();
   }
 
@@ -136,7 +136,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   }
 
   protected override release(): void {
-    this.pool.giveBack(this.index);
+    this.pool.release(this.index);
   }
 
   private write(): void {

@@ -115,7 +115,7 @@ export class SmokeFrame {
     if (isWorld(placement) && isFactored(camera)) return { camera, light, boxes, planes };
     const { position, rotation, scale } = placement;
     const world = new Matrix4().compose(position, rotation, new Vector3(scale, scale, scale));
-    const shown = this.camera.follow(camera, world, scale);
+    const shown = this.camera.copyHost(camera, world, scale);
     world.invert();
     return {
       camera: shown,

@@ -28,7 +28,7 @@ export class HostDepth {
    * @param origin lower left corner of the viewport of the smoke, pixels
    * @param size size of that viewport, pixels
    */
-  take(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isNeeded: boolean): CopiedDepth | undefined {
+  copyDepth(renderer: WebGLRenderer, origin: Vector2, size: Vector2, isNeeded: boolean): CopiedDepth | undefined {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     if (!isNeeded || !this.copyable.includesBound(gl)) return undefined;
     const slack = (gl.getParameter(gl.SAMPLES) as number) > 0 ? SLACK_OF_SAMPLES : 0;

@@ -41,9 +41,9 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
   const { eye, targets } = smoke.passes;
   const target = renderer.getRenderTarget();
   const hasStencil = hasStencilBuffer(target);
-  const own = hasStencil ? undefined : passes.ownStencil.take();
+  const own = hasStencil ? undefined : passes.ownStencil.loaded();
   const state = new RendererState(renderer);
-  state.hold();
+  state.beginInnerRenders();
   try {
     const { camera: straight, hosts, isMirrored } = straightened(asked.camera);
     const input = smoke.prepare({ ...asked, camera: straight, output: picture });
@@ -56,11 +56,11 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
         smoke.passes.extentsOf(style.form),
         smoke.passes.isFlat ? Infinity : smoke.passes.volumes.minCap,
       );
-    const arranged = arrangeFrame(smoke.passes, { ...input, others: { boxes, take } });
+    const arranged = arrangeFrame(smoke.passes, { ...input, others: { boxes, captureCasters: take } });
     const size = new Vector2(input.width, input.height);
     const origin = own ? new Vector2() : view.origin;
     own?.begin(renderer, scene, camera, size, target!.samples);
-    const surface = depth.take(
+    const surface = depth.copyDepth(
       renderer,
       origin,
       size,

@@ -82,7 +82,7 @@ const FILLING = 0.9;
 const MAX_GAPS = 7;
 
 /** Tracks a proxy in world space. */
-export function follow({ follows, center, radius }: ProxyBall): BallAt {
+export function worldBall({ follows, center, radius }: ProxyBall): BallAt {
   const ball = { center: new Vector3(), radius };
   return () => {
     if (center) ball.center.copy(center).applyMatrix4(follows.matrixWorld);
@@ -137,7 +137,7 @@ export function boneBalls(mesh: SkinnedMesh): ProxyBall[] {
 
 /** The proxy balls of a skinned or instanced mesh; empty for a rigid mesh. */
 export function ballsOf(mesh: Mesh): BallAt[] {
-  if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(follow);
+  if ('isSkinnedMesh' in mesh) return boneBalls(mesh as SkinnedMesh).map(worldBall);
   if ('isInstancedMesh' in mesh || 'isBatchedMesh' in mesh) return instanceBalls(mesh as InstancedMesh | BatchedMesh);
   return [];
 }

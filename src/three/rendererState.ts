@@ -33,7 +33,7 @@ export class RendererState {
   }
 
   /** Lets several render calls count as one frame, without updating the shadow maps. */
-  hold(): void {
+  beginInnerRenders(): void {
     const { renderer } = this;
     renderer.autoClear = false;
     renderer.info.autoReset = false;

@@ -43,7 +43,7 @@ export class Riders {
   }
 
   /** Makes the current pose of a rider the previous one. */
-  follow(rider: Rider, { position, rotation }: Pose): void {
+  move(rider: Rider, { position, rotation }: Pose): void {
     const { now, before } = rider;
     before.position.copy(this.frame.hasJumped ? position : now.position);
     before.rotation.copy(this.frame.hasJumped ? rotation : now.rotation);

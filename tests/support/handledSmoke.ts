@@ -1,7 +1,7 @@
 /** The handles of a smoke of src/three without a renderer. */
 import { Group, Scene, type Object3D } from 'three';
 import type { Values } from '../../src/preset/parameter.ts';
-import { ALL_THAT_LIVES } from '../../src/sim/view.ts';
+import { ALL_PARTICLES } from '../../src/sim/view.ts';
 import type { SimulatorFactory } from '../../src/sim/load.ts';
 import { PLACE_FLOATS } from '../../src/sim/layout.ts';
 import { simulatorValues } from '../../src/sim/simulatorValues.ts';
@@ -118,7 +118,7 @@ export class HandledSmoke {
 
   /** Centres of the living particles. */
   places(): number[][] {
-    const { count, place } = this.simulator.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
+    const { count, place } = this.simulator.arrange({ ...ALL_PARTICLES, blend: 1 }).rows;
     return Array.from({ length: count }, (_, row) =>
       Array.from(place.subarray(PLACE_FLOATS * row, PLACE_FLOATS * row + 3)),
     );

@@ -48,7 +48,7 @@ export class SettingsForm {
       row(labels.layers, this.layers),
     );
     this.element.append(this.fields, this.summary);
-    this.element.addEventListener('input', () => this.follow());
+    this.element.addEventListener('input', () => this.updateFields());
     this.measureWindow();
   }
 
@@ -59,7 +59,7 @@ export class SettingsForm {
   /** Updates the 'window' option with the current size. */
   measureWindow(): void {
     this.size.options[0].textContent = strings.capture.window(innerWidth, innerHeight);
-    this.follow();
+    this.updateFields();
   }
 
   settings(): CaptureSettings {
@@ -81,7 +81,7 @@ export class SettingsForm {
   }
 
   /** Shows the fields of the selected format, and a summary of the result. */
-  private follow(): void {
+  private updateFields(): void {
     const format = this.format.value as Format;
     const { isClip, hasAlpha } = FORMATS[format];
     show(this.scale, format !== 'svg');

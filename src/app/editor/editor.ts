@@ -49,7 +49,7 @@ export class Editor {
     this.surroundings = surroundings;
     this.seen = stage.get();
     this.history = new History<State>({ preset, values: this.seen });
-    stage.on('statechange', () => this.follow());
+    stage.on('statechange', () => this.updateAddress());
   }
 
   get state(): State {
@@ -138,7 +138,7 @@ export class Editor {
    * Adopts what changed on the stage, and keeps the edits that it lacks. Until it has entered the scene of the present
    * state, its values are those of another one.
    */
-  private follow(): void {
+  private updateAddress(): void {
     const values = this.stage.get();
     if (this.delivery && values.scene !== this.state.values.scene) return;
     const edits = differences(this.seen, this.state.values);
@@ -155,15 +155,15 @@ export class Editor {
   private async deliver(): Promise<void> {
     await this.surroundings.nextFrame();
     const { values } = this.state;
-    const isTaken = await this.give(values);
+    const isTaken = await this.applyToStage(values);
     this.delivery = undefined;
-    if (isTaken) this.follow();
+    if (isTaken) this.updateAddress();
     else this.adopt((this.seen = this.stage.get()));
     if (!isEmpty(differences(this.seen, this.state.values))) this.delivery = this.deliver();
   }
 
   /** @returns whether the stage took the values. It does not if it rejects them, or was sent to another scene */
-  private async give(values: Values): Promise<boolean> {
+  private async applyToStage(values: Values): Promise<boolean> {
     const isNew = !isEmpty(differences(this.seen, values));
     this.seen = values;
     try {

@@ -22,14 +22,14 @@ export function createGallery(editor: Editor): HTMLElement {
   );
   const label = { class: 'gallery card', role: 'radiogroup', 'aria-label': strings.gallery.title };
   const element = create('div', label, createSurprise(editor), ...scenes);
-  followChoices(element, editor);
+  watchChoices(element, editor);
   let shown: string | undefined;
   const show = ({ preset }: State) => {
     if (preset === shown) return;
     shown = preset;
     for (const [name, input] of inputs) input.checked = name === preset;
     const card = inputs.get(preset)?.parentElement;
-    if (card) requestAnimationFrame(() => bringIntoSight(card, element));
+    if (card) requestAnimationFrame(() => scrollIntoStrip(card, element));
   };
   editor.listen(show);
   show(editor.state);
@@ -40,7 +40,7 @@ export function createGallery(editor: Editor): HTMLElement {
 const MARGIN = 14;
 
 /** Scrolls only the strip, unlike scrollIntoView, which also scrolls the page. */
-function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
+function scrollIntoStrip(card: HTMLElement, strip: HTMLElement): void {
   const [at, frame] = [card.getBoundingClientRect(), strip.getBoundingClientRect()];
   const way = (from: number, to: number, min: number, max: number) =>
     from < min + MARGIN ? from - min - MARGIN : Math.max(0, to + MARGIN - max);
@@ -48,7 +48,7 @@ function bringIntoSight(card: HTMLElement, strip: HTMLElement): void {
 }
 
 /** Makes each pointer press one undo step. Presets that are passed with the arrow keys share one step. */
-function followChoices(gallery: HTMLElement, editor: Editor): void {
+function watchChoices(gallery: HTMLElement, editor: Editor): void {
   let gesture: string | undefined;
   gallery.addEventListener('pointerdown', () => (gesture = undefined));
   gallery.addEventListener('keydown', () => (gesture = 'gallery'));

@@ -13,7 +13,7 @@ export class OwnShape {
   private readonly notices: Notices;
   private readonly container: HTMLElement;
   private readonly caption = create('p', { class: 'own-shape-name', role: 'status' });
-  private readonly back = textButton('quiet', strings.ownShape.back, () => this.giveUp());
+  private readonly back = textButton('quiet', strings.ownShape.back, () => this.cancelFit());
   private fitting: AbortController | undefined;
   private shown: string | undefined;
 
@@ -62,7 +62,7 @@ export class OwnShape {
     }
   }
 
-  private giveUp(): void {
+  private cancelFit(): void {
     this.stage.setPuffs();
     this.shown = undefined;
     this.notify();

@@ -34,7 +34,7 @@ export class DropThings {
   }
 
   /** Drops an object at the pointer, or above the middle when the pointer is not over the smoke. */
-  here(): void {
+  dropAtPointer(): void {
     if (this.pointer) this.stage.drop(this.pointer.x, this.pointer.y);
     else this.above();
   }

@@ -71,7 +71,7 @@ class RampEditor {
     this.drawing.append(this.gradient, colors, bar, hint, this.handles);
     this.element = create('div', { class: 'ramp-holder' }, this.drawing, this.tools);
     bar.addEventListener('pointerdown', (event) => this.add(event));
-    this.followPointer();
+    this.movePressedStop();
     this.colorInput.addEventListener('input', () => this.paint(this.colorInput.value));
     this.colorInput.addEventListener('change', () => listener.settle());
   }
@@ -115,7 +115,7 @@ class RampEditor {
     handle.addEventListener('focus', () => this.choose(index));
     handle.addEventListener('pointerdown', (event) => {
       this.choose(index);
-      this.hold(event);
+      this.capturePointer(event);
     });
     handle.addEventListener('keydown', (event) => this.press(event, index));
     handle.addEventListener('keyup', () => this.listener.settle());
@@ -147,7 +147,7 @@ class RampEditor {
     const { color } = this.stops[Math.max(0, this.chosen - 1)];
     const stops = this.stops.toSpliced(this.chosen, 0, { at, color });
     if (hasGaps(stops)) this.change(stops);
-    this.hold(event);
+    this.capturePointer(event);
   }
 
   private remove(): void {
@@ -168,12 +168,12 @@ class RampEditor {
     this.listener.change(writeRamp(stops));
   }
 
-  private hold({ pointerId }: PointerEvent): void {
+  private capturePointer({ pointerId }: PointerEvent): void {
     this.isHeld = true;
     this.drawing.setPointerCapture(pointerId);
   }
 
-  private followPointer(): void {
+  private movePressedStop(): void {
     this.drawing.addEventListener('pointermove', (event) => {
       if (this.isHeld) this.change(withPlace(this.stops, this.chosen, this.placeOf(event)));
     });

@@ -28,7 +28,7 @@ export class SheetGrip {
     element.addEventListener('pointercancel', (event) => this.release(event));
     element.addEventListener('keydown', (event) => this.press(event));
     element.addEventListener('click', ({ detail }) => this.toggle(detail === 0));
-    this.rest(false);
+    this.setFull(false);
   }
 
   private grab({ pointerId, clientY }: PointerEvent): void {
@@ -52,15 +52,15 @@ export class SheetGrip {
     this.sheet.style.removeProperty('height');
     if (!this.held.isMoved) this.held = undefined;
     else if (share < CLOSES_BELOW) this.closeAtHalf();
-    else this.rest(share > (RESTS.half + RESTS.full) / 2);
+    else this.setFull(share > (RESTS.half + RESTS.full) / 2);
   }
 
   private press(event: KeyboardEvent): void {
     if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
     event.preventDefault();
     event.stopPropagation();
-    if (event.key === 'ArrowUp') this.rest(true);
-    else if (this.isFull) this.rest(false);
+    if (event.key === 'ArrowUp') this.setFull(true);
+    else if (this.isFull) this.setFull(false);
     else this.closeAtHalf();
   }
 
@@ -70,20 +70,20 @@ export class SheetGrip {
   private toggle(isByKey: boolean): void {
     const endsDrag = this.held?.isMoved && !isByKey;
     this.held = undefined;
-    if (!endsDrag) this.rest(!this.isFull);
+    if (!endsDrag) this.setFull(!this.isFull);
   }
 
   private get isFull(): boolean {
     return this.sheet.classList.contains('is-full');
   }
 
-  private rest(isFull: boolean): void {
+  private setFull(isFull: boolean): void {
     this.sheet.classList.toggle('is-full', isFull);
     this.element.setAttribute('aria-expanded', String(isFull));
   }
 
   private closeAtHalf(): void {
-    this.rest(false);
+    this.setFull(false);
     this.close();
   }
 }

@@ -48,7 +48,7 @@ export class Scrubber {
     if (this.isSeeking) return;
     this.isSeeking = true;
     try {
-      while (this.goal !== undefined) await this.approach(this.takeGoal());
+      while (this.goal !== undefined) await this.approach(this.consumeGoal());
     } finally {
       this.isSeeking = false;
       this.heading = undefined;
@@ -67,7 +67,7 @@ export class Scrubber {
     await this.shift(-STEP_SECONDS);
   }
 
-  private takeGoal(): number {
+  private consumeGoal(): number {
     const goal = this.goal!;
     this.heading = goal;
     this.goal = undefined;

@@ -25,13 +25,13 @@ export function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputEleme
   scrubber.listen(() => show(stage.stats.time));
   stage.on('frame', ({ time }) => show(time));
   line.addEventListener('input', () => void scrubber.go(line.valueAsNumber));
-  holdStill(line, stage, (held) => (isHeld = held));
+  pauseWhileDragging(line, stage, (held) => (isHeld = held));
   show(stage.stats.time);
   return line;
 }
 
 /** Pauses the stage while a pointer holds the thumb, and resumes afterwards if it was playing. */
-function holdStill(line: HTMLInputElement, stage: Stage, notify: (isHeld: boolean) => void): void {
+function pauseWhileDragging(line: HTMLInputElement, stage: Stage, notify: (isHeld: boolean) => void): void {
   line.addEventListener('pointerdown', () => {
     const goesOn = stage.playing;
     stage.pause();

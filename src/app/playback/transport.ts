@@ -16,7 +16,7 @@ const READOUT_MS = 100;
 export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLElement[]): HTMLElement {
   const { title, restart, step } = strings.transport;
   const restartButton = iconButton('icon-button', restart, icon('restart'), () => stage.restart());
-  const stepButton = iconButton('icon-button', step, icon('step'), () => takeStep(stage));
+  const stepButton = iconButton('icon-button', step, icon('step'), () => stepOnce(stage));
   const bar = create('div', { class: 'transport card', role: 'group', 'aria-label': title });
   bar.append(restartButton, createPlayButton(stage), stepButton);
   bar.append(
@@ -30,7 +30,7 @@ export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLE
 }
 
 /** Steps and pauses: a single step during playback would not be visible. */
-export function takeStep(stage: Stage): void {
+export function stepOnce(stage: Stage): void {
   stage.pause();
   stage.step(1);
 }

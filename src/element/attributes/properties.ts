@@ -25,7 +25,7 @@ export function defineProperties(prototype: HTMLElement): void {
  * Properties that were set before the element was upgraded shadow the accessors of the class. Sets them again through
  * the accessors.
  */
-export function takeUpEarlier(element: HTMLElement): void {
+export function upgradeProperties(element: HTMLElement): void {
   for (const [name, value] of Object.entries(element)) {
     if (!(name in Object.getPrototypeOf(element))) continue;
     Reflect.deleteProperty(element, name);

@@ -48,7 +48,7 @@ export class PlumeForm {
   }
 
   /** Takes the form of these particles. */
-  follow(particles: Particles): void {
+  fit(particles: Particles): void {
     const radius = this.place(particles);
     this.density.fill(0);
     this.smoothed.fill(0);

@@ -75,7 +75,7 @@ export class SimplifyPass {
    * @param isBanded whether bands of colour are smoothed separately
    * @param litFrom N.L from which a lit pixel differs from a shadowed one
    */
-  follow(deviation: number, isBanded: boolean, litFrom: number): void {
+  setUniforms(deviation: number, isBanded: boolean, litFrom: number): void {
     const { uniforms } = this;
     uniforms.deviation.value = Math.max(deviation, MIN_DEVIATION);
     uniforms.reach.value = Math.ceil(REACH * deviation);
@@ -99,7 +99,7 @@ export class SimplifyPass {
     const meshes = this.meshes(particles !== undefined);
     if (particles) {
       const { form } = this.leaning!;
-      form.follow(particles);
+      form.fit(particles);
       uniforms.formFromView.value.copy(eye.uniforms.viewFromWorld.value).invert().premultiply(form.fromWorld);
     }
     const { unlit, lit, depth, width, height } = targets;
@@ -123,7 +123,7 @@ export class SimplifyPass {
   }
 
   /** Releases the render targets until the next draw. */
-  rest(): void {
+  releaseTargets(): void {
     for (const target of [this.fields, this.tiles, this.flatTiles, this.across]) target.dispose();
   }
 
@@ -131,7 +131,7 @@ export class SimplifyPass {
     for (const pass of this.passes) pass.dispose();
     this.leaning?.tones.dispose();
     this.leaning?.form.dispose();
-    this.rest();
+    this.releaseTargets();
   }
 
   private createLeaning() {

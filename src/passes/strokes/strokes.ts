@@ -90,7 +90,7 @@ export class StrokesPass {
    * @param strokes `style.strokes`, 0..1
    * @param pixelRatio pixels of the target for each CSS pixel
    */
-  follow(strokes: number, pixelRatio: number): void {
+  setUniforms(strokes: number, pixelRatio: number): void {
     this.strokes = strokes;
     this.uniforms.pixelRatio.value = pixelRatio;
     this.uniforms.lobeTable.value = this.puffs.lobes.lobeTable;
@@ -125,13 +125,13 @@ export class StrokesPass {
   }
 
   /** Releases the render targets until the next draw. */
-  rest(): void {
+  releaseTargets(): void {
     for (const target of [this.separations, this.ranges, this.coverage]) target.dispose();
   }
 
   dispose(): void {
     for (const part of [...Object.values(this.kinds), this.arcs, this.ink]) part.dispose();
-    this.rest();
+    this.releaseTargets();
   }
 
   /** Compares the depth at the samples of the arcs. */

@@ -29,14 +29,14 @@ export function closedMesh(mesh: PlainMesh): ClosedMesh {
     throw new ShapeError('This is no mesh: it needs an array of positions, x, y, z per vertex.');
   const { positions, indices } = mesh;
   const corners = indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
-  demandNumbers(positions, corners);
+  requireNumbers(positions, corners);
   const unit = inUnitBall(positions, corners);
   const closed = welded(unit, corners);
-  demandClosed(closed);
+  requireClosed(closed);
   return closed;
 }
 
-function demandNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>): void {
+function requireNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>): void {
   const triangles = corners.length / 3;
   if (triangles === 0) throw new ShapeError('The mesh is empty: it has no triangles.');
   if (!Number.isInteger(triangles) || positions.length % 3 !== 0) {
@@ -102,7 +102,7 @@ function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh
 }
 
 /** Each edge must be used equally often in both directions. Then the winding number is well defined. */
-function demandClosed({ positions, indices }: ClosedMesh): void {
+function requireClosed({ positions, indices }: ClosedMesh): void {
   if (indices.length / 3 < MIN_TRIANGLES)
     throw new ShapeError('The mesh encloses no volume: it has fewer than 4 triangles.');
   const vertices = positions.length / 3;

@@ -20,7 +20,7 @@ export class LateStencil {
   }
 
   /** Undefined until the code is loaded, which starts on the first call. */
-  take(): OwnStencil | undefined {
+  loaded(): OwnStencil | undefined {
     const { ownStencil } = modules.loaded;
     if (ownStencil) return (this.made ??= new ownStencil.OwnStencil(this.eye));
     if (!this.isNeeded) load().catch(this.miss);

@@ -30,7 +30,7 @@ export class FactoredCamera extends PassCamera {
    * @param world from the space of the smoke to the world
    * @param scale of `world`
    */
-  follow(host: Camera, world: Matrix4, scale: number): this {
+  copyHost(host: Camera, world: Matrix4, scale: number): this {
     host.updateMatrixWorld();
     const { projectionMatrix, matrixWorld } = this;
     const clip = projectionMatrix.multiplyMatrices(host.projectionMatrix, host.matrixWorldInverse).multiply(world);
@@ -107,7 +107,7 @@ export function straightened(camera: Camera): StraightCamera {
   const isMirrored = elements[0] < 0;
   const isOblique = elements[2] !== 0 || elements[6] !== 0;
   if (!isMirrored && !isOblique) return { camera, hosts: undefined, isMirrored };
-  const straight = new FactoredCamera().follow(camera, new Matrix4(), 1);
+  const straight = new FactoredCamera().copyHost(camera, new Matrix4(), 1);
   if (isMirrored) for (const at of [0, 8]) straight.projectionMatrix.elements[at] *= -1;
   if (isOblique) setRange(straight);
   return { camera: straight, hosts: camera.projectionMatrix, isMirrored };

@@ -43,7 +43,7 @@ export class BallVolumes {
   constructor(device: Device, eye: FrameView) {
     this.puffs = new PuffTextures(device.puffs, bakedPuffs(BALL));
     this.volumes = new CountedVolumesPass(eye, this.puffs);
-    this.volumes.follow('lobes', LIT_THRESHOLD);
+    this.volumes.setForm('lobes', LIT_THRESHOLD);
     this.volumes.keepSize();
   }
 

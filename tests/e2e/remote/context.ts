@@ -11,7 +11,7 @@ export async function changeContext(thread: Thread, way: 'loseContext' | 'restor
   await thread.evaluate(
     async ([module, method]) => {
       const { threadDevice } = module as Shared;
-      const device = threadDevice.hold()!;
+      const device = threadDevice.acquire()!;
       threadDevice.release(device);
       const event = method === 'loseContext' ? 'webglcontextlost' : 'webglcontextrestored';
       const happens = new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));

@@ -32,7 +32,7 @@ test('the heap of the main thread does not grow, and its context is released', a
   await comeAndGo(FIRST);
   const before = await usedBytes(blank);
   const context = await shared.evaluateHandle(({ threadDevice }) => {
-    const device = threadDevice.hold()!;
+    const device = threadDevice.acquire()!;
     threadDevice.release(device);
     return device.renderer.getContext();
   });
@@ -78,7 +78,7 @@ async function held(page: Page) {
   const modules = await worker.evaluateHandle(`Promise.all([import('${SHARED}'), import('${LOAD}')])`);
   return worker.evaluate(async (list) => {
     const [{ threadDevice }, { loadSimulators }] = list as [Shared, Load];
-    const device = threadDevice.hold()!;
+    const device = threadDevice.acquire()!;
     threadDevice.release(device);
     const { info } = device.renderer;
     const { memory } = (await loadSimulators({ physics: false })).module;

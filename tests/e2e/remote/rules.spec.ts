@@ -95,7 +95,7 @@ test('a context that is not restored emits one ContextError, and can still be re
   await page.clock.install({ time: 0 });
   // From here on the test controls the clock.
   await page.clock.pauseAt(60_000);
-  const device = await shared.evaluateHandle(({ threadDevice }) => threadDevice.hold()!);
+  const device = await shared.evaluateHandle(({ threadDevice }) => threadDevice.acquire()!);
   const losing = await device.evaluateHandle(async ({ canvas, renderer }) => {
     const extension = renderer.getContext().getExtension('WEBGL_lose_context')!;
     // The context is lost at once; the timeout starts with its event.
@@ -146,7 +146,7 @@ test('a context lost during the start shows smoke when it is restored', async ({
   const cases = await loadModule<Cases>(page, '/tests/e2e/remote/stage.cases.ts');
   const shared = await loadModule<Shared>(page, '/src/remote/sharedDevice.ts');
   const differing = await cases.evaluate(async (module, { threadDevice }) => {
-    const device = threadDevice.hold()!;
+    const device = threadDevice.acquire()!;
     const losing = device.renderer.getContext().getExtension('WEBGL_lose_context')!;
     const happens = (event: string) =>
       new Promise((resolve) => device.canvas.addEventListener(event, resolve, { once: true }));

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import { ShapeError } from '../../../src/preset/errors.ts';
 import { BallCover } from '../../../src/puffs/fit/ballCover.ts';
 import { closedMesh, MAX_TRIANGLES, type PlainMesh } from '../../../src/puffs/fit/closedMesh.ts';
-import { demandShapes } from '../../../src/puffs/lobes.ts';
+import { requireShapes } from '../../../src/puffs/lobes.ts';
 import { fitPuff } from '../../../src/puffs/fit/fitPuff.ts';
 import { reachOf } from '../../../src/puffs/lobes.ts';
 import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
@@ -66,7 +66,7 @@ test('a puff of lobes is mostly recovered; fewer lobes recover less', async () =
   expect(rough.overlap).toBeLessThan(whole.overlap);
   expect(rough.shape.lobes).toHaveLength(3);
   expect(reachOf(whole.shape.lobes)).toBeGreaterThan(0.98);
-  expect(() => demandShapes([whole.shape, rough.shape])).not.toThrow();
+  expect(() => requireShapes([whole.shape, rough.shape])).not.toThrow();
 });
 
 test('a box with separate vertices for each normal is closed, and becomes a puff', async () => {
@@ -108,9 +108,9 @@ test('fitting can be aborted', async () => {
 
 test('invalid puff shapes are rejected with a message', () => {
   const shape = (lobes: readonly Lobe[]) => [{ name: 'odd', lobes }];
-  expect(() => demandShapes([])).toThrow(/0 puff shapes/);
-  expect(() => demandShapes(shape([]))).toThrow(/odd has 0 lobes/);
-  expect(() => demandShapes(shape([{ center: [0.5, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
-  expect(() => demandShapes(shape([{ center: [NaN, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
-  expect(() => demandShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii must be above 0/);
+  expect(() => requireShapes([])).toThrow(/0 puff shapes/);
+  expect(() => requireShapes(shape([]))).toThrow(/odd has 0 lobes/);
+  expect(() => requireShapes(shape([{ center: [0.5, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
+  expect(() => requireShapes(shape([{ center: [NaN, 0, 0], radius: 0.8 }]))).toThrow(/unit ball/);
+  expect(() => requireShapes(shape([{ center: [0, 0, 0], radius: 0 }]))).toThrow(/radii must be above 0/);
 });

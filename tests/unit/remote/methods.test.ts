@@ -91,7 +91,7 @@ function fakeStage(result: unknown, used: string[]): Stage {
 function overPort(stage: RemoteStage): RemoteStage {
   const { port1, port2 } = new MessageChannel();
   serveStage(port2, stage);
-  return new PortStage(port1, 'worker').face;
+  return new PortStage(port1, 'worker').stage;
 }
 
 /** The stage of a frame, whose element has the methods of the real one. */

@@ -131,7 +131,7 @@ test('a take is sent as its bytes', () => {
 
 test('options that need the same thread are not sent', async () => {
   const { port1, port2 } = new MessageChannel();
-  const { face, opened } = new PortStage(port1, 'worker');
+  const { stage: face, opened } = new PortStage(port1, 'worker');
   const came = new Promise<unknown>((resolve) => (port2.onmessage = ({ data }) => resolve(data)));
   const seek = face.seek as (...args: unknown[]) => Promise<void>;
   const asked = seek(2, { onProgress: () => undefined });

@@ -38,7 +38,7 @@ describe('Clock', () => {
   it('does not count time in which it rests', () => {
     const clock = new Clock();
     clock.tick(0);
-    clock.rest();
+    clock.pause();
     expect(clock.tick(60_000)).toBe(0);
     expect(clock.tick(60_000 + 1.01 * STEP_SECONDS * 1000)).toBe(1);
   });

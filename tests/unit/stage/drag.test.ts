@@ -42,7 +42,7 @@ function grabAt(drag: Drag, place: Vector3): boolean {
 }
 
 function follow(drag: Drag, at: Vector2): void {
-  expect(drag.follow(1, at, camera)).toBe(true);
+  expect(drag.movePointer(1, at, camera)).toBe(true);
 }
 
 function letGo(drag: Drag): void {

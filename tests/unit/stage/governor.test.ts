@@ -79,7 +79,7 @@ describe('Governor', () => {
     for (let round = 0; round < 20; ++round) machine.run(0.35).sleep(40);
     expect(machine.changes).toEqual([]);
     for (let round = 0; round < 20; ++round) {
-      machine.run(0.1).sleep(3).governor.rest();
+      machine.run(0.1).sleep(3).governor.pause();
     }
     expect(machine.changes).toEqual([]);
   });
@@ -87,7 +87,7 @@ describe('Governor', () => {
   it('keeps its scale while resting', () => {
     const machine = new Machine(pixels(40)).run(3);
     const { scale } = machine.governor;
-    machine.governor.rest();
+    machine.governor.pause();
     machine.sleep(60).run(1);
     expect(machine.governor.scale).toBe(scale);
   });

@@ -82,10 +82,10 @@ describe('a camera that the user moves', () => {
 describe('a camera that the user has not moved', () => {
   it('follows the scene and its animation, each part separately', () => {
     const eye = new OrbitCamera(MOVING);
-    eye.follow(2);
+    eye.moveTo(2);
     expect(eye.azimuth).toBeCloseTo(0.4, 12);
     eye.orbit(0, 0);
-    eye.follow(4);
+    eye.moveTo(4);
     expect(eye.azimuth).toBeCloseTo(0.4, 3);
     expect(eye.centre.y).toBe(5);
     expect(eye.wanted).toMatchObject({ 'camera.azimuth': 34.38, 'camera.target.y': 5, 'camera.distance': 6 });
@@ -96,9 +96,9 @@ describe('a camera that the user has not moved', () => {
     const untouched = new OrbitCamera(MOVING);
     eye.orbit(1, 1);
     eye.pan(50, 20, 720);
-    for (const each of [eye, untouched]) each.follow(3);
+    for (const each of [eye, untouched]) each.moveTo(3);
     expect(seen(eye)).not.toEqual(seen(untouched));
-    eye.hold({ 'puff.size': 2 });
+    eye.override({ 'puff.size': 2 });
     expect(eye.held).toEqual({});
     expect(seen(eye)).toEqual(seen(untouched));
   });

@@ -1,6 +1,6 @@
 import { Object3D, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { capsule, follow } from '../../../src/three/proxies.ts';
+import { capsule, worldBall } from '../../../src/three/proxies.ts';
 
 const LIMB = { from: new Vector3(0, 0, 0), to: new Vector3(0, 2, 0), radius: 0.3 };
 
@@ -25,7 +25,7 @@ test('a capsule follows its object, with the scale of the object', () => {
   bone.position.set(1, 0, 0);
   bone.scale.setScalar(2);
   bone.updateMatrixWorld();
-  const last = follow(capsule({ follows: bone, ...LIMB }).at(-1)!)();
+  const last = worldBall(capsule({ follows: bone, ...LIMB }).at(-1)!)();
   expect(last.center.toArray()).toEqual([1, 4, 0]);
   expect(last.radius).toBeCloseTo(0.6, 9);
 });

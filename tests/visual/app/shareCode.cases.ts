@@ -50,7 +50,7 @@ export async function codesFor(
   const canvas = document.createElement('canvas');
   canvas.style.cssText = `width: ${WIDTH}px; height: ${HEIGHT}px`;
   document.body.replaceChildren(canvas);
-  const device = threadDevice.hold();
+  const device = threadDevice.acquire();
   const stage = await createStage(canvas, { values, width: WIDTH, height: HEIGHT, device, visible: false });
   const scene = sceneOf(stage);
   stage.dispose();

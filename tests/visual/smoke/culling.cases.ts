@@ -3,7 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/preset/presets.ts';
 import type { Value, Values } from '../../../src/preset/parameter.ts';
 import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
-import { ALL_THAT_LIVES } from '../../../src/sim/view.ts';
+import { ALL_PARTICLES } from '../../../src/sim/view.ts';
 import { drawFrame } from '../../../src/smoke/frame.ts';
 import type { FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
 import type { Style } from '../../../src/smoke/style.ts';
@@ -86,7 +86,7 @@ export async function comparePlume(
 
 /** On the opposite side of the smoke, at the distance of the scene's camera. */
 function cameraBehind({ camera, simulator, blend }: FrameInput): Camera {
-  const { min, max } = simulator.arrange({ ...ALL_THAT_LIVES, blend }).bounds;
+  const { min, max } = simulator.arrange({ ...ALL_PARTICLES, blend }).bounds;
   const middle = new Vector3(...min).lerp(new Vector3(...max), 0.5);
   const behind = camera.clone();
   const { x, y, z } = new Vector3().subVectors(camera.position, middle);

@@ -2,7 +2,7 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import type { PuffForm } from '../../../src/device/puffTextures.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
-import { ALL_THAT_LIVES } from '../../../src/sim/view.ts';
+import { ALL_PARTICLES } from '../../../src/sim/view.ts';
 import type { Style } from '../../../src/smoke/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
@@ -202,7 +202,7 @@ export async function drawnPreset(
 async function lampAfter(steps: number, isInPlume = false): Promise<Shown> {
   const lab = await SceneLab.create('lamp', { width: WIDTH, height: HEIGHT });
   lab.step(steps);
-  const { min, max } = lab.simulator.arrange({ ...ALL_THAT_LIVES, blend: 1 }).bounds;
+  const { min, max } = lab.simulator.arrange({ ...ALL_PARTICLES, blend: 1 }).bounds;
   const target = new Vector3(...min).lerp(new Vector3(...max), 0.5).toArray();
   const camera = isInPlume ? lab.camera({ target, distance: 0.3 }) : lab.camera();
   // A culled frame has no shadows of covered particles, but the reference counts all of them. culling.ts compares

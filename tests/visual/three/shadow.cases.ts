@@ -19,7 +19,7 @@ import type { ShownSmoke } from '../../../src/smoke/shownSmoke.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { HostPasses } from '../../../src/three/hostPasses.ts';
 import { lightFrom } from '../../../src/three/keyLight.ts';
-import { boneBalls, capsule, follow, instanceBalls, type BallAt } from '../../../src/three/proxies.ts';
+import { boneBalls, capsule, worldBall, instanceBalls, type BallAt } from '../../../src/three/proxies.ts';
 import type { Values } from '../../../src/preset/parameter.ts';
 import {
   changedPixels,
@@ -133,7 +133,9 @@ export async function ballShadow(kind: 'capsules' | 'bones' | 'instances', isNea
   );
   smoke.cast(thing, kind === 'capsules' ? { proxies: limbs } : {});
   const balls =
-    'isInstancedMesh' in thing ? instanceBalls(thing) : (kind === 'capsules' ? limbs : boneBalls(skinned)).map(follow);
+    'isInstancedMesh' in thing
+      ? instanceBalls(thing)
+      : (kind === 'capsules' ? limbs : boneBalls(skinned)).map(worldBall);
   const agreement = agreementOf(host, draw(host), unlit, balls);
   dispose(smoke, host.renderer);
   return agreement;

@@ -20,7 +20,7 @@ function rowsOf(places: readonly number[][]): Particles {
 
 function formOf(...all: readonly (readonly number[][])[]): PlumeForm {
   const form = new PlumeForm();
-  for (const places of all) form.follow(rowsOf(places));
+  for (const places of all) form.fit(rowsOf(places));
   return form;
 }
 

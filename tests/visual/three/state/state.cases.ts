@@ -3,7 +3,7 @@ import { BoxGeometry, Mesh, MeshBasicMaterial, Object3D } from 'three';
 import type { AnyValues, Values } from '../../../../src/preset/parameter.ts';
 import type { CartoonSmoke } from '../../../../src/three/cartoonSmoke.ts';
 import type { EmitterHandle } from '../../../../src/three/emitters.ts';
-import { ALL_THAT_LIVES } from '../../../../src/sim/view.ts';
+import { ALL_PARTICLES } from '../../../../src/sim/view.ts';
 import type { Simulator } from '../../../../src/sim/simulator.ts';
 import { dispose, draw, emptyHost, smokeIn, type Host } from '../scene.ts';
 
@@ -28,7 +28,7 @@ export function at(host: Host, x: number): Object3D {
 /** The number of puffs at each place along x. */
 export function countsOf(smoke: CartoonSmoke): Record<string, number> {
   const { simulator } = smoke as unknown as { simulator: Simulator };
-  const { count, place } = simulator.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
+  const { count, place } = simulator.arrange({ ...ALL_PARTICLES, blend: 1 }).rows;
   const counts: Record<string, number> = {};
   for (let row = 0; row < count; row++) {
     const x = Math.round(place[4 * row]);
