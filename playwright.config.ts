@@ -6,7 +6,7 @@ const isLong = Boolean(process.env.TEST_LONG);
 const FOLDERS = '**/tests/{site,visual,e2e}';
 const LONG = `${FOLDERS}/**/*.long.spec.ts`;
 
-const EMBED = `**/tests/e2e/{element,iframe,package,puff,remote}/${isLong ? '*.long.spec.ts' : '*.spec.ts'}`;
+const EMBED = `**/tests/e2e/{package,page,stage}/**/${isLong ? '*.long.spec.ts' : '*.spec.ts'}`;
 const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
 
 const ignored = isLong ? [] : [LONG];

@@ -9,8 +9,8 @@ const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.
 
 /** These files only export. */
 const EXPORTING = /\/src\/(index|internal|preset|puff)\.ts$/;
-/** What the page needs before its first picture. Without app/main.ts, which other pages would run with the stage. */
-const PARTS = ['notices', 'progress', 'errorScreen'].map((name) => `app/ui/${name}`);
+/** What the page needs before its first picture. Without demo/main.ts, which other pages would run with the stage. */
+const PARTS = ['notices', 'progress', 'errorScreen'].map((name) => `demo/ui/${name}`);
 const FIRST = ['stage/stage', 'page/size', 'page/visibility', ...PARTS];
 
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
@@ -20,7 +20,7 @@ export default defineConfig({
     glsl(),
     ...smallThree({ hasLoaders: true }),
     addresses(process.env.CARTOON_SMOKE_BASE),
-    preloads('/src/app/ahead.ts', '/src/app/main.ts'),
+    preloads('/src/demo/ahead.ts', '/src/demo/main.ts'),
     themeFirst(),
     serviceWorker(),
   ],
@@ -66,12 +66,12 @@ export default defineConfig({
         codeSplitting: {
           // Each file costs a request, so the page's first picture takes few. Other pages need some of the parts.
           groups: [
-            { name: 'poster', test: /\/src\/app\/(poster|mediaQueries)\.ts$/, priority: 2 },
+            { name: 'poster', test: /\/src\/demo\/(poster|mediaQueries)\.ts$/, priority: 2 },
             { name: 'preload', test: /vite\/(preload-helper|modulepreload-polyfill)/, priority: 2 },
-            { name: 'dom', test: /\/src\/app\/ui\/dom\.ts$/, priority: 2 },
-            { name: 'presets', test: /\/src\/preset\/byScene\/.+\.ts$/, priority: 2 },
+            { name: 'dom', test: /\/src\/demo\/ui\/dom\.ts$/, priority: 2 },
+            { name: 'presets', test: /\/src\/parameters\/byScene\/.+\.ts$/, priority: 2 },
             {
-              name: together('preset', ['preset/codec', 'preset/environment'].map(source), EXPORTING),
+              name: together('preset', ['parameters/codec', 'parameters/environment'].map(source), EXPORTING),
               debugName: 'preset',
               priority: 1,
             },

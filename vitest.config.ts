@@ -7,10 +7,10 @@ const LONG = 'tests/unit/**/*.long.test.ts';
 // No other file may use their modules before: the first measures the memory of the simulator's, the second replaces one.
 // The others replace globals, or need those of Node.
 const ISOLATED = [
-  'tests/unit/sim/life.test.ts',
-  'tests/unit/smoke/completion.test.ts',
-  'tests/unit/element/simulated.test.ts',
-  'tests/unit/remote/startWorker.test.ts',
+  'tests/unit/simulator/life.test.ts',
+  'tests/unit/renderer/completion.test.ts',
+  'tests/unit/page/element/simulated.test.ts',
+  'tests/unit/stage/remote/startWorker.test.ts',
   'tests/unit/scripts/devServers.test.ts',
 ];
 const include = isLong ? [LONG] : ['tests/unit/**/*.test.ts'];

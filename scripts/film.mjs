@@ -15,5 +15,5 @@ await conclude(async () => {
   readFilmOptions(words);
   await setUp([...TESTS, filmPage]);
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
-  return film(words, { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/sim/wasm') }, version);
+  return film(words, { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/simulator/wasm') }, version);
 });

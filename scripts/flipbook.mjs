@@ -15,5 +15,5 @@ await conclude(async () => {
   // Before the set-up, which can take minutes.
   readFlipbookOptions(words);
   await setUp([...TESTS, filmPage]);
-  return flipbook(words, { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/sim/wasm') });
+  return flipbook(words, { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/simulator/wasm') });
 });

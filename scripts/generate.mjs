@@ -18,13 +18,19 @@ const environment = { GENERATE: '1' };
 const FILES = [
   ['constants in shaders/ and sim-wasm/', (say) => vitest('constants', 'has the shared constants', say)],
   [
-    'lists.json, singles.json and words/lists.json in src/preset, src/sim/layout.ts',
+    'lists.json, singles.json and words/lists.json in src/parameters, src/simulator/layout.ts',
     (say) => cargoNative('test', ['--test', 'all', 'simulator::page_table'], say, environment),
   ],
-  ['tests/visual/passes/volumes.txt', (say) => cargoNative('test', ['--lib', 'coverage::outline'], say, environment)],
-  ['src/preset/valueTypes.ts', (say) => vitest('preset/valueTypes', 'are those of the table', say)],
-  ['attributes/names.json and methods.json in src/element', (say) => vitest('element/names', 'npm run generate', say)],
-  ['public/smoke-file.schema.json', (say) => vitest('preset/file', 'equals the file in public/', say)],
+  [
+    'tests/visual/renderer/passes/volumes/volumes.txt',
+    (say) => cargoNative('test', ['--lib', 'coverage::outline'], say, environment),
+  ],
+  ['src/parameters/valueTypes.ts', (say) => vitest('parameters/valueTypes', 'are those of the table', say)],
+  [
+    'attributes/names.json and methods.json in src/page/element',
+    (say) => vitest('page/element/names', 'npm run generate', say),
+  ],
+  ['public/smoke-file.schema.json', (say) => vitest('parameters/file', 'equals the file in public/', say)],
   ['tables in docs/', (say) => vitest('repository/documents', 'has the generated table', say)],
 ];
 

@@ -35,9 +35,9 @@ await conclude(async () => {
 /** @param {string[]} names @returns {Promise<Run>} */
 async function draw(names) {
   const expression = `Promise.all([
-    import('/tests/visual/smoke/look.cases.ts'),
-    import('/tests/visual/smoke/styles.cases.ts'),
-    import('/src/preset/presets.ts'),
+    import('/tests/visual/renderer/look.cases.ts'),
+    import('/tests/visual/renderer/styles.cases.ts'),
+    import('/src/parameters/presets.ts'),
   ]).then(async ([{ sheets, measureTones }, { sheet }, { findPreset, presets }]) => {
     const given = ${JSON.stringify(names)};
     const unknown = given.find((name) => !findPreset(name));

@@ -30,7 +30,7 @@ await conclude(async () => {
   await setUp(TESTS);
   const [width, height] = [Number(size[1]) / scale, Number(size[2]) / scale];
   const order = { link, width, height, isTransparent: values.transparent };
-  const draw = `import('/tests/visual/element/poster.cases.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;
+  const draw = `import('/tests/visual/page/element/poster.cases.ts').then(({ poster }) => poster(${JSON.stringify(order)}))`;
   const { png, notices } = /** @type {{ png: string, notices: string[] }} */ (
     await evaluateInPage(draw, console.log, [], undefined, scale)
   );

@@ -11,7 +11,7 @@ import { PICTURES, setUp } from './setup/setup.mjs';
 
 await conclude(async () => {
   await setUp(PICTURES);
-  const draw = `import('/tests/visual/smoke/styles.cases.ts').then((cases) => cases.sheet())`;
+  const draw = `import('/tests/visual/renderer/styles.cases.ts').then((cases) => cases.sheet())`;
   const picture = await evaluateInPage(draw, (line) => console.log(line));
   mkdirSync(inRoot('.cache'), { recursive: true });
   const sheet = inRoot('.cache/style-sheet.png');

@@ -1,6 +1,6 @@
 /**
  * `npm run thumbnails [-- NAME...]`: renders the named presets, or all, as gallery thumbnails into public/thumbnails and
- * as posters of the page into src/app/posters. Run it after adding a preset or changing its appearance.
+ * as posters of the page into src/demo/posters. Run it after adding a preset or changing its appearance.
  */
 
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -10,14 +10,14 @@ import { conclude } from './lib/userError.mjs';
 import { PICTURES, setUp } from './setup/setup.mjs';
 
 const THUMBNAILS = 'public/thumbnails';
-const POSTERS = 'src/app/posters';
+const POSTERS = 'src/demo/posters';
 
 /** @typedef {{ thumbnail: string, posters: Record<string, string> }} Pictures base64 */
 
 await conclude(async () => {
   await setUp(PICTURES);
   const names = process.argv.slice(2);
-  const draw = `Promise.all([import('/tests/visual/app/thumbnails.cases.ts'), import('/src/preset/presets.ts')]).then(
+  const draw = `Promise.all([import('/tests/visual/demo/thumbnails.cases.ts'), import('/src/parameters/presets.ts')]).then(
     async ([{ thumbnail, posters }, { presets }]) => {
       const given = ${JSON.stringify(names)};
       const made = {};

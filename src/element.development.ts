@@ -1,3 +1,3 @@
 /** `cartoon-smoke/element` with warnings. */
-import './element/warnings.ts';
-export { CartoonSmokeElement } from './element/define.ts';
+import './page/element/warnings.ts';
+export { CartoonSmokeElement } from './page/element/define.ts';

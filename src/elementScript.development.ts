@@ -1,3 +1,3 @@
 /** The single file of the element for CDNs, with warnings. */
-import './element/warnings.ts';
+import './page/element/warnings.ts';
 export { CartoonSmokeElement } from './elementScript.ts';

@@ -8,6 +8,6 @@ export {
   type ColliderProps,
   type EmitterProps,
   type HandleProps,
-} from './fiber/handles.ts';
-export type { PlacementProps, Target } from './fiber/hooks.ts';
-export { Smoke, useSmoke, type SmokeProps } from './fiber/smoke.ts';
+} from './three/fiber/handles.ts';
+export type { PlacementProps, Target } from './three/fiber/hooks.ts';
+export { Smoke, useSmoke, type SmokeProps } from './three/fiber/smoke.ts';

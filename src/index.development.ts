@@ -1,6 +1,6 @@
 /** `cartoon-smoke` with warnings. */
 import * as production from './index.ts';
-import { watched } from './remote/warnings.ts';
+import { watched } from './stage/remote/warnings.ts';
 import './three/warnings.ts';
 
 export * from './index.ts';

@@ -1,15 +1,15 @@
 /** Exports of the package. No module of the library imports this file. */
-export { CartoonSmokeElement } from './element/cartoonSmokeElement.ts';
-export type { SmokeEvent, SmokeEvents, StateChange } from './element/events.ts';
-export type { StageMethods } from './element/methods.ts';
+export { CartoonSmokeElement } from './page/element/cartoonSmokeElement.ts';
+export type { SmokeEvent, SmokeEvents, StateChange } from './page/element/events.ts';
+export type { StageMethods } from './page/element/methods.ts';
 export {
   createDevice,
   type ContextEvent,
   type Device,
   type DeviceCanvas,
   type DeviceOptions,
-} from './device/device.ts';
-export { setAssetUrls, type AssetUrls } from './preset/assetUrls.ts';
+} from './renderer/gpu/device.ts';
+export { setAssetUrls, type AssetUrls } from './base/assetUrls.ts';
 export {
   ContextError,
   FileError,
@@ -19,17 +19,17 @@ export {
   SimulatorError,
   SmokeError,
   UnsupportedError,
-} from './preset/errors.ts';
-export type { AnyValues, ShareLink, Value, Values } from './preset/parameter.ts';
-export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './preset/valueTypes.ts';
-export { presetValues } from './preset/presets.ts';
-export { presets, type Preset } from './preset/words/presets.ts';
-export type { DebugView, Quality } from './preset/quality.ts';
-export type { PlainMesh } from './puffs/fit/closedMesh.ts';
-export { fitPuff, type FitOptions, type FittedPuff } from './puffs/fit/fitPuff.ts';
-export { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
-export type { PuffKnobs } from './puffs/procedural.ts';
-export type { Lobe, PuffShape } from './puffs/shapes.ts';
+} from './base/errors.ts';
+export type { AnyValues, ShareLink, Value, Values } from './parameters/parameter.ts';
+export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './parameters/valueTypes.ts';
+export { presetValues } from './parameters/presets.ts';
+export { presets, type Preset } from './parameters/words/presets.ts';
+export type { DebugView, Quality } from './parameters/quality.ts';
+export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';
+export { fitPuff, type FitOptions, type FittedPuff } from './renderer/puffs/fit/fitPuff.ts';
+export { designedShapes, type PuffDesign } from './renderer/puffs/lobeShapes.ts';
+export type { PuffKnobs } from './renderer/puffs/procedural.ts';
+export type { Lobe, PuffShape } from './renderer/puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
 export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './three/options.ts';
 export type { CollideOptions } from './three/colliders.ts';
@@ -40,19 +40,19 @@ export type {
   EmitterOptions,
   PuffOptions,
   VectorComponents,
-} from './sim/emitterOptions.ts';
+} from './simulator/emitterOptions.ts';
 export type { EmitterHandle } from './three/emitters.ts';
-export type { SmokeSpace } from './three/frame.ts';
+export type { SmokeSpace } from './three/smokeSpace.ts';
 export type { SmokeHandle } from './three/handle.ts';
 export type { KeyLight } from './three/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';
-export type { RemoteStage, RemoteStageOptions, Thread } from './remote/contract.ts';
-export type { MethodName, RemoteMethod, RemoteMethods } from './remote/methods.ts';
-export { connectFrame, type ConnectOptions } from './remote/connectFrame.ts';
-export { openStage } from './remote/openStage.ts';
+export type { RemoteStage, RemoteStageOptions, Thread } from './stage/remote/contract.ts';
+export type { MethodName, RemoteMethod, RemoteMethods } from './stage/remote/methods.ts';
+export { connectFrame, type ConnectOptions } from './stage/remote/connectFrame.ts';
+export { openStage } from './stage/remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
-export type { LoadProgress } from './sim/load.ts';
-export type { RigidSurface } from './sim/rigid.ts';
+export type { LoadProgress } from './simulator/load.ts';
+export type { RigidSurface } from './simulator/rigid.ts';
 export type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './stage/contract.ts';
 export type { BlowInput } from './stage/blow.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';

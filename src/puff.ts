@@ -6,7 +6,7 @@ export {
   SimulatorError,
   SmokeError,
   UnsupportedError,
-} from './preset/errors.ts';
-export type { Effect, PuffOptions } from './puff/options.ts';
-export { puff, type OwnPuff, type Puff } from './puff/puff.ts';
-export type { PuffTarget } from './puff/target.ts';
+} from './base/errors.ts';
+export type { Effect, PuffOptions } from './page/puff/options.ts';
+export { puff, type OwnPuff, type Puff } from './page/puff/puff.ts';
+export type { PuffTarget } from './page/puff/target.ts';

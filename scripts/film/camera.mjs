@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { UserError } from '../lib/userError.mjs';
 
-/** @typedef {import('../../src/app/film/order.ts').Keyframe} Keyframe */
+/** @typedef {import('../../src/demo/film/order.ts').Keyframe} Keyframe */
 
 const CAMERA_KEYS = ['azimuth', 'elevation', 'distance', 'target.x', 'target.y', 'target.z'].map(
   (name) => `camera.${name}`,

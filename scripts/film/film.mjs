@@ -13,7 +13,7 @@ import { encodeByFfmpeg, requireFfmpeg } from './video.mjs';
 /**
  * @typedef {import('./options.mjs').FilmOptions} FilmOptions
  * @typedef {import('./server.mjs').PageFiles} PageFiles
- * @typedef {import('../../src/app/film/order.ts').DrawnFrame} DrawnFrame
+ * @typedef {import('../../src/demo/film/order.ts').DrawnFrame} DrawnFrame
  */
 
 /**
@@ -122,7 +122,7 @@ class Session {
     return video && video.type !== 'mov' ? { ...order, video: { format: video.type, first, last } } : order;
   }
 
-  /** @param {import('../../src/app/film/order.ts').Beginning} beginning */
+  /** @param {import('../../src/demo/film/order.ts').Beginning} beginning */
   async #begin(beginning) {
     const { order, frames } = this.#options;
     const { statesEvery: _, ...shot } = order;

@@ -10,7 +10,7 @@ const SIDECAR = /^frame-\d{6}\.json$/;
 
 /**
  * What all frames of a folder have in common.
- * @typedef {Omit<import('../../src/app/film/order.ts').FilmOrder, 'statesEvery'> & { start: number, version: string, browser: string, renderer: string }} ShotIdentity
+ * @typedef {Omit<import('../../src/demo/film/order.ts').FilmOrder, 'statesEvery'> & { start: number, version: string, browser: string, renderer: string }} ShotIdentity
  *
  * The content of a sidecar.
  * @typedef {object} Sidecar

@@ -38,7 +38,7 @@ const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
 
 /**
- * @typedef {import('../../src/app/film/order.ts').FilmOrder} FilmOrder
+ * @typedef {import('../../src/demo/film/order.ts').FilmOrder} FilmOrder
  * @typedef {object} FilmOptions
  * @property {FilmOrder} order
  * @property {number} first of all shards
@@ -134,7 +134,7 @@ const FLIPBOOK = /** @type {const} */ ({
 
 /**
  * @param {string[]} words after `flipbook`
- * @returns {{ order: import('../../src/app/film/order.ts').FlipbookOrder, out: string, usesGpu: boolean }}
+ * @returns {{ order: import('../../src/demo/film/order.ts').FlipbookOrder, out: string, usesGpu: boolean }}
  * @throws {UserError} one line that names the option
  */
 export function readFlipbookOptions(words) {

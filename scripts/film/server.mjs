@@ -1,4 +1,4 @@
-/** Serves the film page and answers it, on the loopback interface. src/app/film/receiver.ts is the other side. */
+/** Serves the film page and answers it, on the loopback interface. src/demo/film/receiver.ts is the other side. */
 
 import { randomBytes } from 'node:crypto';
 import { createReadStream, readFileSync, statSync } from 'node:fs';

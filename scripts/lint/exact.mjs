@@ -12,7 +12,7 @@ const EXACT = new Set([...CONSTANTS, ...FUNCTIONS]);
 const EXACT_CLASSES = new Set(['Vector2', 'Vector3']);
 
 const REASON =
-  'its last bits differ between engines, and what follows from them ends in another state: use src/sim/exact.';
+  'its last bits differ between engines, and what follows from them ends in another state: use src/simulator/exact.';
 
 /** Reports engine-dependent functions of Math and the operator **. */
 const math = {

@@ -9,32 +9,33 @@ import { fileURLToPath } from 'node:url';
 import { parseSync, Visitor } from 'rolldown/utils';
 import { inRoot } from '../lib/paths.mjs';
 
+const RENDERER = 'renderer renderer/gpu renderer/passes renderer/puffs';
+
 /**
- * What a folder imports besides itself: folders, files at the top of src/, and packages as `npm:name`. `type:` accepts
- * only types. Files at the top of src/ import what they want; only SHARED are open to all folders.
+ * What a folder imports besides itself: folders without those of their own line, files at the top of src/, and packages
+ * as `npm:name`. `type:` accepts only types. Files at the top of src/ import what they want.
  *
  * @type {Record<string, string>}
  */
 export const ARROWS = {
-  preset: 'npm:jsonc-parser',
-  device: 'type:preset preset/errors.ts type:puffs npm:three',
-  sim: 'preset device',
-  rows: 'preset device type:sim',
-  puffs: 'preset device',
-  passes: 'preset device npm:three',
-  scenes: 'preset device sim rows puffs passes npm:three',
-  smoke: 'preset device sim rows puffs passes npm:three',
-  stage: 'preset device sim rows puffs passes smoke scenes npm:three',
-  three: 'preset device sim rows puffs passes smoke npm:three',
-  fiber: 'preset type:sim three npm:three npm:react npm:@react-three/fiber',
-  remote: 'preset device sim rows puffs passes smoke scenes stage',
-  page: 'preset sim stage',
-  puff: 'preset device sim rows puffs passes smoke scenes stage remote page',
-  element: 'preset device sim rows puffs passes smoke scenes stage remote page',
-  iframe: 'preset device sim rows puffs passes smoke scenes stage remote element',
-  app: 'index.ts preset.ts puff.ts internal.ts npm:three npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
+  base: '',
+  parameters: 'base npm:jsonc-parser',
+  simulator: 'base parameters',
+  'renderer/puffs': 'base',
+  'renderer/gpu': 'base type:renderer/puffs type:simulator npm:three',
+  'renderer/passes': 'base parameters renderer/gpu npm:three',
+  renderer: `base parameters simulator ${RENDERER} npm:three`,
+  scenes: `base parameters simulator ${RENDERER} npm:three`,
+  stage: `base parameters simulator ${RENDERER} scenes npm:three`,
+  'stage/remote': `base parameters simulator ${RENDERER} scenes stage`,
+  three: `base parameters simulator ${RENDERER} npm:three`,
+  'three/fiber': 'base parameters simulator three npm:three npm:react npm:@react-three/fiber',
+  page: 'base parameters simulator stage',
+  'page/puff': `base parameters simulator ${RENDERER} stage stage/remote page`,
+  'page/element': `base parameters simulator ${RENDERER} stage stage/remote page`,
+  'page/iframe': 'base parameters simulator stage/remote page page/element',
+  demo: 'index.ts preset.ts puff.ts internal.ts npm:three npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
 };
-const SHARED = ['constants.ts', 'work.ts'];
 
 /**
  * @typedef {object} Import
@@ -88,15 +89,22 @@ function importsOf(path, code) {
  * @param {Import} target
  */
 function isAllowed(from, { to, isType }) {
-  const [own, other] = [from, to].map((path) => path.split('/')[0]);
+  const [own, other] = [from, to].map(roomOf);
   // A path without an ending would resolve to an index file.
   if (to.startsWith('/') || (!to.startsWith('npm:') && !/\.\w+$/.test(to))) return false;
   // Shaders are outside of src/.
   if (to.startsWith('../')) return !to.startsWith('../src/');
-  if (from === own || other === own || SHARED.includes(to)) return true;
+  if (from === own || other === own) return true;
   const allowed = (ARROWS[own] ?? '').split(' ');
   const names = to.startsWith('npm:') ? [to] : [to, other];
   return [...names, ...(isType ? names.map((name) => `type:${name}`) : [])].some((name) => allowed.includes(name));
+}
+
+/** The folder with a line in ARROWS that contains a file, otherwise the one at the top. */
+function roomOf(/** @type {string} */ path) {
+  const [first, second] = path.split('/');
+  const inner = `${first}/${second}`;
+  return inner in ARROWS ? inner : first;
 }
 
 /**

@@ -31,7 +31,7 @@ const ALONE = { codeSplitting: false, postBanner: LICENSES };
 const TOGETHER = [
   // What `puff()` and the element have in common before their first smoke.
   { name: 'zoom', test: /page\/zoom\.ts$/, priority: 4 },
-  { name: 'errors', test: /preset\/errors\.ts$/, priority: 4 },
+  { name: 'errors', test: /base\/errors\.ts$/, priority: 4 },
   {
     name: 'shaders',
     test: /\/shaders\/(backdrop|bodies\/lobes|lib|mask|meshVolumes|resolve|selfTest|surfaces|volumes)\b/,
@@ -44,22 +44,25 @@ const TOGETHER = [
   },
   {
     name: 'session',
-    test: /src\/(preset\/(assetUrls|table|values|notice|quality)|sim\/clock|stage\/listeners|remote\/(openStage|methods|shapes)|page\/size|element\/(change|playback|session|attributes\/parsedAttributes))\.ts$/,
+    test: /src\/(base\/assetUrls|parameters\/(table|values|notice|quality)|simulator\/clock|stage\/(listeners|remote\/(openStage|methods|shapes))|page\/(size|element\/(change|playback|session|attributes\/parsedAttributes)))\.ts$/,
     priority: 2,
   },
-  { name: 'stage', test: /src\/remote\/openHere\.ts$/, priority: 1 },
-  { name: 'models', test: /src\/(sim\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/ },
+  { name: 'stage', test: /src\/stage\/remote\/openHere\.ts$/, priority: 1 },
+  {
+    name: 'models',
+    test: /src\/(simulator\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/,
+  },
 ];
 /** @type {import('rolldown').OutputOptions} */
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
 /** Every build refers to it by its file, so that the classes of errors are the same in all. */
-const ERRORS = { errors: 'src/preset/errors.ts' };
+const ERRORS = { errors: 'src/base/errors.ts' };
 /** Smoke in the three.js scenes of others, a build of its own. */
 const HOSTED = { cartoonSmoke: 'src/three/cartoonSmoke.ts', proxies: 'src/three/proxies.ts' };
 /** What modules with warnings wrap, by its file. */
 const WRAPPED = {
   index: 'src/index.ts',
-  element: 'src/element/define.ts',
+  element: 'src/page/element/define.ts',
   cartoonSmoke: HOSTED.cartoonSmoke,
   fiber: 'src/fiber.ts',
   puff: 'src/puff.ts',
@@ -94,7 +97,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
   });
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
-  await bundle({ input: entries({ worker: 'src/remote/worker.ts' }), plugins }, folder, ALONE);
+  await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins }, folder, ALONE);
   // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleWarnings(join(folder, 'development'));
@@ -135,7 +138,7 @@ export async function bundleScript(name, folder, plugins = shrinking()) {
 export async function bundleFilmPage(folder) {
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
-  const input = entries({ page: 'src/app/film/page.ts' });
+  const input = entries({ page: 'src/demo/film/page.ts' });
   // Only for the list of licences.
   await bundle({ input, plugins: shrinking(), checks }, folder, { sourcemap: 'hidden' });
 }
@@ -171,7 +174,7 @@ export const SMALL = {
     typescript: { removeClassFieldsWithoutInitializer: true },
   },
   // Modules of the table have no effects: without this, it stays in files that do not use it.
-  treeshake: { moduleSideEffects: (id) => !/src\/preset\//.test(id) },
+  treeshake: { moduleSideEffects: (id) => !/src\/(base|parameters)\//.test(id) },
   // Shaders have no source maps. A busy machine is no reason for a warning. An entry keeps its 'use client'.
   checks: { sourcemapBroken: false, bundlerTimings: false, moduleLevelDirective: false },
 };
@@ -246,6 +249,6 @@ function beside(modules, place = './') {
 function copyWasm(folder) {
   for (const file of WASM) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });
-    copyFileSync(inRoot(`src/sim/${file}`), join(folder, file));
+    copyFileSync(inRoot(`src/simulator/${file}`), join(folder, file));
   }
 }

@@ -7,13 +7,14 @@ import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
 /**
- * @typedef {import('../../src/preset/words/words.ts').Parameter} Parameter
+ * @typedef {import('../../src/parameters/words/words.ts').Parameter} Parameter
  * @typedef {{ name: string, type: { text: string }, description: string, default?: string }} Described
  */
 
-/** @type {typeof import('../../src/element/documentation.ts')} */
-const { attributes, cssParts, cssProperties, events, methods, slots } =
-  await sourceModule('src/element/documentation.ts');
+/** @type {typeof import('../../src/page/element/documentation.ts')} */
+const { attributes, cssParts, cssProperties, events, methods, slots } = await sourceModule(
+  'src/page/element/documentation.ts',
+);
 
 /** The index in names of a list's first item, `emitters-0-speed` and `emitters0Speed`. */
 const FIRST_ITEM = /(?<=[a-z])0(?=[A-Z])|(?<=-)0(?=-)/;

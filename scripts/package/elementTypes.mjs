@@ -9,10 +9,10 @@ import { typeOf } from './customElements.mjs';
 import { names, OF_LATER_ITEMS, table } from './parameters.mjs';
 import { sourceModule } from './sourceModule.mjs';
 
-/** @typedef {import('../../src/preset/words/words.ts').Parameter} Parameter */
+/** @typedef {import('../../src/parameters/words/words.ts').Parameter} Parameter */
 
-/** @type {typeof import('../../src/element/documentation.ts')} */
-const { attributes } = await sourceModule('src/element/documentation.ts');
+/** @type {typeof import('../../src/page/element/documentation.ts')} */
+const { attributes } = await sourceModule('src/page/element/documentation.ts');
 
 /**
  * For each framework, the module that declares its elements and the base type of an element's markup.
@@ -27,8 +27,8 @@ const FRAMEWORKS = {
 /** Frameworks with templates of their own. */
 const TEMPLATES = {
   svelte: `import type { HTMLAttributes } from 'svelte/elements';
-import type { SmokeAttributes, SmokeListeners } from '../element/attributes.js';
-import type { CartoonSmokeElement } from '../element/cartoonSmokeElement.js';
+import type { SmokeAttributes, SmokeListeners } from '../page/element/attributes.js';
+import type { CartoonSmokeElement } from '../page/element/cartoonSmokeElement.js';
 declare module 'svelte/elements' {
   interface SvelteHTMLElements {
     'cartoon-smoke': Omit<HTMLAttributes<CartoonSmokeElement>, keyof (SmokeAttributes & SmokeListeners)> & SmokeAttributes & SmokeListeners;
@@ -37,8 +37,8 @@ declare module 'svelte/elements' {
 export * from '../element.js';
 `,
   vue: `import type { DefineComponent } from 'vue';
-import type { SmokeAttributes } from '../element/attributes.js';
-import type { SmokeEvents } from '../element/events.js';
+import type { SmokeAttributes } from '../page/element/attributes.js';
+import type { SmokeEvents } from '../page/element/events.js';
 type CamelCase<Name> = Name extends \`\${infer Head}-\${infer Tail}\` ? \`\${Head}\${Capitalize<CamelCase<Tail>>}\` : Name;
 /** Attributes as templates compare them, in camel case, and events. */
 export type SmokeProps = { [Name in keyof SmokeAttributes as CamelCase<Name>]: SmokeAttributes[Name] } & {
@@ -56,7 +56,7 @@ const EVENTS = ['ready', 'error', 'statechange'];
 
 /** @param {string} folder of the declarations written by the compiler */
 export function writeElementTypes(folder) {
-  const element = join(folder, 'element');
+  const element = join(folder, 'page/element');
   writeFileSync(join(element, 'parameterProperties.d.ts'), properties());
   appendFileSync(join(element, 'cartoonSmokeElement.d.ts'), MERGED);
   appendFileSync(join(folder, 'index.d.ts'), EXPORTED);
@@ -72,7 +72,7 @@ const MERGED = `import type { ParameterProperties } from './parameterProperties.
 export interface CartoonSmokeElement extends ParameterProperties {}
 `;
 
-const EXPORTED = `export type { ParameterProperties } from './element/parameterProperties.js';\n`;
+const EXPORTED = `export type { ParameterProperties } from './page/element/parameterProperties.js';\n`;
 
 function properties() {
   const lines = rows().map(({ row, property, isListed }) =>
@@ -95,7 +95,7 @@ function markup() {
   const events = EVENTS.map(
     (name) => `  on${name}?: ((event: CustomEvent<SmokeEvents['${name}']>) => unknown) | undefined;`,
   );
-  return `import type { PresetName } from '../preset/valueTypes.js';
+  return `import type { PresetName } from '../../parameters/valueTypes.js';
 import type { SmokeEvents } from './events.js';
 /** What the element takes in markup. */
 export interface SmokeAttributes {
@@ -111,8 +111,8 @@ ${events.join('\n')}
 /** @param {{ module: string, own: string }} of */
 function framework({ module, own }) {
   return `import type {} from '${module}';
-import type { SmokeAttributes, SmokeListeners } from '../element/attributes.js';
-import type { CartoonSmokeElement } from '../element/cartoonSmokeElement.js';
+import type { SmokeAttributes, SmokeListeners } from '../page/element/attributes.js';
+import type { CartoonSmokeElement } from '../page/element/cartoonSmokeElement.js';
 declare module '${module}' {
   namespace JSX {
     interface IntrinsicElements {

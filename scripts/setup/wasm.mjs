@@ -1,4 +1,4 @@
-/** The simulator as WASM, built from sim-wasm into src/sim/wasm. Rebuilt only when its sources change. */
+/** The simulator as WASM, built from sim-wasm into src/simulator/wasm. Rebuilt only when its sources change. */
 
 import { existsSync, readFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
@@ -22,8 +22,8 @@ const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
 
 /** Whether both variants were built from the current sources. Compiles nothing. */
 export function isFresh() {
-  const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/sim/wasm/${variant}/${file}`));
-  const stamp = inRoot('src/sim/wasm/stamp.txt');
+  const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/simulator/wasm/${variant}/${file}`));
+  const stamp = inRoot('src/simulator/wasm/stamp.txt');
   if (![stamp, ...built.map(inRoot)].every((path) => existsSync(path))) return false;
   return readFileSync(stamp, 'utf8').trim() === digestOf(SOURCES, inRoot('sim-wasm'));
 }

@@ -12,7 +12,7 @@ import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
 import { shrinking, SMALL } from '../package/bundle.mjs';
 
-const ENTRY = '<script type="module" src="./src/iframe/frame.ts"></script>';
+const ENTRY = '<script type="module" src="./src/page/iframe/main.ts"></script>';
 
 /**
  * Writes the page and its scripts.
@@ -32,7 +32,7 @@ async function scriptOf(physics) {
   const define = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, JSON.stringify(value)]));
   const build = await rolldown({
     ...SMALL,
-    input: inRoot('src/iframe/frame.ts'),
+    input: inRoot('src/page/iframe/main.ts'),
     plugins: shrinking(),
     transform: { ...SMALL.transform, define: { ...SMALL.transform?.define, ...define } },
     // This script contains everything it needs, so it does not use URLs relative to import.meta.
@@ -48,7 +48,7 @@ async function scriptOf(physics) {
  * @param {'core' | 'physics'} variant
  */
 function packed(variant) {
-  const bytes = readFileSync(inRoot(`src/sim/wasm/${variant}/bindings_bg.wasm`));
+  const bytes = readFileSync(inRoot(`src/simulator/wasm/${variant}/bindings_bg.wasm`));
   return deflateRawSync(bytes, { level: 9 }).toString('base64url');
 }
 

@@ -9,8 +9,8 @@ import { sourceModule } from '../package/sourceModule.mjs';
 
 const PICTURE = { width: 192, height: 128 };
 
-/** @typedef {import('../../src/preset/words/presets.ts').Preset} Preset */
-/** @typedef {typeof import('../../src/app/share/embed.ts')} Embed */
+/** @typedef {import('../../src/parameters/words/presets.ts').Preset} Preset */
+/** @typedef {typeof import('../../src/demo/share/embed.ts')} Embed */
 
 /**
  * @param {string} folder of the built site
@@ -19,9 +19,9 @@ const PICTURE = { width: 192, height: 128 };
  */
 export async function writeOembed(folder, base = '../') {
   /** @type {{ presets: Preset[] }} */
-  const { presets } = await sourceModule('src/preset/words/presets.ts');
+  const { presets } = await sourceModule('src/parameters/words/presets.ts');
   /** @type {Embed} */
-  const embed = await sourceModule('src/app/share/embed.ts');
+  const embed = await sourceModule('src/demo/share/embed.ts');
   for (const name of ['oembed', 'gallery']) mkdirSync(join(folder, name), { recursive: true });
   for (const preset of presets) {
     const answer = oembedOf(preset, base, embed);

@@ -114,7 +114,7 @@ export function together(
   };
 }
 
-const SOURCE = fileURLToPath(new URL('../../src/app/offline/worker.ts', import.meta.url));
+const SOURCE = fileURLToPath(new URL('../../src/demo/offline/worker.ts', import.meta.url));
 const NAME = 'sw.js';
 
 /** Builds the service worker with the site, so that it contains the file names of its version. */

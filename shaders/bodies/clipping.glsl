@@ -1,4 +1,4 @@
-// Planes in view space: `renderer.clippingPlanes` of three.js. MAX_PLANES in src/device/frameView.ts is their maximum.
+// Planes in view space: `renderer.clippingPlanes` of three.js. MAX_PLANES in src/renderer/gpu/frameView.ts is their maximum.
 uniform vec4 clippingPlanes[8];
 uniform int planeCount;
 

@@ -6,7 +6,7 @@ precision highp int;
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
 // DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
-// BITES: puffs with bites; src/smoke/bites.ts adds bites/lobesFragment.glsl.
+// BITES: puffs with bites; src/renderer/bites.ts adds bites/lobesFragment.glsl.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;

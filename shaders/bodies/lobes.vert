@@ -5,7 +5,7 @@ precision highp int;
 // around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
 // FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
 // puff through its centre, and after it the ink, which is deeper.
-// BITES: puffs with bites; src/smoke/bites.ts adds bites/lobesVertex.glsl.
+// BITES: puffs with bites; src/renderer/bites.ts adds bites/lobesVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;

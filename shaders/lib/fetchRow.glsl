@@ -1,4 +1,4 @@
-// Rows of the simulator: src/device/drawnRows.ts. Call fetchRow first.
+// Rows of the simulator: src/renderer/gpu/drawnRows.ts. Call fetchRow first.
 uniform highp sampler2D rowPlaces;
 uniform highp usampler2D rowAttributes;
 

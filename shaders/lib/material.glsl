@@ -1,4 +1,4 @@
-// Ramp index of a puff, see src/device/ramps.ts: by its tint, else by its age and temperature. Needs attributes.glsl.
+// Ramp index of a puff, see src/renderer/gpu/ramps.ts: by its tint, else by its age and temperature. Needs attributes.glsl.
 float materialOf(uvec4 attributes, sampler2D ramps) {
   int tone = toneOf(attributes);
   if (tone > 0) return float(tone);

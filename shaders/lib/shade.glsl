@@ -26,7 +26,7 @@ bool isRim(float facingEye, float facingLight, float width) {
   return band > 0.0 && facingEye < sqrt(band * (2.0 - band));
 }
 
-// Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/device/ramps.ts.
+// Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.
 // Takes unit vectors in view space; a material without fill and rim may use any space. Both colours are equal on the
 // side away from the light, so that no edge is visible there: rows start with the same tone, and fill and rim apply to
 // both. `rim` is colour and width. SHADING: the colours are those without the rim, which a later pass adds.

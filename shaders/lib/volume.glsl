@@ -1,6 +1,6 @@
 // The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. Everything
 // that is constant for a particle is computed here. Call writeVolume after reading a row; needs rows.glsl.
-// BITES: puffs with bites; src/smoke/bites.ts adds bites/volumeVertex.glsl.
+// BITES: puffs with bites; src/renderer/bites.ts adds bites/volumeVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;

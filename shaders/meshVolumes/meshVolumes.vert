@@ -1,7 +1,7 @@
 precision highp float;
 
 // The shadow volumes of closed meshes. Each vertex exists twice: at the start of its volume, and moved along the light
-// to the end. src/passes/meshVolumes.ts chooses the triangles. Positions are in model space, extrusion is in world space.
+// to the end. src/renderer/passes/meshVolumes.ts chooses the triangles. Positions are in model space, extrusion is in world space.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec4 lightInWorld;

@@ -12,7 +12,7 @@ uniform vec3 rimColor;
 uniform float litFrom;
 #ifdef FORM
 uniform highp sampler2D depth;
-// Of src/passes/simplify/plumeForm.ts.
+// Of src/renderer/passes/simplify/plumeForm.ts.
 uniform highp sampler3D form;
 uniform mat4 formFromView;
 uniform mat4 viewFromWorld;

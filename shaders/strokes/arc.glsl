@@ -10,7 +10,7 @@ uniform float near;
 uniform float pixelRatio;
 // One row for each variation, see lobes.vert.
 uniform sampler2D lobeTable;
-// Numbers of row and lobe, four arcs in a texel: see src/passes/strokes/strokeArcs.ts.
+// Numbers of row and lobe, four arcs in a texel: see src/renderer/passes/strokes/strokeArcs.ts.
 uniform highp usampler2D arcs;
 
 #include ../lib/fetchRow.glsl

@@ -5,7 +5,7 @@ precision highp sampler2DArray;
 // A shadow volume of lib/volume.glsl: a quad covers its projection, at the depth of its nearest point. A volume that covers
 // much of the picture has a quad for each tile instead, except for tiles without a receiver that it can contain.
 uniform vec2 viewport;
-// The row of each quad and the tile that it covers, four quads in a texel: see src/passes/tiledVolumes/volumeQuads.ts.
+// The row of each quad and the tile that it covers, four quads in a texel: see src/renderer/passes/tiledVolumes/volumeQuads.ts.
 uniform highp usampler2D volumeQuads;
 // The depths of depthRanges.frag.
 uniform highp usampler2D depthRanges;

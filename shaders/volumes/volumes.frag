@@ -4,7 +4,7 @@ precision highp sampler2D;
 // Fragment shader of particle shadow volumes. Tests whether the volume contains the receiver: the place whose depth the
 // pixel has. Seen from the light, the receiver must be in the disc of a lobe; along the light, between the start and
 // the end of the volume. Each fragment that is not discarded is one volume that contains the receiver.
-// BITES: puffs with bites; src/smoke/bites.ts adds bites/volumesFragment.glsl.
+// BITES: puffs with bites; src/renderer/bites.ts adds bites/volumesFragment.glsl.
 // Inputs: volume frame and discs of volumes.vert, a copy of the depth buffer. Output: none, the stencil counts.
 uniform mat4 clipFromView;
 uniform vec2 viewport;

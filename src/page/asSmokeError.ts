@@ -1,4 +1,4 @@
-import { LoadError, SmokeError } from '../preset/errors.ts';
+import { LoadError, SmokeError } from '../base/errors.ts';
 
 /** Converts any error to a SmokeError of the library. */
 export function asSmokeError(error: unknown): SmokeError {

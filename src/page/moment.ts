@@ -1,6 +1,6 @@
 /** Limits for share links that contain a take, and the values that takes do not record. */
-import type { Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
+import type { Values } from '../parameters/parameter.ts';
+import { findParameter } from '../parameters/table.ts';
 
 /** Maximum particle capacity that a take from a link may request. */
 export function linkCapacity(): number {

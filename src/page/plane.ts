@@ -1,5 +1,5 @@
 /** Boxes of the page in the plane that the camera looks at. */
-import type { AnyValues, Values } from '../preset/parameter.ts';
+import type { AnyValues, Values } from '../parameters/parameter.ts';
 import type { ScenePlane } from '../stage/sight.ts';
 
 /**

@@ -1,8 +1,8 @@
-import { atan2, tan } from '../sim/exact/arc.ts';
-import { exp } from '../sim/exact/power.ts';
-import { anglesYZX, multiply } from '../sim/exact/quaternion.ts';
-import { sin } from '../sim/exact/sine.ts';
-import { quaternionFromAngles } from '../sim/exact/rotation.ts';
+import { atan2, tan } from '../simulator/exact/arc.ts';
+import { exp } from '../simulator/exact/power.ts';
+import { anglesYZX, multiply } from '../simulator/exact/quaternion.ts';
+import { sin } from '../simulator/exact/sine.ts';
+import { quaternionFromAngles } from '../simulator/exact/rotation.ts';
 import { airplane as airplaneModel, airplaneHull, HALF_SPAN, HUB, KNOT } from './models/airplane.ts';
 import { placement } from './models/place.ts';
 import type { Guide, Handle, SceneState, MovingPart, Scene, Vector } from './scene.ts';

@@ -1,4 +1,4 @@
-import { sin } from '../sim/exact/sine.ts';
+import { sin } from '../simulator/exact/sine.ts';
 import { camp } from './models/camp.ts';
 import { island, trees } from './models/island.ts';
 import type { Scene } from './scene.ts';

@@ -1,9 +1,9 @@
-import { atan2 } from '../sim/exact/arc.ts';
-import { cos, sin } from '../sim/exact/sine.ts';
+import { atan2 } from '../simulator/exact/arc.ts';
+import { cos, sin } from '../simulator/exact/sine.ts';
 import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
 import { placement, merged, placed } from './models/place.ts';
 import type { LightMove, Scene, Vector } from './scene.ts';
-import type { TriangleMesh } from '../passes/extrusion.ts';
+import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
 import { ballMesh } from './models/ball.ts';
 
 /** Wind speed, m/s; negative blows to the left. */

@@ -1,8 +1,8 @@
 import { Vector3 } from 'three';
-import type { Quaternion } from '../sim/exact/rotation.ts';
-import { hypot } from '../sim/exact/sine.ts';
-import { POSE_FLOATS } from '../sim/layout.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { Quaternion } from '../simulator/exact/rotation.ts';
+import { hypot } from '../simulator/exact/sine.ts';
+import { POSE_FLOATS } from '../simulator/layout.ts';
+import type { RigidDescription } from '../simulator/rigid.ts';
 
 /** It shows a crate's face from above its edge. */
 const TUMBLED = [0.18, -0.16, 0.24, 0.94] as const;

@@ -1,6 +1,6 @@
 /** Balls and crates that are kept far below the scene until the user drops them. */
-import type { Color } from '../device/ramps.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { Color } from '../renderer/gpu/ramps.ts';
+import type { RigidDescription } from '../simulator/rigid.ts';
 import { Dropped } from './dropped.ts';
 import { ballModel, crateModel, jollyBall, jollyCrate } from './models/toys.ts';
 import type { Scene } from './scene.ts';

@@ -1,7 +1,7 @@
-import type { Color } from '../device/ramps.ts';
-import { cos, hypot, sin } from '../sim/exact/sine.ts';
-import { quaternionFromAngles } from '../sim/exact/rotation.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { Color } from '../renderer/gpu/ramps.ts';
+import { cos, hypot, sin } from '../simulator/exact/sine.ts';
+import { quaternionFromAngles } from '../simulator/exact/rotation.ts';
+import type { RigidDescription } from '../simulator/rigid.ts';
 import { cloudOf, dustRule, type Cloud, type Toy } from './dustRule.ts';
 import { desert, desertRigids, DESERT_RADIUS } from './models/desert.ts';
 import { mole, MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';

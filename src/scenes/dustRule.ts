@@ -1,7 +1,7 @@
 /** How much dust rises where objects touch the sand: more for harder impacts and faster rolling. */
-import { pow } from '../sim/exact/power.ts';
-import type { Quaternion } from '../sim/exact/rotation.ts';
-import { hypot } from '../sim/exact/sine.ts';
+import { pow } from '../simulator/exact/power.ts';
+import type { Quaternion } from '../simulator/exact/rotation.ts';
+import { hypot } from '../simulator/exact/sine.ts';
 import type { MovingSceneState, Placement, Rule, Vector } from './scene.ts';
 
 /** An object that falls on the sand. */

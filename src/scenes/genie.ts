@@ -1,11 +1,11 @@
 import { Vector3 } from 'three';
-import type { Color } from '../device/ramps.ts';
-import type { SurfaceDescription } from '../passes/surface.ts';
-import { exp } from '../sim/exact/power.ts';
-import { slerp } from '../sim/exact/quaternion.ts';
-import { sin } from '../sim/exact/sine.ts';
-import { quaternionFromAngles } from '../sim/exact/rotation.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { Color } from '../renderer/gpu/ramps.ts';
+import type { SurfaceDescription } from '../renderer/passes/surface.ts';
+import { exp } from '../simulator/exact/power.ts';
+import { slerp } from '../simulator/exact/quaternion.ts';
+import { sin } from '../simulator/exact/sine.ts';
+import { quaternionFromAngles } from '../simulator/exact/rotation.ts';
+import type { RigidDescription } from '../simulator/rigid.ts';
 import { genie as genieModel, HEAD, HEAD_RADIUS, HIP, SHOULDER, WAVE } from './models/genie.ts';
 import { lampModel, type LampRole } from './models/lamp.ts';
 import { placed, placement } from './models/place.ts';

@@ -1,7 +1,7 @@
-import type { Color } from '../device/ramps.ts';
-import type { SurfaceDescription } from '../passes/surface.ts';
-import { cos } from '../sim/exact/sine.ts';
-import type { RigidDescription } from '../sim/rigid.ts';
+import type { Color } from '../renderer/gpu/ramps.ts';
+import type { SurfaceDescription } from '../renderer/passes/surface.ts';
+import { cos } from '../simulator/exact/sine.ts';
+import type { RigidDescription } from '../simulator/rigid.ts';
 import { ballMesh } from './models/ball.ts';
 import { lampModel, type LampModel, type LampRole } from './models/lamp.ts';
 import { tableMesh } from './models/table.ts';

@@ -1,6 +1,6 @@
 /** The behaviour of the mole: it digs to the nearest toy, kicks it up, looks around, and digs on. */
 import { Vector2 } from 'three';
-import { sin } from '../sim/exact/sine.ts';
+import { sin } from '../simulator/exact/sine.ts';
 import { DESERT_RADIUS } from './models/desert.ts';
 import { MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';

@@ -1,4 +1,4 @@
-import { cos, sin } from '../sim/exact/sine.ts';
+import { cos, sin } from '../simulator/exact/sine.ts';
 import { island } from './models/island.ts';
 import { placement } from './models/place.ts';
 import { launchPad, NOZZLE, rocket as rocketModel, rocketHull } from './models/rocket.ts';

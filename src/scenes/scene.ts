@@ -1,8 +1,8 @@
-import type { Color } from '../device/ramps.ts';
-import type { TriangleMesh } from '../passes/extrusion.ts';
-import type { SurfaceDescription } from '../passes/surface.ts';
-import type { Quaternion } from '../sim/exact/rotation.ts';
-import type { RigidDescription, RigidPart } from '../sim/rigid.ts';
+import type { Color } from '../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../renderer/passes/surface.ts';
+import type { Quaternion } from '../simulator/exact/rotation.ts';
+import type { RigidDescription, RigidPart } from '../simulator/rigid.ts';
 import type { Dropped } from './dropped.ts';
 
 /** A position or a displacement in metres, or a direction. */

@@ -1,4 +1,4 @@
-import { ParameterError } from '../preset/errors.ts';
+import { ParameterError } from '../base/errors.ts';
 import type { Scene } from './scene.ts';
 
 /** A scene whose code is loaded on demand: each is a separate chunk. */

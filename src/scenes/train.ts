@@ -1,4 +1,4 @@
-import { cos, sin } from '../sim/exact/sine.ts';
+import { cos, sin } from '../simulator/exact/sine.ts';
 import { every, strideWithin } from './models/coarser.ts';
 import { island, trees } from './models/island.ts';
 import { AXLES, CHIMNEY, CRANK, CYLINDER, locomotive, locomotiveHull, WHEEL_RADIUS } from './models/locomotive.ts';
@@ -6,7 +6,7 @@ import { merged, placed, placement } from './models/place.ts';
 import { roundedBox } from './models/roundedBox.ts';
 import { wagon } from './models/wagons.ts';
 import type { MovingPart, Placement, Scene } from './scene.ts';
-import type { TriangleMesh } from '../passes/extrusion.ts';
+import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
 
 const LOCOMOTIVE = 0;
 /** Radius of the circular track, and height of the rails; metres. */

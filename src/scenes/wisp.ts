@@ -1,4 +1,4 @@
-import { sin } from '../sim/exact/sine.ts';
+import { sin } from '../simulator/exact/sine.ts';
 import { TEA_LEVEL, TEA_RADIUS, teacup } from './models/teacup.ts';
 import type { Scene } from './scene.ts';
 

@@ -1,5 +1,5 @@
 import { MathUtils, Vector3, type PerspectiveCamera } from 'three';
-import type { Blow } from '../sim/input.ts';
+import type { Blow } from '../simulator/input.ts';
 
 /** A blow at a position in the picture, or a sweep across it. Lengths are in CSS pixels, y points down. */
 export interface BlowInput {

@@ -1,8 +1,8 @@
-import type { Device, DeviceOptions } from '../device/device.ts';
-import type { Fault } from '../device/faults.ts';
-import type { DebugView, Quality } from '../preset/quality.ts';
-import type { Values } from '../preset/parameter.ts';
-import type { LoadProgress } from '../sim/load.ts';
+import type { Device, DeviceOptions } from '../renderer/gpu/device.ts';
+import type { Fault } from '../renderer/gpu/faults.ts';
+import type { DebugView, Quality } from '../parameters/quality.ts';
+import type { Values } from '../parameters/parameter.ts';
+import type { LoadProgress } from '../simulator/load.ts';
 import type { StageStats } from './stats.ts';
 
 export interface StageOptions extends DeviceOptions {

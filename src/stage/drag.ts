@@ -1,6 +1,6 @@
 import { Box3, Plane, Ray, Sphere, Vector3, type Camera, type Matrix4, type Vector2 } from 'three';
 import type { Handle } from '../scenes/scene.ts';
-import { POSE_FLOATS } from '../sim/layout.ts';
+import { POSE_FLOATS } from '../simulator/layout.ts';
 import type { Mover, Simulation } from './simulation.ts';
 
 /** A pointer within this many radii of the centre grabs the rigid: fingers are less precise than mice. */

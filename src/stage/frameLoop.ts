@@ -1,4 +1,4 @@
-import { Clock } from '../sim/clock.ts';
+import { Clock } from '../simulator/clock.ts';
 import { Governor } from './governor.ts';
 
 /** With a frame rate limit, a frame may be this much early: display timing is not exact to the millisecond. */

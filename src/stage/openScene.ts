@@ -1,9 +1,9 @@
-import { LoadError } from '../preset/errors.ts';
-import { inTime } from '../preset/timeout.ts';
+import { LoadError } from '../base/errors.ts';
+import { inTime } from '../base/timeout.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
-import { prepareSurfaces } from '../smoke/prepare.ts';
-import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../sim/load.ts';
+import { prepareSurfaces } from '../renderer/prepare.ts';
+import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../simulator/load.ts';
 
 /** Scenes in use: stages of the same scene share its models and everything derived from them. */
 const shown = new Map<string, WeakRef<Scene>>();

@@ -1,11 +1,11 @@
-import { missingContext, requireCanvas, type Device, type DeviceCanvas } from '../device/device.ts';
-import type { Fault } from '../device/faults.ts';
-import { requireOptions } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
-import { defaults, validate } from '../preset/values.ts';
-import { fetchExtras } from '../smoke/extraPasses.ts';
-import { bakeAhead, compileAhead } from '../smoke/prepare.ts';
-import { styleOf } from '../smoke/style.ts';
+import { missingContext, requireCanvas, type Device, type DeviceCanvas } from '../renderer/gpu/device.ts';
+import type { Fault } from '../renderer/gpu/faults.ts';
+import { requireOptions } from '../base/errors.ts';
+import type { Values } from '../parameters/parameter.ts';
+import { defaults, validate } from '../parameters/values.ts';
+import { fetchExtras } from '../renderer/extraPasses.ts';
+import { bakeAhead, compileAhead } from '../renderer/prepare.ts';
+import { styleOf } from '../renderer/style.ts';
 import { STAGE_OPTIONS, type EnterOptions, type StageOptions } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
 import { firstDeviation, pixelsOf, type Picture } from './picture.ts';
@@ -69,7 +69,7 @@ export function withDefaults(values: Values = {}): Values {
 
 /** @see Fault */
 async function provoke(fault: Fault, { device }: Presenter, { factory }: OpenedScene): Promise<void> {
-  const { fill, loseContext } = await import('../device/faults.ts');
+  const { fill, loseContext } = await import('../renderer/gpu/faults.ts');
   if (fault === 'outOfMemory') fill(factory.module.memory);
   if (fault === 'contextLostInStart') loseContext(device);
 }

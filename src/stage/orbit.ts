@@ -1,7 +1,7 @@
 import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from 'three';
-import type { AnyValues, NumberParameter, Values } from '../preset/parameter.ts';
-import { table } from '../preset/table.ts';
-import { requireFinite } from '../preset/values.ts';
+import type { AnyValues, NumberParameter, Values } from '../parameters/parameter.ts';
+import { table } from '../parameters/table.ts';
+import { requireFinite } from '../parameters/values.ts';
 import type { CameraPose, Scene } from '../scenes/scene.ts';
 
 /** Minimum horizontal field of view in a narrow window, radians, for scenes that do not define one. */

@@ -7,21 +7,21 @@ import {
   type PerspectiveCamera,
   type WebGLRenderer,
 } from 'three';
-import type { GpuTimer } from '../device/gpuTimer.ts';
-import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../preset/quality.ts';
-import { ParameterError } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
+import type { GpuTimer } from '../renderer/gpu/gpuTimer.ts';
+import { DEBUG_VIEWS, LOWEST_QUALITY, type DebugView, type Quality } from '../parameters/quality.ts';
+import { ParameterError } from '../base/errors.ts';
+import type { Values } from '../parameters/parameter.ts';
 import type { Scene } from '../scenes/scene.ts';
-import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
-import type { Simulator } from '../sim/simulator.ts';
-import type { PictureKind } from '../smoke/extraPasses.ts';
-import { deviationFor } from '../smoke/detail.ts';
-import { drawFrame } from '../smoke/frame.ts';
-import type { FrameInput, FrameReport } from '../smoke/frameInput.ts';
-import { lightOf, moved, type Light } from '../smoke/light.ts';
-import { drawnSurfaces } from '../smoke/sceneSurfaces.ts';
-import { ShownSmoke } from '../smoke/shownSmoke.ts';
-import { SmokeRenderer, type SmokeOptions } from '../smoke/smoke.ts';
+import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
+import type { Simulator } from '../simulator/simulator.ts';
+import type { PictureKind } from '../renderer/extraPasses.ts';
+import { deviationFor } from '../renderer/detail.ts';
+import { drawFrame } from '../renderer/frame.ts';
+import type { FrameInput, FrameReport } from '../renderer/frameInput.ts';
+import { lightOf, moved, type Light } from '../renderer/light.ts';
+import { drawnSurfaces } from '../renderer/sceneSurfaces.ts';
+import { ShownSmoke } from '../renderer/shownSmoke.ts';
+import { SmokeRenderer, type SmokeOptions } from '../renderer/smoke.ts';
 import { OrbitCamera } from './orbit.ts';
 import type { PictureSize, Presenter } from './presenter.ts';
 
@@ -112,7 +112,7 @@ export class Picture {
   timeGpu(isOn: boolean): void {
     this.isTimed = isOn;
     if (isOn) {
-      void import('../device/gpuTimer.ts').then(
+      void import('../renderer/gpu/gpuTimer.ts').then(
         ({ createGpuTimer }) => this.isTimed && (this.timer ??= createGpuTimer(this.presenter.device)),
         // The statistics are then without this time.
         () => {},

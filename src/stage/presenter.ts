@@ -1,7 +1,7 @@
 import type { WebGLRenderTarget } from 'three';
-import { createDevice, type Device, type DeviceCanvas, type DeviceOptions } from '../device/device.ts';
-import { Enlarger } from '../device/enlarger.ts';
-import { ContextError } from '../preset/errors.ts';
+import { createDevice, type Device, type DeviceCanvas, type DeviceOptions } from '../renderer/gpu/device.ts';
+import { Enlarger } from '../renderer/gpu/enlarger.ts';
+import { ContextError } from '../base/errors.ts';
 
 /** Presents pictures on a stage's canvas. It either owns the device of that canvas or copies from a shared device. */
 export interface Presenter {

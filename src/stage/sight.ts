@@ -1,5 +1,5 @@
 import { MathUtils, Vector3, type Matrix4 } from 'three';
-import { runOnSelf } from '../preset/onSelf.ts';
+import { runOnSelf } from '../base/onSelf.ts';
 import type { Vector } from '../scenes/scene.ts';
 import type { Picture } from './picture.ts';
 

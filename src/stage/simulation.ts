@@ -1,15 +1,15 @@
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import type { AnyValues, Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
+import { ParameterError } from '../base/errors.ts';
+import type { AnyValues, Values } from '../parameters/parameter.ts';
+import { findParameter } from '../parameters/table.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
-import { secondsAt, STEP_SECONDS } from '../sim/clock.ts';
-import { EMISSION_LIMIT } from '../sim/emitterOptions.ts';
-import type { SimulatorFactory } from '../sim/load.ts';
-import { POSE_FLOATS } from '../sim/layout.ts';
-import type { Simulator } from '../sim/simulator.ts';
-import { simulatorValues, valueOf, valuesIn } from '../sim/simulatorValues.ts';
+import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
+import { EMISSION_LIMIT } from '../simulator/emitterOptions.ts';
+import type { SimulatorFactory } from '../simulator/load.ts';
+import { POSE_FLOATS } from '../simulator/layout.ts';
+import type { Simulator } from '../simulator/simulator.ts';
+import { simulatorValues, valueOf, valuesIn } from '../simulator/simulatorValues.ts';
 import { SavedStates } from './states.ts';
 
 const HISTORY_BYTES = 64 * 1024 * 1024;

@@ -1,14 +1,19 @@
 import { MathUtils } from 'three';
-import type { DeviceCanvas } from '../device/device.ts';
-import type { DebugView, Quality } from '../preset/quality.ts';
-import { SimulatorError } from '../preset/errors.ts';
-import { runOnSelf } from '../preset/onSelf.ts';
-import type { Values } from '../preset/parameter.ts';
-import { requireFinite, requireWhole } from '../preset/values.ts';
-import { requireShapes } from '../puffs/lobes.ts';
-import type { PuffShape } from '../puffs/shapes.ts';
-import { STEP_SECONDS } from '../sim/clock.ts';
-import { changeNumbers, emissionNumbers, type EmissionChange, type EmissionOptions } from '../sim/emitterOptions.ts';
+import type { DeviceCanvas } from '../renderer/gpu/device.ts';
+import type { DebugView, Quality } from '../parameters/quality.ts';
+import { SimulatorError } from '../base/errors.ts';
+import { runOnSelf } from '../base/onSelf.ts';
+import type { Values } from '../parameters/parameter.ts';
+import { requireFinite, requireWhole } from '../parameters/values.ts';
+import { requireShapes } from '../renderer/puffs/lobes.ts';
+import type { PuffShape } from '../renderer/puffs/shapes.ts';
+import { STEP_SECONDS } from '../simulator/clock.ts';
+import {
+  changeNumbers,
+  emissionNumbers,
+  type EmissionChange,
+  type EmissionOptions,
+} from '../simulator/emitterOptions.ts';
 import type { BlowInput } from './blow.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { openFor, openStage, withDefaults } from './openStage.ts';

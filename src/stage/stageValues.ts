@@ -1,6 +1,6 @@
-import { ParameterError } from '../preset/errors.ts';
-import type { Values } from '../preset/parameter.ts';
-import { differing, requireOptional, validate } from '../preset/values.ts';
+import { ParameterError } from '../base/errors.ts';
+import type { Values } from '../parameters/parameter.ts';
+import { differing, requireOptional, validate } from '../parameters/values.ts';
 import type { Picture } from './picture.ts';
 import type { Simulation } from './simulation.ts';
 

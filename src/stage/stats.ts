@@ -1,4 +1,4 @@
-import { STEP_SECONDS } from '../sim/clock.ts';
+import { STEP_SECONDS } from '../simulator/clock.ts';
 import type { Picture } from './picture.ts';
 import type { Simulation } from './simulation.ts';
 

@@ -1,9 +1,9 @@
 /** Takes as used by a stage: the simulator's bytes, with the stage's start values as the note. */
-import { SimulatorError } from '../preset/errors.ts';
-import type { Value, Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
-import { defaults, differing, isAccepted } from '../preset/values.ts';
-import type { TakeInfo } from '../sim/input.ts';
+import { SimulatorError } from '../base/errors.ts';
+import type { Value, Values } from '../parameters/parameter.ts';
+import { findParameter } from '../parameters/table.ts';
+import { defaults, differing, isAccepted } from '../parameters/values.ts';
+import type { TakeInfo } from '../simulator/input.ts';
 
 /** A recording of all inputs by step, with everything needed to replay them to the same hash at every step. */
 export interface Take {

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import { findParameter } from '../preset/table.ts';
+import { ParameterError } from '../base/errors.ts';
+import { findParameter } from '../parameters/table.ts';
 import { Handle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
 import { worldPose, type Rider, type Riders } from './riders.ts';

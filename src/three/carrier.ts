@@ -1,10 +1,10 @@
 import { MathUtils, Vector3, type Object3D } from 'three';
-import type { AnyValues, NumberParameter, Values } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
-import type { Simulator } from '../sim/simulator.ts';
-import { simulatorValues } from '../sim/simulatorValues.ts';
-import { AXES } from '../sim/emitterOptions.ts';
-import type { SmokeFrame } from './frame.ts';
+import type { AnyValues, NumberParameter, Values } from '../parameters/parameter.ts';
+import { findParameter } from '../parameters/table.ts';
+import type { Simulator } from '../simulator/simulator.ts';
+import { simulatorValues } from '../simulator/simulatorValues.ts';
+import { AXES } from '../simulator/emitterOptions.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import type { Overrides } from './overrides.ts';
 import type { Rider, Riders } from './riders.ts';
 import { newPose } from './shapes.ts';

@@ -1,7 +1,7 @@
 import type { InstancedMesh, Object3D } from 'three';
 import type { HostCaster, HostCasters } from './casters.ts';
-import { requireOptions } from '../preset/errors.ts';
-import type { SmokeFrame } from './frame.ts';
+import { requireOptions } from '../base/errors.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import { Handle } from './handle.ts';
 import type { CastOptions } from './options.ts';
 import { requireProxies } from './proxies.ts';

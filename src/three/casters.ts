@@ -8,13 +8,13 @@ import {
   type InstancedMesh,
   type SkinnedMesh,
 } from 'three';
-import type { Device } from '../device/device.ts';
-import type { FrameView } from '../device/frameView.ts';
-import { MeshVolumesPass } from '../passes/meshVolumes.ts';
-import { SurfaceTransforms } from '../passes/surfaceTransforms.ts';
-import { ParameterError } from '../preset/errors.ts';
+import type { Device } from '../renderer/gpu/device.ts';
+import type { FrameView } from '../renderer/gpu/frameView.ts';
+import { MeshVolumesPass } from '../renderer/passes/meshVolumes.ts';
+import { SurfaceTransforms } from '../renderer/passes/surfaceTransforms.ts';
+import { ParameterError } from '../base/errors.ts';
 import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
-import { toSmoke, type SmokeFrame } from './frame.ts';
+import { toSmoke, type SmokeFrame } from './smokeSpace.ts';
 import { ballsOf, worldBall, type ProxyBall } from './proxies.ts';
 import { newPose, poseOf, partsOf, scaleOf, trianglesOf } from './shapes.ts';
 import { isBlended, materialsOf } from './materials.ts';

@@ -1,10 +1,10 @@
 import type { Matrix4, Mesh, Object3D, SkinnedMesh, Vector3 } from 'three';
-import { ParameterError, requireOptions } from '../preset/errors.ts';
-import { accepted as acceptedBy } from '../preset/parameter.ts';
-import { findParameter } from '../preset/table.ts';
-import type { RigidSurface, SingleShape } from '../sim/rigid.ts';
-import type { Simulator } from '../sim/simulator.ts';
-import type { SmokeFrame } from './frame.ts';
+import { ParameterError, requireOptions } from '../base/errors.ts';
+import { accepted as acceptedBy } from '../parameters/parameter.ts';
+import { findParameter } from '../parameters/table.ts';
+import type { RigidSurface, SingleShape } from '../simulator/rigid.ts';
+import type { Simulator } from '../simulator/simulator.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import { Handle } from './handle.ts';
 import { boneBalls, worldBall, requireProxies, type BallAt, type ProxyBall } from './proxies.ts';
 import { meshesIn, newPose, partsOf, poseOf, scaleOf, shapeOf, type Pose } from './shapes.ts';

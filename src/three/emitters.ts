@@ -1,7 +1,7 @@
 import { Vector3, type Object3D, type Vector3Like } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import { LIST_LIMIT } from '../preset/lists.ts';
-import type { Values } from '../preset/parameter.ts';
+import { ParameterError } from '../base/errors.ts';
+import { LIST_LIMIT } from '../parameters/lists.ts';
+import type { Values } from '../parameters/parameter.ts';
 import {
   AXES,
   burstNumbers,
@@ -13,11 +13,11 @@ import {
   tableValues,
   type BurstOptions,
   type EmitterOptions,
-} from '../sim/emitterOptions.ts';
-import type { Simulator } from '../sim/simulator.ts';
+} from '../simulator/emitterOptions.ts';
+import type { Simulator } from '../simulator/simulator.ts';
 import { Handle, type SmokeHandle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
-import type { SmokeFrame } from './frame.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import { worldPose, type Rider, type Riders } from './riders.ts';
 import { newPose } from './shapes.ts';
 

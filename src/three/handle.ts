@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
-import { ParameterError, SimulatorError } from '../preset/errors.ts';
-import { runOnSelf } from '../preset/onSelf.ts';
+import { ParameterError, SimulatorError } from '../base/errors.ts';
+import { runOnSelf } from '../base/onSelf.ts';
 import type { Pose } from './shapes.ts';
 
 /**

@@ -1,6 +1,6 @@
 import { Vector2, type DepthTexture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
-import { depthCopy } from '../device/depthCopy.ts';
-import type { SurfaceDepth } from '../passes/surfaceDepth.ts';
+import { depthCopy } from '../renderer/gpu/depthCopy.ts';
+import type { SurfaceDepth } from '../renderer/passes/surfaceDepth.ts';
 
 /**
  * Extent of the depth test about a pixel's centre in a multisampled framebuffer, pixels: samples are spread over the

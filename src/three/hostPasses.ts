@@ -1,13 +1,13 @@
-import { Device } from '../device/device.ts';
-import { pictureTarget } from '../device/pictureTarget.ts';
-import { InsertPass } from '../passes/insert.ts';
-import type { SmokeRenderer } from '../smoke/smoke.ts';
+import { Device } from '../renderer/gpu/device.ts';
+import { pictureTarget } from '../renderer/gpu/pictureTarget.ts';
+import { InsertPass } from '../renderer/passes/insert.ts';
+import type { SmokeRenderer } from '../renderer/smoke.ts';
 import { HostCasters } from './casters.ts';
-import type { SmokeFrame } from './frame.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import { HostDepth } from './hostDepth.ts';
 import { HostVolumes } from './volumes/hostVolumes.ts';
 import { LateStencil } from './target/lateStencil.ts';
-import type { LoadError } from '../preset/errors.ts';
+import type { LoadError } from '../base/errors.ts';
 import type { WebGLRenderer } from 'three';
 
 /** Passes for a frame in the host's scene. */

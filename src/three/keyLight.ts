@@ -1,6 +1,6 @@
 import { Vector3, type DirectionalLight, type PointLight, type SpotLight } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import type { Light } from '../smoke/light.ts';
+import { ParameterError } from '../base/errors.ts';
+import type { Light } from '../renderer/light.ts';
 
 /** A light of the host's scene that shades smoke. For a spot light, the position counts but not the cone. */
 export type KeyLight = DirectionalLight | PointLight | SpotLight;

@@ -1,11 +1,11 @@
 import type { Object3DEventMap, WebGLRenderer } from 'three';
-import { fetchValues } from '../preset/byScene/fetchValues.ts';
-import { ParameterError, requireOptions, type SmokeError } from '../preset/errors.ts';
-import type { ShareLink, Values } from '../preset/parameter.ts';
-import { defaults, validate } from '../preset/values.ts';
-import type { PresetName } from '../preset/valueTypes.ts';
-import { styleOf, type Style } from '../smoke/style.ts';
-import type { SmokeSpace } from './frame.ts';
+import { fetchValues } from '../parameters/byScene/fetchValues.ts';
+import { ParameterError, requireOptions, type SmokeError } from '../base/errors.ts';
+import type { ShareLink, Values } from '../parameters/parameter.ts';
+import { defaults, validate } from '../parameters/values.ts';
+import type { PresetName } from '../parameters/valueTypes.ts';
+import { styleOf, type Style } from '../renderer/style.ts';
+import type { SmokeSpace } from './smokeSpace.ts';
 import type { KeyLight } from './keyLight.ts';
 import type { ProxyBall } from './proxies.ts';
 

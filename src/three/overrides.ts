@@ -1,5 +1,5 @@
-import { findParameter } from '../preset/table.ts';
-import type { Simulator } from '../sim/simulator.ts';
+import { findParameter } from '../parameters/table.ts';
+import type { Simulator } from '../simulator/simulator.ts';
 
 /** An envelope that ends as soon as it has started, which no value of the table could do for all of a long run. */
 const SILENCE: Readonly<Record<string, number>> = {

@@ -8,7 +8,7 @@ import {
   type Object3D,
   type SkinnedMesh,
 } from 'three';
-import { ParameterError, requireOptions } from '../preset/errors.ts';
+import { ParameterError, requireOptions } from '../base/errors.ts';
 import { instancesOf } from './shapes.ts';
 
 /** A ball that approximates a part of a deforming object. It follows an object, such as a bone. */

@@ -1,10 +1,10 @@
 import { Matrix4, Vector3, type Object3D } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import { POSE_FLOATS } from '../sim/layout.ts';
-import type { RigidPart, SingleShape } from '../sim/rigid.ts';
-import type { Simulator } from '../sim/simulator.ts';
+import { ParameterError } from '../base/errors.ts';
+import { POSE_FLOATS } from '../simulator/layout.ts';
+import type { RigidPart, SingleShape } from '../simulator/rigid.ts';
+import type { Simulator } from '../simulator/simulator.ts';
 import { errorOfOption, type CollideOptions } from './colliders.ts';
-import type { SmokeFrame } from './frame.ts';
+import type { SmokeFrame } from './smokeSpace.ts';
 import { Handle } from './handle.ts';
 import { worldPose } from './riders.ts';
 import { meshesIn, newPose, partsOf, poseOf, shapeOf, type Pose } from './shapes.ts';

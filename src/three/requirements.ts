@@ -8,8 +8,8 @@ import {
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { MAX_PLANES } from '../device/frameView.ts';
-import { ParameterError, UnsupportedError } from '../preset/errors.ts';
+import { MAX_PLANES } from '../renderer/gpu/frameView.ts';
+import { ParameterError, UnsupportedError } from '../base/errors.ts';
 
 /**
  * Checks the renderer settings that are fixed at creation.

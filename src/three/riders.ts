@@ -1,7 +1,7 @@
 import type { Object3D } from 'three';
-import { FIRST_PART, POSE_FLOATS } from '../sim/layout.ts';
-import type { Simulator } from '../sim/simulator.ts';
-import { TELEPORT, type SmokeFrame } from './frame.ts';
+import { FIRST_PART, POSE_FLOATS } from '../simulator/layout.ts';
+import type { Simulator } from '../simulator/simulator.ts';
+import { TELEPORT, type SmokeFrame } from './smokeSpace.ts';
 import { copyOf, newPose, poseOf, type Pose } from './shapes.ts';
 
 /** Numbers of a part: its carrier, -1 for none, and its pose. */

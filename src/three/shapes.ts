@@ -13,9 +13,9 @@ import {
   type MeshStandardMaterial,
   type Object3D,
 } from 'three';
-import { ParameterError } from '../preset/errors.ts';
-import type { TriangleMesh } from '../passes/extrusion.ts';
-import type { SingleShape } from '../sim/rigid.ts';
+import { ParameterError } from '../base/errors.ts';
+import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
+import type { SingleShape } from '../simulator/rigid.ts';
 import { materialsOf } from './materials.ts';
 
 /** World position and rotation. The shape includes the scale. */

@@ -1,7 +1,7 @@
 /** Warnings about `CartoonSmoke`. Importing this module makes `CartoonSmoke.create` return smoke that warns. */
 import type { Object3D } from 'three';
 import { CartoonSmoke } from './cartoonSmoke.ts';
-import { warnOfError, warnOnce, warnUnawaited } from '../preset/warn.ts';
+import { warnOfError, warnOnce, warnUnawaited } from '../base/warn.ts';
 
 const ABOUT = 'CartoonSmoke';
 /** Consecutive frames after which a mistake is reported. Correct programs have some, for example while a page loads. */

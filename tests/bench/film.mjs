@@ -15,7 +15,7 @@ import { spread } from './support/spread.mjs';
 
 /**
  * @typedef {import('../../scripts/bench/table.mjs').Figure} Figure
- * @typedef {import('../../src/app/film/order.ts').DrawnFrame & { at: number }} Timed
+ * @typedef {import('../../src/demo/film/order.ts').DrawnFrame & { at: number }} Timed
  */
 
 const FULL = ['--size', '1920x1080'];
@@ -65,7 +65,7 @@ async function timedFrames(preset, count, words) {
   const drawn = [];
   await inFolder(async (folder) => {
     const shot = [`#v=1&preset=${preset}`, '--frames', `${LEAD}-${LEAD + count - 1}`, '--out', folder];
-    const files = { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/sim/wasm') };
+    const files = { page: inRoot(filmPage.FOLDER), wasm: inRoot('src/simulator/wasm') };
     await film([...shot, ...words], files, 'bench', (frame) => drawn.push({ ...frame, at: Date.now() }));
   });
   return drawn;

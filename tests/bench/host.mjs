@@ -51,7 +51,7 @@ async function bytesBefore(folder, say) {
   say(`size of ${BEFORE}`);
   symlinkSync(inRoot('node_modules'), join(old, 'node_modules'));
   // The bindings of the simulator, of which only the file names count.
-  cpSync(inRoot('src/sim/wasm'), join(old, 'src/sim/wasm'), { recursive: true });
+  cpSync(inRoot('src/simulator/wasm'), join(old, 'src/simulator/wasm'), { recursive: true });
   try {
     return await addedBytes(old, join(folder, 'before'));
   } catch {

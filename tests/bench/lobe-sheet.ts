@@ -5,11 +5,11 @@
  */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
-import { meetLobes, sampleLobes } from '../../src/puffs/lobes.ts';
-import { DEFAULT_DESIGN, designedShapes } from '../../src/puffs/lobeShapes.ts';
-import { orientationOf, rotatedLobes } from '../../src/puffs/orientation.ts';
-import type { Lobe, PuffShape } from '../../src/puffs/shapes.ts';
-import { dot, normalized } from '../../src/puffs/vector.ts';
+import { meetLobes, sampleLobes } from '../../src/renderer/puffs/lobes.ts';
+import { DEFAULT_DESIGN, designedShapes } from '../../src/renderer/puffs/lobeShapes.ts';
+import { orientationOf, rotatedLobes } from '../../src/renderer/puffs/orientation.ts';
+import type { Lobe, PuffShape } from '../../src/renderer/puffs/shapes.ts';
+import { dot, normalized } from '../../src/renderer/puffs/vector.ts';
 
 type Color = readonly [red: number, green: number, blue: number];
 

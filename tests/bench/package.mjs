@@ -11,7 +11,7 @@ import { bundleAll, shrinking } from '../../scripts/package/bundle.mjs';
 import { kilobytes } from '../../scripts/package/measure.mjs';
 
 /**
- * The files of each size that tests/e2e/element/size.spec.ts limits. The core is a wisp on the page's main thread.
+ * The files of each size that tests/e2e/page/element/size.spec.ts limits. The core is a wisp on the page's main thread.
  * @type {Record<string, string[]>}
  */
 const FILES = {

@@ -1,9 +1,9 @@
 /** A contact sheet of the baked puffs: the four channels side by side on white paper. */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
-import { channelSheet } from '../../src/puffs/billboards/channelSheet.ts';
-import { bakePuffs } from '../../src/puffs/billboards/layers.ts';
-import { LOBE_SHAPES } from '../../src/puffs/lobeShapes.ts';
+import { channelSheet } from '../../src/renderer/puffs/billboards/channelSheet.ts';
+import { bakePuffs } from '../../src/renderer/puffs/billboards/layers.ts';
+import { LOBE_SHAPES } from '../../src/renderer/puffs/lobeShapes.ts';
 
 /** Pixels: side of a puff's tile, and gap around the channels. */
 const TILE = 256;

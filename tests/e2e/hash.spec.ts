@@ -3,13 +3,13 @@ import { expect, test } from '../support/fixtures.ts';
 import { linesOf } from '../support/sim/hashFixture.ts';
 import { nativeTakes } from '../support/sim/nativeTakes.ts';
 
-type Load = typeof import('../../src/sim/load.ts');
+type Load = typeof import('../../src/simulator/load.ts');
 type Fixture = typeof import('../support/sim/hashFixture.ts');
 
 const text = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
 
 test('the same seed has the same hash natively and in Chromium', async ({ load }) => {
-  const simulators = await load<Load>('/src/sim/load.ts');
+  const simulators = await load<Load>('/src/simulator/load.ts');
   const fixture = await load<Fixture>('/tests/support/sim/hashFixture.ts');
   const hashes = await simulators.evaluate(
     async (module, [scenario, input]) => {
@@ -33,7 +33,7 @@ test('takes over the whole parameter table have the same hashes natively and in 
   expect(takes.length).toBe(40);
   expect(takes.filter(({ hasRigids }) => hasRigids).length).toBe(20);
   expect(takes.filter(({ alive }) => alive > 50).length, 'takes with smoke in them').toBeGreaterThan(30);
-  const simulators = await load<Load>('/src/sim/load.ts');
+  const simulators = await load<Load>('/src/simulator/load.ts');
   const hashes = await simulators.evaluate(async (module, list) => {
     const factories = await Promise.all([false, true].map((physics) => module.loadSimulators({ physics })));
     return list.map(({ hasRigids, steps, take }) => {

@@ -1,6 +1,6 @@
 /** Every preset ends in the state of the committed list, which Node generates. */
 import { describe, expect } from 'vitest';
-import { presets } from '../../src/preset/presets.ts';
+import { presets } from '../../src/parameters/presets.ts';
 import { engine, test } from './fixtures.ts';
 import hashes from './hashes.json' with { type: 'json' };
 

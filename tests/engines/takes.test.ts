@@ -1,7 +1,7 @@
 /** Takes and saved states give the same hashes in this engine and in Node. */
 import { expect } from 'vitest';
-import { decode } from '../../src/preset/codec.ts';
-import type { Values } from '../../src/preset/parameter.ts';
+import { decode } from '../../src/parameters/codec.ts';
+import type { Values } from '../../src/parameters/parameter.ts';
 import { withDrops } from '../../src/scenes/drops.ts';
 import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { Simulation } from '../../src/stage/simulation.ts';

@@ -1,7 +1,7 @@
 /** The whole page with a strict Content-Security-Policy: no user action violates it. */
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { closeSheet, expectSteps, isComplete } from '../e2e/app/page.ts';
+import { closeSheet, expectSteps, isComplete } from '../e2e/demo/page.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import type { Values } from '../../src/preset/parameter.ts';
+import type { Values } from '../../src/parameters/parameter.ts';
 import type { CartoonSmoke } from '../../src/three/cartoonSmoke.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveOpenly, type SiteServer } from '../support/plainPage.ts';

@@ -1,11 +1,11 @@
 /** Random states for links. They consist of a few plain numbers, so that ten thousand take seconds and shrink well. */
 import fc from 'fast-check';
-import type { State } from '../../src/preset/codec.ts';
-import { MAX_STOPS, writeCurve } from '../../src/preset/curve.ts';
-import type { NumberParameter, Parameter, Value, Values } from '../../src/preset/parameter.ts';
-import { presets, presetValues } from '../../src/preset/presets.ts';
-import { MAX_COLORS, writeRamp } from '../../src/preset/ramp.ts';
-import { table } from '../../src/preset/table.ts';
+import type { State } from '../../src/parameters/codec.ts';
+import { MAX_STOPS, writeCurve } from '../../src/parameters/curve.ts';
+import type { NumberParameter, Parameter, Value, Values } from '../../src/parameters/parameter.ts';
+import { presets, presetValues } from '../../src/parameters/presets.ts';
+import { MAX_COLORS, writeRamp } from '../../src/parameters/ramp.ts';
+import { table } from '../../src/parameters/table.ts';
 
 /** Row index, and a number that determines its value. */
 const anyChange = fc.tuple(fc.nat({ max: table.length - 1 }), fc.nat({ max: 999_999_999 }));

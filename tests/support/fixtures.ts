@@ -18,7 +18,7 @@ interface TestFixtures {
   isFirstVisit: boolean;
   /** A page without product code, for tests of single modules; shared by all tests of a file. */
   blank: Page;
-  /** Imports a source module in the blank page, such as '/src/puffs/billboards/mesh.ts', and returns its handle. */
+  /** Imports a source module in the blank page, such as '/src/renderer/puffs/billboards/mesh.ts', and returns its handle. */
   load: LoadModule;
 }
 

@@ -1,16 +1,16 @@
 /** The handles of a smoke of src/three without a renderer. */
 import { Group, Scene, type Object3D } from 'three';
-import type { Values } from '../../src/preset/parameter.ts';
-import { ALL_PARTICLES } from '../../src/sim/view.ts';
-import type { SimulatorFactory } from '../../src/sim/load.ts';
-import { PLACE_FLOATS } from '../../src/sim/layout.ts';
-import { simulatorValues } from '../../src/sim/simulatorValues.ts';
+import type { Values } from '../../src/parameters/parameter.ts';
+import { ALL_PARTICLES } from '../../src/simulator/view.ts';
+import type { SimulatorFactory } from '../../src/simulator/load.ts';
+import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
+import { simulatorValues } from '../../src/simulator/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
 import { Carrier } from '../../src/three/carrier.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
-import type { EmitterOptions } from '../../src/sim/emitterOptions.ts';
+import type { EmitterOptions } from '../../src/simulator/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
-import { SmokeFrame, type SmokeSpace } from '../../src/three/frame.ts';
+import { SmokeFrame, type SmokeSpace } from '../../src/three/smokeSpace.ts';
 import { Handles, type Handle } from '../../src/three/handle.ts';
 import { Overrides } from '../../src/three/overrides.ts';
 import { PushedObject } from '../../src/three/pushed.ts';

@@ -1,4 +1,4 @@
-import { methodNames, methods } from '../../src/remote/methods.ts';
+import { methodNames, methods } from '../../src/stage/remote/methods.ts';
 import { random as seeded } from '../visual/random.ts';
 
 const STRANGE = [

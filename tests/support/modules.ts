@@ -4,7 +4,7 @@ import type { JSHandle, Page } from '@playwright/test';
  * Imports a module in a page. Its path on the server is its path in the repository.
  *
  * ```ts
- * const mesh = await load<typeof import('../../src/puffs/mesh')>('/src/puffs/billboards/mesh.ts');
+ * const mesh = await load<typeof import('../../src/renderer/puffs/mesh')>('/src/renderer/puffs/billboards/mesh.ts');
  * const count = await mesh.evaluate((module, seed) => module.build(seed).length, 7);
  * ```
  *

@@ -1,2 +1,2 @@
 /** For tests of the drawing itself, which do not concern the looks of presets. */
-export { PLAIN_LOOK } from '../../src/app/paper/plainLook.ts';
+export { PLAIN_LOOK } from '../../src/demo/paper/plainLook.ts';

@@ -3,7 +3,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-import * as constants from '../../src/constants.ts';
+import * as constants from '../../src/base/constants.ts';
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url));
 const SHARED: ReadonlyMap<string, readonly number[]> = new Map(
@@ -53,13 +53,13 @@ it('has the shared constants in the shaders and in Rust', () => {
     const { updated, names } = withShared(text);
     names.forEach((name) => copied.add(name));
     if (process.env.GENERATE) writeFileSync(join(ROOT, file), updated);
-    else expect(text === updated, `${file} differs from src/constants.ts: run npm run generate`).toBe(true);
+    else expect(text === updated, `${file} differs from src/base/constants.ts: run npm run generate`).toBe(true);
   }
   expect([...copied].sort(), 'constants that shaders or Rust copy').toEqual([...SHARED.keys()].sort());
 });
 
 it('has one definition of a shared constant in TypeScript', () => {
-  for (const file of filesOf('src', /\.ts$/).filter((each) => each !== 'src/constants.ts')) {
+  for (const file of filesOf('src', /\.ts$/).filter((each) => each !== 'src/base/constants.ts')) {
     for (const [, , name] of readFileSync(join(ROOT, file), 'utf8').matchAll(DECLARATION))
       expect(SHARED.has(name), `${file} defines ${name} again`).toBe(false);
   }

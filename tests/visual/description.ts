@@ -1,22 +1,29 @@
 /** A frame in the format of the renderer in sim-wasm/reference. Runs inside a page. The names are those of scene.rs. */
 import { Matrix4 } from 'three';
-import type { Color, Ramp } from '../../src/device/ramps.ts';
-import type { SurfaceDescription } from '../../src/passes/surface.ts';
-import type { TriangleMesh } from '../../src/passes/extrusion.ts';
-import { fromHalf } from '../../src/puffs/billboards/layers.ts';
-import type { Rows } from '../../src/sim/rows.ts';
-import type { View } from '../../src/sim/view.ts';
-import { ATTRIBUTE_WORDS } from '../../src/sim/layout.ts';
-import { spreadOf } from '../../src/device/puffTextures.ts';
-import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
-import { bandsOf } from '../../src/smoke/bands.ts';
-import { DRAWINGS_PER_SECOND } from '../../src/smoke/frame.ts';
-import type { FrameInput } from '../../src/smoke/frameInput.ts';
-import { OUT_OF_SIGHT } from '../../src/smoke/sceneSurfaces.ts';
-import type { Light } from '../../src/smoke/light.ts';
-import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from '../../src/smoke/palette.ts';
-import { inkPixelsOf, type Style } from '../../src/smoke/style.ts';
-import { minCapOf } from '../../src/passes/volumes.ts';
+import type { Color, Ramp } from '../../src/renderer/gpu/ramps.ts';
+import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
+import type { TriangleMesh } from '../../src/renderer/passes/extrusion.ts';
+import { fromHalf } from '../../src/renderer/puffs/billboards/layers.ts';
+import type { Rows } from '../../src/simulator/rows.ts';
+import type { View } from '../../src/simulator/view.ts';
+import { ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
+import { spreadOf } from '../../src/renderer/gpu/puffTextures.ts';
+import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
+import { bandsOf } from '../../src/renderer/bands.ts';
+import { DRAWINGS_PER_SECOND } from '../../src/renderer/frame.ts';
+import type { FrameInput } from '../../src/renderer/frameInput.ts';
+import { OUT_OF_SIGHT } from '../../src/renderer/sceneSurfaces.ts';
+import type { Light } from '../../src/renderer/light.ts';
+import {
+  plainColorOf,
+  rampOf,
+  smokeColorOf,
+  surfaceToning,
+  litThresholdOf,
+  washed,
+} from '../../src/renderer/palette.ts';
+import { inkPixelsOf, type Style } from '../../src/renderer/style.ts';
+import { minCapOf } from '../../src/renderer/passes/volumes.ts';
 
 type Triple = readonly [number, number, number];
 

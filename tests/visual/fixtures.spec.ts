@@ -9,7 +9,7 @@ test('draws with SwiftShader', ({ renderer }) => {
 });
 
 test('imports a source module inside the page', async ({ load }) => {
-  const errors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
+  const errors = await load<typeof import('../../src/base/errors')>('/src/base/errors.ts');
   expect(await errors.evaluate((module) => new module.LoadError('no file').message)).toBe('no file');
 });
 
@@ -46,8 +46,8 @@ test.describe('the page shared by the tests of a file', () => {
 
   test('is reset after a test and loads modules again', async ({ blank, load }) => {
     expect(await blank.evaluate(() => document.body.childElementCount)).toBe(0);
-    const errors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
-    const sameErrors = await load<typeof import('../../src/preset/errors')>('/src/preset/errors.ts');
+    const errors = await load<typeof import('../../src/base/errors')>('/src/base/errors.ts');
+    const sameErrors = await load<typeof import('../../src/base/errors')>('/src/base/errors.ts');
     expect(await errors.evaluate((module, other) => module.LoadError === other.LoadError, sameErrors)).toBe(true);
     await blank.evaluate(() => document.body.append('left behind', document.createElement('p')));
   });

@@ -11,23 +11,23 @@ import {
   WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { bakedPuffs } from '../../src/smoke/bakedPuffs.ts';
-import { createDevice, Device } from '../../src/device/device.ts';
-import { ADDS, FullScreen } from '../../src/device/fullScreen.ts';
-import type { Color } from '../../src/device/ramps.ts';
-import type { DebugView } from '../../src/preset/quality.ts';
-import type { SurfaceDescription } from '../../src/passes/surface.ts';
-import type { PuffShape } from '../../src/puffs/shapes.ts';
-import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/sim/layout.ts';
-import type { Rows } from '../../src/sim/rows.ts';
-import { fetchExtras } from '../../src/smoke/extraPasses.ts';
-import { drawFrame } from '../../src/smoke/frame.ts';
-import type { Arranger, FrameInput } from '../../src/smoke/frameInput.ts';
-import type { Light } from '../../src/smoke/light.ts';
-import { drawnSurfaces } from '../../src/smoke/sceneSurfaces.ts';
-import { SmokeRenderer } from '../../src/smoke/smoke.ts';
-import { styleOf, type Style } from '../../src/smoke/style.ts';
-import { defaults } from '../../src/preset/values.ts';
+import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
+import { createDevice, Device } from '../../src/renderer/gpu/device.ts';
+import { ADDS, FullScreen } from '../../src/renderer/gpu/fullScreen.ts';
+import type { Color } from '../../src/renderer/gpu/ramps.ts';
+import type { DebugView } from '../../src/parameters/quality.ts';
+import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
+import type { PuffShape } from '../../src/renderer/puffs/shapes.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/simulator/layout.ts';
+import type { Rows } from '../../src/simulator/rows.ts';
+import { fetchExtras } from '../../src/renderer/extraPasses.ts';
+import { drawFrame } from '../../src/renderer/frame.ts';
+import type { Arranger, FrameInput } from '../../src/renderer/frameInput.ts';
+import type { Light } from '../../src/renderer/light.ts';
+import { drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
+import { SmokeRenderer } from '../../src/renderer/smoke.ts';
+import { styleOf, type Style } from '../../src/renderer/style.ts';
+import { defaults } from '../../src/parameters/values.ts';
 import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
 
 // Tests read pictures synchronously, so load all optional renderer code first.

@@ -1,8 +1,8 @@
 /** Share links, opened as an element opens them. */
-import { readLink } from '../../src/element/attributes/link.ts';
-import { goToMoment } from '../../src/element/moment.ts';
-import type { Notice } from '../../src/preset/notice.ts';
-import { openHere } from '../../src/remote/openHere.ts';
+import { readLink } from '../../src/page/element/attributes/link.ts';
+import { goToMoment } from '../../src/page/element/moment.ts';
+import type { Notice } from '../../src/parameters/notice.ts';
+import { openHere } from '../../src/stage/remote/openHere.ts';
 
 /**
  * CSS pixels. The picture has half as many pixels in each direction, because a smaller page would crop the open-air

@@ -6,7 +6,7 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
-import { presets } from '../../src/preset/presets.ts';
+import { presets } from '../../src/parameters/presets.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { bytesOf, compare, expectSame } from '../support/goldens.ts';
 import { HASH_LIST, type HashList } from '../support/sim/presetHashes.ts';

@@ -1,6 +1,6 @@
 /** The device that all pictures of a page share, so that each program is compiled once for all tests of a file. */
 import type { WebGLRenderer } from 'three';
-import { createDevice, type Device } from '../../src/device/device.ts';
+import { createDevice, type Device } from '../../src/renderer/gpu/device.ts';
 
 const devices = new Map<string, Device>();
 const kept = new WeakSet<object>();

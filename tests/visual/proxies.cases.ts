@@ -1,8 +1,8 @@
 /** Public objects behind a Proxy of each kind: what their members return or do, as without one. */
 import { reactive, shallowReactive } from '@vue/reactivity';
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial, type Object3D } from 'three';
-import { CartoonSmokeElement } from '../../src/element/cartoonSmokeElement.ts';
-import { openStage } from '../../src/remote/openStage.ts';
+import { CartoonSmokeElement } from '../../src/page/element/cartoonSmokeElement.ts';
+import { openStage } from '../../src/stage/remote/openStage.ts';
 import { createStage } from '../../src/stage/stage.ts';
 import { CartoonSmoke } from '../../src/three/cartoonSmoke.ts';
 import { draw, emptyHost, HANGING, makeRenderer } from './three/scene.ts';

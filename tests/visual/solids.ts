@@ -1,5 +1,5 @@
-import type { TriangleMesh } from '../../src/passes/extrusion.ts';
-import type { SurfaceDescription } from '../../src/passes/surface.ts';
+import type { TriangleMesh } from '../../src/renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
 
 type Triple = readonly [number, number, number];
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-/// See src/constants.ts.
+/// See src/base/constants.ts.
 const FIRST_BITE: [f64; 3] = [0.69, 0.92, 0.0];
 const THIRD_BITE: [f64; 3] = [0.0, 0.0, 1.25];
 const BITE_RADII: [f64; 3] = [0.15, 0.15, 0.25];

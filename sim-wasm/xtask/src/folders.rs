@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 pub struct Folders {
     /// The Rust workspace, `sim-wasm/`.
     pub workspace: PathBuf,
-    /// Output for the web side, `src/sim/wasm/`; not in git.
+    /// Output for the web side, `src/simulator/wasm/`; not in git.
     pub output: PathBuf,
 }
 
@@ -17,7 +17,7 @@ impl Folders {
             .parent()
             .expect("xtask stands inside the workspace")
             .to_path_buf();
-        let output = workspace.with_file_name("src").join("sim").join("wasm");
+        let output = workspace.with_file_name("src").join("simulator").join("wasm");
         Folders { workspace, output }
     }
 }

@@ -1,6 +1,6 @@
 //! `cargo xtask wasm [--force | --bench]`: builds the simulator as WASM, with its JavaScript and TypeScript bindings.
 //!
-//! Builds two variants of one API: `src/sim/wasm/core` (without Rapier) and `src/sim/wasm/physics`. Skips compilation
+//! Builds two variants of one API: `src/simulator/wasm/core` (without Rapier) and `src/simulator/wasm/physics`. Skips compilation
 //! if the sources are those of the last build; see [`stamp`]. `--bench` only builds a third variant with calls for
 //! measurements, into `sim-wasm/target/wasm/bench`, since no page loads it.
 

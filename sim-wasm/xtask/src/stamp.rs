@@ -1,6 +1,6 @@
 //! Checks whether the WASM was built from the current sources.
 //!
-//! `src/sim/wasm/stamp.txt` holds one line, the SHA-256 of all sources in lower-case hex: for each file, in byte order
+//! `src/simulator/wasm/stamp.txt` holds one line, the SHA-256 of all sources in lower-case hex: for each file, in byte order
 //! of its path, the path relative to `sim-wasm/` with `/` as separator, a NUL, the content, a NUL. The sources are
 //! [`SINGLE_FILES`] and every file under [`FOLDERS`]. Other programs can compute the same digest in a few lines.
 

@@ -1,9 +1,9 @@
 /** A small round biplane with a pilot: the nose points along +x, the right wing along +z. Metres, about its centre. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import { sin } from '../../sim/exact/sine.ts';
-import type { RigidPart, RigidShape } from '../../sim/rigid.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import { sin } from '../../simulator/exact/sine.ts';
+import type { RigidPart, RigidShape } from '../../simulator/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { lathe } from './lathe.ts';

@@ -1,5 +1,5 @@
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import { cos, sin } from '../../sim/exact/sine.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { cos, sin } from '../../simulator/exact/sine.ts';
 import { every, strideWithin } from './coarser.ts';
 
 /** A closed sphere about the origin: `rings` bands from pole to pole, and twice as many segments around. */

@@ -1,9 +1,9 @@
 /** A clearing at night: a ring of stones with logs, a tent, a seat, and a marshmallow over the fire. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import { acos, atan2 } from '../../sim/exact/arc.ts';
-import { cos, hypot, sin } from '../../sim/exact/sine.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import { acos, atan2 } from '../../simulator/exact/arc.ts';
+import { cos, hypot, sin } from '../../simulator/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';

@@ -1,5 +1,5 @@
 /** How much coarser the grid of a mesh can be. Deviations are in metres. */
-import { cos } from '../../sim/exact/sine.ts';
+import { cos } from '../../simulator/exact/sine.ts';
 
 /** Every n-th number from 0, and the last one. */
 export function every(stride: number, last: number): number[] {

@@ -1,9 +1,9 @@
 /** A round piece of desert with rocks and cacti. Metres; the sand is at height 0. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import { cos, sin } from '../../sim/exact/sine.ts';
-import type { RigidDescription } from '../../sim/rigid.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import { cos, sin } from '../../simulator/exact/sine.ts';
+import type { RigidDescription } from '../../simulator/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';

@@ -1,4 +1,4 @@
-import type { TriangleMesh } from '../../passes/extrusion.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { ballMesh } from './ball.ts';
 import { pipe } from './lathe.ts';
 import { merged, placed } from './place.ts';

@@ -1,8 +1,8 @@
 /** The solid parts of the genie: head, turban and hands. Metres, about the centre of the chest, which faces +z. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import { cos, sin } from '../../sim/exact/sine.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import { cos, sin } from '../../simulator/exact/sine.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { lathe, pipe } from './lathe.ts';

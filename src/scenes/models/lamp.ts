@@ -2,8 +2,8 @@
  * A magic oil lamp, about 1.85 m from handle to lip, that stands on y = 0 with its spout towards +x. Plain data: every
  * part is closed and wound anticlockwise seen from outside, so that it can cast a shadow volume.
  */
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { RigidShape } from '../../sim/rigid.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { RigidShape } from '../../simulator/rigid.ts';
 import { BELLY, COLLAR, CURL, FOOT, GEM, HANDLE, LID, OPENING, SPOUT, SPOUT_PATH } from './lampShape.ts';
 import { circle, planarAxis, revolve, type SurfaceOfRevolution } from './revolve.ts';
 

@@ -2,7 +2,7 @@
  * The profiles of the magic oil lamp: lathed parts (foot, belly, collar, lid, gem) and parts swept along a curve
  * (spout, handle, curl). Metres; positions along a curve are fractions of its length.
  */
-import { cos } from '../../sim/exact/sine.ts';
+import { cos } from '../../simulator/exact/sine.ts';
 import { planarAxis, uprightAxis, type Stretch, type SurfaceOfRevolution } from './revolve.ts';
 import { spline } from './spline.ts';
 

@@ -1,5 +1,5 @@
 /** Surfaces of revolution about a vertical axis, defined by a few outline points. */
-import type { TriangleMesh } from '../../passes/extrusion.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { planarAxis, revolve, uprightAxis, type Stretch } from './revolve.ts';
 import { spline } from './spline.ts';
 

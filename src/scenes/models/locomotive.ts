@@ -1,8 +1,8 @@
 /** A smiling steam locomotive: it faces +x, and y = 0 is the top of the rails. Metres. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import type { RigidShape } from '../../sim/rigid.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import type { RigidShape } from '../../simulator/rigid.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { lathe, pipe } from './lathe.ts';

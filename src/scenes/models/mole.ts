@@ -1,5 +1,5 @@
-import type { Color } from '../../device/ramps.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import type { Vector } from '../scene.ts';
 import { ballMesh } from './ball.ts';
 import { lathe } from './lathe.ts';

@@ -1,5 +1,5 @@
-import { inOne, type TriangleMesh } from '../../passes/extrusion.ts';
-import { rotate, quaternionFromAngles } from '../../sim/exact/rotation.ts';
+import { inOne, type TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { rotate, quaternionFromAngles } from '../../simulator/exact/rotation.ts';
 import type { Placement, Vector } from '../scene.ts';
 import { normalized } from './revolve.ts';
 

@@ -7,9 +7,9 @@
  * profile starts at the lower end of its axis, follows the outside and ends at the upper end, so that all faces are
  * wound anticlockwise seen from outside.
  */
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import { cos, hypot, sin } from '../../sim/exact/sine.ts';
-import { cross } from '../../sim/exact/rotation.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { cos, hypot, sin } from '../../simulator/exact/sine.ts';
+import { cross } from '../../simulator/exact/rotation.ts';
 import { every, largest, strideWithin } from './coarser.ts';
 import type { Curve } from './spline.ts';
 

@@ -1,8 +1,8 @@
 /** A smiling toy rocket that stands on y = 0 with its nose up, and its launch pad. Metres. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
-import type { RigidShape } from '../../sim/rigid.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
+import type { RigidShape } from '../../simulator/rigid.ts';
 import { friendlyFace } from './face.ts';
 import { lathe } from './lathe.ts';
 import { merged, placed } from './place.ts';

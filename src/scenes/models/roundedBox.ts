@@ -1,5 +1,5 @@
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import { tan } from '../../sim/exact/arc.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { tan } from '../../simulator/exact/arc.ts';
 import type { Vector } from '../scene.ts';
 import { every, strideWithin } from './coarser.ts';
 import { normalized } from './revolve.ts';

@@ -1,6 +1,6 @@
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import { ballMesh } from './ball.ts';
 import { lathe, pipe } from './lathe.ts';
 import { merged, placed } from './place.ts';

@@ -1,7 +1,7 @@
 /** Objects to drop: a ball and a wooden crate, both with a face. Metres, about their centres. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import { ballMesh } from './ball.ts';
 import { friendlyFace } from './face.ts';
 import { lathe } from './lathe.ts';

@@ -1,7 +1,7 @@
 /** The wagons: a tender with coal and two open wagons. They face +x; y = 0 is the top of the rails. */
-import type { Color } from '../../device/ramps.ts';
-import type { TriangleMesh } from '../../passes/extrusion.ts';
-import type { SurfaceDescription } from '../../passes/surface.ts';
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import { ballMesh } from './ball.ts';
 import { axleMesh } from './locomotive.ts';
 import { merged, placed } from './place.ts';

@@ -1,8 +1,8 @@
 import type { Camera, DepthTexture, Plane, Scene, Vector2, WebGLRenderer } from 'three';
-import type { InsertPass } from '../../passes/insert.ts';
-import { limitOf } from '../../smoke/countVolumes.ts';
-import type { SmokePasses } from '../../smoke/smokePasses.ts';
-import type { Style } from '../../smoke/style.ts';
+import type { InsertPass } from '../../renderer/passes/insert.ts';
+import { limitOf } from '../../renderer/countVolumes.ts';
+import type { SmokePasses } from '../../renderer/smokePasses.ts';
+import type { Style } from '../../renderer/style.ts';
 import type { HostCasters } from '../casters.ts';
 import type { HostVolumes } from '../volumes/hostVolumes.ts';
 import type { KeyLight } from '../keyLight.ts';

@@ -1,6 +1,6 @@
-import type { FrameView } from '../../device/frameView.ts';
-import type { LoadError } from '../../preset/errors.ts';
-import { LazyModules } from '../../preset/timeout.ts';
+import type { FrameView } from '../../renderer/gpu/frameView.ts';
+import type { LoadError } from '../../base/errors.ts';
+import { LazyModules } from '../../base/timeout.ts';
 import type { OwnStencil } from './ownStencil.ts';
 
 const modules = new LazyModules({ ownStencil: () => import('./ownStencil.ts') });

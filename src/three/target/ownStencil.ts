@@ -13,9 +13,9 @@ import {
   type WebGLRenderer,
 } from 'three';
 import fragmentShader from '../../../shaders/insert/shadow.frag';
-import type { FrameView } from '../../device/frameView.ts';
-import { FullScreen } from '../../device/fullScreen.ts';
-import type { Style } from '../../smoke/style.ts';
+import type { FrameView } from '../../renderer/gpu/frameView.ts';
+import { FullScreen } from '../../renderer/gpu/fullScreen.ts';
+import type { Style } from '../../renderer/style.ts';
 import { drawAgain } from '../relight.ts';
 import { insertShadow, type HostView, type InsertionPasses } from './insertion.ts';
 

@@ -1,5 +1,5 @@
 import { Matrix4, Vector3, type Camera, type PerspectiveCamera } from 'three';
-import { PassCamera } from '../../device/drawnMesh.ts';
+import { PassCamera } from '../../renderer/gpu/drawnMesh.ts';
 
 /** Slant of a near plane that is rounding: matrices of maps have single precision. */
 const ROUNDING = 3e-6;

@@ -1,16 +1,16 @@
 import type { Object3D, WebGLRenderer } from 'three';
-import type { Device } from '../../device/device.ts';
-import { ONE_QUAD } from '../../device/drawnRows.ts';
-import type { FrameView } from '../../device/frameView.ts';
-import { PuffTextures } from '../../device/puffTextures.ts';
-import { PuffRows } from '../../rows/puffRows.ts';
-import { CountedVolumesPass } from '../../passes/countedVolumes.ts';
-import { ParameterError } from '../../preset/errors.ts';
-import type { PuffShape } from '../../puffs/shapes.ts';
-import { ATTRIBUTE_WORDS, NO_END } from '../../sim/layout.ts';
-import type { Rows } from '../../sim/rows.ts';
-import { bakedPuffs } from '../../smoke/bakedPuffs.ts';
-import { toSmoke, type Placement } from '../frame.ts';
+import type { Device } from '../../renderer/gpu/device.ts';
+import { ONE_QUAD } from '../../renderer/gpu/drawnRows.ts';
+import type { FrameView } from '../../renderer/gpu/frameView.ts';
+import { PuffTextures } from '../../renderer/gpu/puffTextures.ts';
+import { PuffRows } from '../../renderer/gpu/puffRows.ts';
+import { CountedVolumesPass } from '../../renderer/passes/countedVolumes.ts';
+import { ParameterError } from '../../base/errors.ts';
+import type { PuffShape } from '../../renderer/puffs/shapes.ts';
+import { ATTRIBUTE_WORDS, NO_END } from '../../simulator/layout.ts';
+import type { Rows } from '../../simulator/rows.ts';
+import { bakedPuffs } from '../../renderer/bakedPuffs.ts';
+import { toSmoke, type Placement } from '../smokeSpace.ts';
 import type { BallAt } from '../proxies.ts';
 import { newPose } from '../shapes.ts';
 

@@ -1,12 +1,12 @@
 import { Vector3, type Box3, type DepthTexture, type WebGLRenderer } from 'three';
-import type { PuffExtents } from '../../device/formTextures.ts';
-import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../../device/drawnRows.ts';
-import type { FrameView } from '../../device/frameView.ts';
-import { BeamSpan, hasFullSize, latestStart } from '../../passes/shadowVolume.ts';
-import { PuffRows } from '../../rows/puffRows.ts';
-import { NO_END } from '../../sim/layout.ts';
-import type { Rows } from '../../sim/rows.ts';
-import type { SmokePasses } from '../../smoke/smokePasses.ts';
+import type { PuffExtents } from '../../renderer/gpu/formTextures.ts';
+import { ATTRIBUTE_WORDS, END_STEPS, ONE_QUAD, PLACE_FLOATS } from '../../renderer/gpu/drawnRows.ts';
+import type { FrameView } from '../../renderer/gpu/frameView.ts';
+import { BeamSpan, hasFullSize, latestStart } from '../../renderer/passes/shadowVolume.ts';
+import { PuffRows } from '../../renderer/gpu/puffRows.ts';
+import { NO_END } from '../../simulator/layout.ts';
+import type { Rows } from '../../simulator/rows.ts';
+import type { SmokePasses } from '../../renderer/smokePasses.ts';
 
 /** Boxes that are tested one by one. One box contains all others. */
 const MAX_BOXES = 64;

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { SmokeHandle } from '../../../src/three/handle.ts';
-import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { liveObjects } from '../../support/liveObjects.ts';
 import { draw, emptyHost, makeRenderer, type Host } from '../../visual/three/scene.ts';
 import { demand, figure, say, time, type Figure } from '../support/figures.ts';

@@ -1,18 +1,18 @@
 /** The production frame with the seeded plume, and its passes one at a time. */
 import { Matrix4, PerspectiveCamera, type Camera, type RawShaderMaterial } from 'three';
-import { createDevice } from '../../../src/device/device.ts';
+import { createDevice } from '../../../src/renderer/gpu/device.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { tableMesh } from '../../../src/scenes/models/table.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
-import { loadSimulators } from '../../../src/sim/load.ts';
-import type { Simulator } from '../../../src/sim/simulator.ts';
-import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
-import { arrangeFrame, drawFrame, reportOf } from '../../../src/smoke/frame.ts';
-import type { Arranger, FrameInput, FrameReport } from '../../../src/smoke/frameInput.ts';
-import { towardsLight } from '../../../src/smoke/light.ts';
-import { drawnSurfaces } from '../../../src/smoke/sceneSurfaces.ts';
-import { SmokeRenderer } from '../../../src/smoke/smoke.ts';
-import type { Style } from '../../../src/smoke/style.ts';
+import { loadSimulators } from '../../../src/simulator/load.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
+import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import { arrangeFrame, drawFrame, reportOf } from '../../../src/renderer/frame.ts';
+import type { Arranger, FrameInput, FrameReport } from '../../../src/renderer/frameInput.ts';
+import { towardsLight } from '../../../src/renderer/light.ts';
+import { drawnSurfaces } from '../../../src/renderer/sceneSurfaces.ts';
+import { SmokeRenderer } from '../../../src/renderer/smoke.ts';
+import type { Style } from '../../../src/renderer/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
 import { countFragments, type Fragments, type Redraw } from './fragments.ts';

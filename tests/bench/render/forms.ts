@@ -3,11 +3,11 @@
  * billboards, as stretched lobes and as lobes with bites, and of strokes and large shapes of light, of the same particles,
  * in turns.
  */
-import { MAX_STRETCH } from '../../../src/constants.ts';
-import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/sim/layout.ts';
-import { readBits } from '../../../src/sim/rows.ts';
-import type { Arranger } from '../../../src/smoke/frameInput.ts';
-import type { Style } from '../../../src/smoke/style.ts';
+import { MAX_STRETCH } from '../../../src/base/constants.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../../src/simulator/layout.ts';
+import { readBits } from '../../../src/simulator/rows.ts';
+import type { Arranger } from '../../../src/renderer/frameInput.ts';
+import type { Style } from '../../../src/renderer/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { RenderBench } from './bench.ts';

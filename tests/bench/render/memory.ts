@@ -1,8 +1,8 @@
 /** memory.*: bytes per particle, and no allocation by step and arrange. */
-import { loadSimulators, SimulatorFactory } from '../../../src/sim/load.ts';
-import type { Simulator, SimulatorModule } from '../../../src/sim/simulator.ts';
-import { rigidArguments } from '../../../src/sim/rigid.ts';
-import type { View } from '../../../src/sim/view.ts';
+import { loadSimulators, SimulatorFactory } from '../../../src/simulator/load.ts';
+import type { Simulator, SimulatorModule } from '../../../src/simulator/simulator.ts';
+import { rigidArguments } from '../../../src/simulator/rigid.ts';
+import type { View } from '../../../src/simulator/view.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { poseAt, seededSwings } from '../sim/collide/obstacles.ts';
 
@@ -63,7 +63,7 @@ async function bytesOfParticle(): Promise<Figure> {
 
 /** A separate module instance: browsers treat another query as another module. */
 async function freshFactory(number: number): Promise<SimulatorFactory> {
-  const folder = '/src/sim/wasm/physics';
+  const folder = '/src/simulator/wasm/physics';
   const [bindings, response] = await Promise.all([
     import(/* @vite-ignore */ `${folder}/bindings.js?copy=${number}`) as Promise<SimulatorModule['bindings']>,
     fetch(`${folder}/bindings_bg.wasm`),

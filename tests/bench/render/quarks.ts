@@ -19,7 +19,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { BatchedRenderer, ConstantValue, ParticleSystem, PointEmitter, RenderMode } from 'three.quarks';
-import type { SurfaceDescription } from '../../../src/passes/surface.ts';
+import type { SurfaceDescription } from '../../../src/renderer/passes/surface.ts';
 
 /** Side of the soft disc, texels. */
 const SOFT_DISC = 64;

@@ -3,8 +3,8 @@
  * the other figures. render.triangles and render.calls: the geometry of the scene with the most models.
  */
 import { SceneLab } from '../../visual/sceneLab.ts';
-import { fetchExtras } from '../../../src/smoke/extraPasses.ts';
-import { deviationFor } from '../../../src/smoke/detail.ts';
+import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import { deviationFor } from '../../../src/renderer/detail.ts';
 import { demand, figure, say, time, type Figure } from '../support/figures.ts';
 
 const STEPS = 240;

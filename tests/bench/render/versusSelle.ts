@@ -1,6 +1,6 @@
 /** render.vsSelle: the frame compared with the same smoke in the renderer `selle`. */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
-import type { Renderer, Style } from '../../../src/smoke/style.ts';
+import type { Renderer, Style } from '../../../src/renderer/style.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { PARTICLES, RenderBench } from './bench.ts';
 

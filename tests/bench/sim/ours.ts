@@ -1,6 +1,6 @@
 /** Our simulator in WASM. */
-import { loadSimulators } from '../../../src/sim/load.ts';
-import type { Simulator } from '../../../src/sim/simulator.ts';
+import { loadSimulators } from '../../../src/simulator/load.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { time } from '../support/figures.ts';
 import { readParticles, withParticles, type Particles } from '../support/snapshot.ts';
 import { SIX_FORCES, seededCloud } from './cloud.ts';

@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import { findParameter } from '../../../src/preset/table.ts';
+import { findParameter } from '../../../src/parameters/table.ts';
 import { bin, expect, expectTitle, expectTypes, PAGE, test } from '../../support/freshProject.ts';
 import { pixelsOf } from '../../support/pictures.ts';
 
@@ -67,10 +67,10 @@ test('the code of the share sheet for Fiber and for three.js has the same smoke'
   await page.goto('/tests/support/blank.html');
   const code = await page.evaluate(
     async ([scene, embed, path]) => {
-      const { fiberCode, threeCode } = (await import(path)) as typeof import('../../../src/app/share/sceneCode.ts');
+      const { fiberCode, threeCode } = (await import(path)) as typeof import('../../../src/demo/share/sceneCode.ts');
       return { fiber: fiberCode(scene, embed), three: threeCode(scene, embed) };
     },
-    [SCENE, EMBED, '/src/app/share/sceneCode.ts'] as const,
+    [SCENE, EMBED, '/src/demo/share/sceneCode.ts'] as const,
   );
   const fiber = code.fiber.replace('<Smoke ', '<Smoke ref={(smoke) => (window.fiber = smoke)} ');
   const main = `import './three.js';

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { findParameter } from '../../../src/preset/table.ts';
+import { findParameter } from '../../../src/parameters/table.ts';
 import { bin, expect, expectTitle, expectTypes, PAGE, test, type MakeProject } from '../../support/freshProject.ts';
 import { compare } from '../../support/goldens.ts';
 

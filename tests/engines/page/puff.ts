@@ -1,8 +1,8 @@
 /** Runs in a page: `puff()`. */
 import { puff, type Effect } from '../../../src/puff.ts';
-import { hexOf } from '../../../src/puff/look.ts';
-import { sourceOf } from '../../../src/puff/target.ts';
-import { visibilityChange } from '../../../src/puff/visibility.ts';
+import { hexOf } from '../../../src/page/puff/look.ts';
+import { sourceOf } from '../../../src/page/puff/target.ts';
+import { visibilityChange } from '../../../src/page/puff/visibility.ts';
 
 interface Played {
   /** Largest number of opaque pixels of a small copy of the canvas during the call. */

@@ -1,10 +1,10 @@
 /** Runs in a page: stages on the main thread, small because of software rendering. */
-import { capture } from '../../../src/app/capture/dialog.ts';
-import type { Format } from '../../../src/app/capture/settings.ts';
-import { encode } from '../../../src/preset/codec.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import type { PresetName } from '../../../src/preset/valueTypes.ts';
+import { capture } from '../../../src/demo/capture/dialog.ts';
+import type { Format } from '../../../src/demo/capture/settings.ts';
+import { encode } from '../../../src/parameters/codec.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import type { PresetName } from '../../../src/parameters/valueTypes.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { packed, packedFile } from './bytes.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';

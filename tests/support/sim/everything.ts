@@ -1,4 +1,4 @@
-import type { View } from '../../../src/sim/view.ts';
+import type { View } from '../../../src/simulator/view.ts';
 
 /** A view of all living particles at the current step, without culling. */
 export const EVERYTHING: View = {

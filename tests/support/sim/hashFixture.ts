@@ -2,9 +2,9 @@
  * The scenario of `sim-wasm/sim/tests/collide_fixture.txt`, for Node and for pages. The crate's own test runs it
  * natively; all platforms must produce the same hashes.
  */
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import type { RigidDescription, RigidShape } from '../../../src/sim/rigid.ts';
-import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import type { RigidDescription, RigidShape } from '../../../src/simulator/rigid.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
 
 const KINDS = ['fixed', 'kinematic', 'dynamic'] as const;
 

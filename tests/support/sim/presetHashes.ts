@@ -2,12 +2,12 @@
  * The hash of each preset after some seconds, without rendering. The expected values are in
  * `tests/engines/hashes.json`.
  */
-import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presets, presetValues } from '../../../src/parameters/presets.ts';
 import { withDrops } from '../../../src/scenes/drops.ts';
 import { sceneNamed } from '../../../src/scenes/scenes.ts';
-import { STEP_SECONDS } from '../../../src/sim/clock.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
+import { STEP_SECONDS } from '../../../src/simulator/clock.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 
 /** Hashes of 16 hexadecimal digits by simulated seconds, by preset name. */

@@ -3,7 +3,7 @@
  * a byte with the number of arguments, and the arguments, each after a byte with its type. Little endian, lengths are
  * 32-bit.
  */
-import { SimulatorFactory } from '../../../src/sim/load.ts';
+import { SimulatorFactory } from '../../../src/simulator/load.ts';
 
 type Method = (...given: unknown[]) => unknown;
 

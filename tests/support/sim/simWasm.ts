@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
-import { loadSimulators, type SimulatorFactory } from '../../../src/sim/load.ts';
+import { loadSimulators, type SimulatorFactory } from '../../../src/simulator/load.ts';
 
 /** The built WASM of a variant. Node cannot fetch a file. */
 export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
-  return readFileSync(new URL(`../../../src/sim/wasm/${variant}/bindings_bg.wasm`, import.meta.url));
+  return readFileSync(new URL(`../../../src/simulator/wasm/${variant}/bindings_bg.wasm`, import.meta.url));
 }
 
 export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFactory> {

@@ -1,9 +1,9 @@
 /** Actions on a simulation of the lamp to record and replay, for Node and for pages. */
 import { Vector3 } from 'three';
-import { defaultPreset, presetValues } from '../../../src/preset/presets.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import { defaultPreset, presetValues } from '../../../src/parameters/presets.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 

@@ -20,39 +20,44 @@ function check(files: Readonly<Record<string, string>>): string[] {
 }
 
 test.each([
-  ['a value', `import { value } from '../sim/thing.ts'; export const own = value;`],
-  ['a side effect', `import '../sim/thing.ts';`],
-  ['a type', `import type { Type } from '../sim/thing.ts'; export type Own = Type;`],
-  ['a type in place', `export type Own = import('../sim/thing.ts').Type;`],
-  ['a value on demand', `export const late = () => import('../sim/thing.ts');`],
-  ['a value passed on', `export { value } from '../sim/thing.ts';`],
-  ['all that is passed on', `export * from '../sim/thing.ts';`],
-  ['a path without its ending', `export { value } from '../sim/thing';`],
-  ['a path from the top', `export { value } from '/src/sim/thing.ts';`],
-  ['a path the long way', `export { value } from '../../src/sim/thing.ts';`],
-  ['a file of the package', `export { value } from '../index.ts';`],
+  ['a value', `import { value } from '../../simulator/thing.ts'; export const own = value;`],
+  ['a side effect', `import '../../simulator/thing.ts';`],
+  ['a type', `import type { Type } from '../../simulator/thing.ts'; export type Own = Type;`],
+  ['a type in place', `export type Own = import('../../simulator/thing.ts').Type;`],
+  ['a value on demand', `export const late = () => import('../../simulator/thing.ts');`],
+  ['a value passed on', `export { value } from '../../simulator/thing.ts';`],
+  ['all that is passed on', `export * from '../../simulator/thing.ts';`],
+  ['a path without its ending', `export { value } from '../../simulator/thing';`],
+  ['a path from the top', `export { value } from '/src/simulator/thing.ts';`],
+  ['a path the long way', `export { value } from '../../../src/simulator/thing.ts';`],
+  ['a file of the package', `export { value } from '../../index.ts';`],
   ['a folder', `export { value } from '..';`],
   ['a package', `import { value } from 'lean-qr'; export const own = value;`],
 ])('passes cannot import %s', (_, code) => {
-  expect(check({ 'passes/user.ts': code })).toEqual([
-    expect.stringMatching(/^src\/passes\/user\.ts must not import \S+\.$/),
+  expect(check({ 'renderer/passes/user.ts': code })).toEqual([
+    expect.stringMatching(/^src\/renderer\/passes\/user\.ts must not import \S+\.$/),
   ]);
 });
 
 test.each([
-  ['sim', `import { Vector3 } from 'three'; export const own = new Vector3();`, 1],
-  ['sim', `import type { Vector3 } from 'three/webgpu'; export type Own = Vector3;`, 1],
-  ['passes', `import { Color } from 'three'; export const own = new Color();`, 0],
-  ['passes', `import { own } from './deeper/other.ts'; export { own };`, 0],
-  ['passes', `import shader from '../../shaders/mask/mask.frag'; export const own = shader;`, 0],
-  ['passes', `import { SHARED } from '../constants.ts'; export const own = SHARED;`, 0],
-  ['rows', `import type { Type } from '../sim/thing.ts'; export type Own = Type;`, 0],
-  ['rows', `export { value } from '../sim/thing.ts';`, 1],
-  ['device', `import { Problem } from '../preset/errors.ts'; export const own = new Problem();`, 0],
-  ['device', `import { table } from '../preset/table.ts'; export const own = table;`, 1],
-  ['app', `export const late = () => import('../sim/thing.ts');`, 1],
-  ['app', `export { value } from '../internal.ts';`, 0],
-  ['unknown', `export { value } from '../preset/thing.ts';`, 1],
+  ['simulator', `import { Vector3 } from 'three'; export const own = new Vector3();`, 1],
+  ['simulator', `import type { Vector3 } from 'three/webgpu'; export type Own = Vector3;`, 1],
+  ['renderer/passes', `import { Color } from 'three'; export const own = new Color();`, 0],
+  ['renderer/passes', `import { own } from './deeper/other.ts'; export { own };`, 0],
+  ['renderer/passes', `import { own } from '../frame.ts'; export { own };`, 1],
+  ['renderer/passes', `import shader from '../../../shaders/mask/mask.frag'; export const own = shader;`, 0],
+  ['renderer/passes', `import { SHARED } from '../../base/constants.ts'; export const own = SHARED;`, 0],
+  ['renderer/gpu', `import type { Type } from '../../simulator/thing.ts'; export type Own = Type;`, 0],
+  ['renderer/gpu', `export { value } from '../../simulator/thing.ts';`, 1],
+  ['stage', `export { value } from './remote/thing.ts';`, 1],
+  ['stage/remote', `export { value } from '../thing.ts';`, 0],
+  ['three', `export { value } from '../stage/thing.ts';`, 1],
+  ['page', `export { value } from './element/thing.ts';`, 1],
+  ['page/puff', `export { value } from '../thing.ts';`, 0],
+  ['page/puff', `export { value } from '../element/thing.ts';`, 1],
+  ['demo', `export const late = () => import('../simulator/thing.ts');`, 1],
+  ['demo', `export { value } from '../internal.ts';`, 0],
+  ['unknown', `export { value } from '../parameters/thing.ts';`, 1],
 ])('src/%s: %s is rejected %i times', (from, code, count) => {
   expect(check({ [`${from}/user.ts`]: code })).toHaveLength(count);
 });
@@ -63,9 +68,9 @@ test.each([
   ['imports on demand', `export const c = () => import('./a.ts');`],
 ])('a cycle of %s is rejected', (_, code) => {
   const files = {
-    'puffs/a.ts': `import { b } from './b.ts'; export const a = () => b;`,
-    'puffs/b.ts': `export * from './c.ts'; export const b = 1;`,
-    'puffs/c.ts': code,
+    'base/a.ts': `import { b } from './b.ts'; export const a = () => b;`,
+    'base/b.ts': `export * from './c.ts'; export const b = 1;`,
+    'base/c.ts': code,
   };
-  expect(check(files)).toEqual(['These files form a cycle: puffs/a.ts -> puffs/b.ts -> puffs/c.ts -> puffs/a.ts.']);
+  expect(check(files)).toEqual(['These files form a cycle: base/a.ts -> base/b.ts -> base/c.ts -> base/a.ts.']);
 });

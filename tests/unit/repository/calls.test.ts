@@ -11,11 +11,11 @@ import {
   presetValues,
   setAssetUrls,
 } from '../../../src/index.ts';
-import { SmokeError } from '../../../src/preset/errors.ts';
-import { validate } from '../../../src/preset/values.ts';
-import { puff } from '../../../src/puff/puff.ts';
+import { SmokeError } from '../../../src/base/errors.ts';
+import { validate } from '../../../src/parameters/values.ts';
+import { puff } from '../../../src/page/puff/puff.ts';
 import { requireCollideOptions } from '../../../src/three/colliders.ts';
-import { burstNumbers, emitterNumbers } from '../../../src/sim/emitterOptions.ts';
+import { burstNumbers, emitterNumbers } from '../../../src/simulator/emitterOptions.ts';
 
 type Call = (given: never) => unknown;
 const canvas = { width: 1, height: 1, getContext: () => null } as unknown as OffscreenCanvas;

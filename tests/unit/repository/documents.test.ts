@@ -3,9 +3,9 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
-import { attributes, cssParts, cssProperties, events, slots } from '../../../src/element/documentation.ts';
-import { table } from '../../../src/preset/words/table.ts';
-import type { Parameter } from '../../../src/preset/words/words.ts';
+import { attributes, cssParts, cssProperties, events, slots } from '../../../src/page/element/documentation.ts';
+import { table } from '../../../src/parameters/words/table.ts';
+import type { Parameter } from '../../../src/parameters/words/words.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const MAX_README_LINES = 150;

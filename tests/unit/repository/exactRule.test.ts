@@ -47,7 +47,7 @@ test('each inexact function is rejected in scenes, with the reason', () => {
   for (const [index, [what]] of REJECTED.entries()) {
     const line = lines.find((said) => said.includes(`user${index}.ts`));
     expect(line).toContain(what);
-    expect(line).toMatch(/last bits differ between engines.*src\/sim\/exact/);
+    expect(line).toMatch(/last bits differ between engines.*src\/simulator\/exact/);
   }
 });
 
@@ -62,8 +62,8 @@ test('functions that are exact by definition are accepted', () => {
 
 test('the rules apply to all code that feeds the simulator, and to no other', () => {
   const code = 'export const own = Math.sin(1);\n';
-  const fed = ['scenes/models/a.ts', 'sim/a.ts', 'preset/a.ts', 'stage/simulation.ts'];
-  const free = ['stage/orbit.ts', 'passes/a.ts', 'host/a.ts', 'app/a.ts'];
+  const fed = ['scenes/models/a.ts', 'simulator/a.ts', 'parameters/a.ts', 'stage/simulation.ts'];
+  const free = ['stage/orbit.ts', 'renderer/passes/a.ts', 'three/a.ts', 'demo/a.ts'];
   const lines = errors(Object.fromEntries([...fed, ...free].map((path) => [`src/${path}`, code])));
   expect(lines.map((line) => /src\/([^:]*):/.exec(line)![1]).toSorted()).toEqual(fed.toSorted());
 });

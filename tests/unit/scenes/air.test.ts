@@ -1,10 +1,10 @@
 /** Open air: no smoke enters a box of the page, and the smoke has the same size in pictures of all sizes. */
 import { expect, test } from 'vitest';
-import { colliderValues, curlValues } from '../../../src/element/layout/pageValues.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { colliderValues, curlValues } from '../../../src/page/element/layout/pageValues.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { air } from '../../../src/scenes/air.ts';
-import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
+import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { OrbitCamera } from '../../../src/stage/orbit.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';

@@ -1,13 +1,13 @@
 /** The airplane of Fig. 2: the swirl of its propeller, wing-tip vortices, hull, and steering. */
 import { Quaternion, Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { AIRSPEED, airplane, PROPELLER_SENSE } from '../../../src/scenes/airplane.ts';
 import { airplaneHull, HALF_SPAN, HUB, PROPELLER } from '../../../src/scenes/models/airplane.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import type { RigidPart } from '../../../src/sim/rigid.ts';
-import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import type { RigidPart } from '../../../src/simulator/rigid.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

@@ -1,9 +1,9 @@
 /** The campfire: smoke cools by its formula, and its colour follows its temperature. */
 import { expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { campfire } from '../../../src/scenes/campfire.ts';
-import { bandsOf } from '../../../src/smoke/bands.ts';
-import { styleOf } from '../../../src/smoke/style.ts';
+import { bandsOf } from '../../../src/renderer/bands.ts';
+import { styleOf } from '../../../src/renderer/style.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';

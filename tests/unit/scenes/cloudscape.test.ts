@@ -1,9 +1,9 @@
 /** The cloudscape: clouds drift with the wind and never run out, and the visible sun is in the light direction. */
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { cloudscape, NOON, sunPlace, WIND } from '../../../src/scenes/cloudscape.ts';
-import { lightOf, moved } from '../../../src/smoke/light.ts';
+import { lightOf, moved } from '../../../src/renderer/light.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';

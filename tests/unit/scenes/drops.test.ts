@@ -1,12 +1,12 @@
 /** Dropped objects: which one falls, where it lands, and its replay in a take. */
 import { Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { withDrops } from '../../../src/scenes/drops.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries } from '../../../src/scenes/scenes.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

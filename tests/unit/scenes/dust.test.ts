@@ -1,12 +1,12 @@
 /** Dust: a harder impact on the sand raises more of it, and without motion there is none. */
 import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { dust } from '../../../src/scenes/dust.ts';
 import { BY_HIT, DUST_RATE, POWER } from '../../../src/scenes/dustRule.ts';
 import type { Scene, Vector } from '../../../src/scenes/scene.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

@@ -46,7 +46,7 @@ async function scenes(): Promise<[string, Scene][]> {
 
 /** The hash of each preset after two seconds with steering, once for those that move alike. */
 async function hashes(): Promise<Record<string, string>> {
-  const { presets, presetValues } = await import('../../../src/preset/presets.ts');
+  const { presets, presetValues } = await import('../../../src/parameters/presets.ts');
   const { Simulation } = await import('../../../src/stage/simulation.ts');
   const { loadVariant } = await import('../../support/sim/simWasm.ts');
   const byName = new Map(await scenes());

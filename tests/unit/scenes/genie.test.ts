@@ -1,9 +1,9 @@
 /** The genie: at every called position his chest follows him and his tail connects him to the lamp without a gap. */
 import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { genie } from '../../../src/scenes/genie.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
-import { extrude, type TriangleMesh } from '../../../src/passes/extrusion.ts';
+import { extrude, type TriangleMesh } from '../../../src/renderer/passes/extrusion.ts';
 import { lampModel } from '../../../src/scenes/models/lamp.ts';
 import { spline } from '../../../src/scenes/models/spline.ts';
-import { finished } from '../../../src/work.ts';
+import { finished } from '../../../src/base/work.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 

@@ -1,10 +1,10 @@
 /** The magic lamp: its smoke leaves the mouth and rises, and a ball in the smoke displaces it. */
 import { Vector3 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import { lampModel } from '../../../src/scenes/models/lamp.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

@@ -1,16 +1,16 @@
 /** Items attached to moving parts of a scene follow them, and every way of running it gives the same hashes. */
 import { describe, expect, it, vi } from 'vitest';
-import { decode, encode, type State } from '../../../src/preset/codec.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
-import { findParameter } from '../../../src/preset/table.ts';
+import { decode, encode, type State } from '../../../src/parameters/codec.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
+import { findParameter } from '../../../src/parameters/table.ts';
 import { AIRSPEED, airplane } from '../../../src/scenes/airplane.ts';
 import { cloudscape, WIND } from '../../../src/scenes/cloudscape.ts';
 import { HUB, PROPELLER } from '../../../src/scenes/models/airplane.ts';
 import { AXLE } from '../../../src/scenes/models/meadow.ts';
 import type { Scene, Vector } from '../../../src/scenes/scene.ts';
-import { STEP_SECONDS } from '../../../src/sim/clock.ts';
-import { FIRST_PART } from '../../../src/sim/layout.ts';
+import { STEP_SECONDS } from '../../../src/simulator/clock.ts';
+import { FIRST_PART } from '../../../src/simulator/layout.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { noteOf } from '../../../src/stage/take.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';

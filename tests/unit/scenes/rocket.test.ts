@@ -1,7 +1,7 @@
 /** The rocket: its exhaust spreads on the ground in a growing ring, and no smoke enters the ground. */
 import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { IGNITION, rocket } from '../../../src/scenes/rocket.ts';
 import { OrbitCamera } from '../../../src/stage/orbit.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';

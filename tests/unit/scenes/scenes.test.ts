@@ -1,17 +1,17 @@
 /** Every scene fits the list of scenes, can be built, and is deterministic. */
 import { Triangle, Vector3 } from 'three';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { strings } from '../../../src/app/strings.ts';
-import { findPreset, presets, presetValues } from '../../../src/preset/presets.ts';
-import { findParameter } from '../../../src/preset/table.ts';
-import { extrude, type TriangleMesh } from '../../../src/passes/extrusion.ts';
+import { strings } from '../../../src/demo/strings.ts';
+import { findPreset, presets, presetValues } from '../../../src/parameters/presets.ts';
+import { findParameter } from '../../../src/parameters/table.ts';
+import { extrude, type TriangleMesh } from '../../../src/renderer/passes/extrusion.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries, sceneNamed } from '../../../src/scenes/scenes.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { coarserSurfaces } from '../../../src/smoke/detail.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { coarserSurfaces } from '../../../src/renderer/detail.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
-import { finished } from '../../../src/work.ts';
+import { finished } from '../../../src/base/work.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 const NAMES = Object.keys(sceneEntries);

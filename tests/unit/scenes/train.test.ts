@@ -1,7 +1,7 @@
 /** The train: all puffs leave the chimney in the same phase of each half turn of the wheels. */
 import { Quaternion, Vector3 } from 'three';
 import { expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { AXLES, WHEEL_RADIUS } from '../../../src/scenes/models/locomotive.ts';
 import { CHUFF, SPEED, train } from '../../../src/scenes/train.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';

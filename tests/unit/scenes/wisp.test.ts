@@ -1,8 +1,8 @@
 /** The cup of tea: in still air each puff of steam rises by its lift, cooling and drag; wind carries it along. */
 import { expect, test } from 'vitest';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { wisp } from '../../../src/scenes/wisp.ts';
-import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
+import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

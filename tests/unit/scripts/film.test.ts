@@ -3,9 +3,9 @@ import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { cameraAt } from '../../../src/app/film/cameraPath.ts';
-import { nameOf, type Keyframe } from '../../../src/app/film/order.ts';
-import { decode } from '../../../src/preset/codec.ts';
+import { cameraAt } from '../../../src/demo/film/cameraPath.ts';
+import { nameOf, type Keyframe } from '../../../src/demo/film/order.ts';
+import { decode } from '../../../src/parameters/codec.ts';
 // @ts-expect-error -- a script without declarations
 import * as options from '../../../scripts/film/options.mjs';
 // @ts-expect-error -- a script without declarations

@@ -5,10 +5,10 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { beforeAll, expect, it } from 'vitest';
-import { names } from '../../../src/element/attributes/names.ts';
-import { CartoonSmokeElement } from '../../../src/element/cartoonSmokeElement.ts';
-import { presets } from '../../../src/preset/words/presets.ts';
-import { table } from '../../../src/preset/words/table.ts';
+import { names } from '../../../src/page/element/attributes/names.ts';
+import { CartoonSmokeElement } from '../../../src/page/element/cartoonSmokeElement.ts';
+import { presets } from '../../../src/parameters/words/presets.ts';
+import { table } from '../../../src/parameters/words/table.ts';
 import { hiddenTypes } from './signatures.ts';
 
 interface PackageScript {
@@ -81,7 +81,7 @@ it('has types that reject unknown keys, values and presets', () => {
   writeFileSync(join(folder, 'cases.ts'), cases.replace(/'[./]+src\/(.*)\.ts'/g, `'${types}/$1.js'`));
   writeFileSync(
     join(folder, 'markup.ts'),
-    `import type { SmokeAttributes } from '${types}/element/attributes.js';
+    `import type { SmokeAttributes } from '${types}/page/element/attributes.js';
 export const accepted: SmokeAttributes = { preset: 'wisp', 'emission-rate': 3, 'style-gradient': 'height' };
 export const rejected: SmokeAttributes[] = [
   // @ts-expect-error no such preset
@@ -137,8 +137,8 @@ it('contains React in the module of React Three Fiber only', () => {
 });
 
 it('contains the warnings of development builds only in their files', () => {
-  const sources = ['remote', 'element', 'puff', 'three'].map((folder) => `src/${folder}/warnings.ts`);
-  const texts = [...sources, 'src/preset/warn.ts'].flatMap((file) => {
+  const sources = ['stage/remote', 'page/element', 'page/puff', 'three'].map((folder) => `src/${folder}/warnings.ts`);
+  const texts = [...sources, 'src/base/warn.ts'].flatMap((file) => {
     const code = readFileSync(join(ROOT, file), 'utf8').replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
     return code.match(/\b[A-Z]\w*(?: (?!extends)[\w(),]+){3,}/g) ?? [];
   });
@@ -156,7 +156,7 @@ it('contains the warnings of development builds only in their files', () => {
 });
 
 it('contains no fault injection', () => {
-  const faults = [...readFileSync(join(ROOT, 'src/device/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
+  const faults = [...readFileSync(join(ROOT, 'src/renderer/gpu/faults.ts'), 'utf8').matchAll(/^ \* - `(\w+)`/gm)];
   expect(faults).toHaveLength(3);
   const dist = join(FOLDER, 'dist');
   const built = readdirSync(dist).filter((file) => file.endsWith('.js'));
@@ -212,7 +212,7 @@ it('describes the same attributes to all editors', () => {
 });
 
 it('types the attributes of list items as patterns', () => {
-  const declared = readFileSync(join(FOLDER, 'types/element/attributes.d.ts'), 'utf8');
+  const declared = readFileSync(join(FOLDER, 'types/page/element/attributes.d.ts'), 'utf8');
   const written = names.filter(({ attribute }) => declared.includes(`'${attribute}'?`));
   expect(written.filter(({ key }) => /^\w+\.\d\./.test(key))).toEqual([]);
   const patterns = [...declared.matchAll(/\[attribute: `(.+)`\]/g)].map(([, pattern]) =>

@@ -2,7 +2,7 @@
 import { PerspectiveCamera, Vector2, Vector3 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { lamp } from '../../../src/scenes/lamp.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import type { Simulation } from '../../../src/stage/simulation.ts';
 import { lampSimulation, VALUES } from '../../support/sim/takeScript.ts';

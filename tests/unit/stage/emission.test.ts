@@ -1,10 +1,10 @@
 /** `Stage.emit`: counts, takes, saved states and errors. */
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { defaults } from '../../../src/preset/values.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { defaults } from '../../../src/parameters/values.ts';
 import { air } from '../../../src/scenes/air.ts';
-import { changeNumbers, emissionNumbers, type EmissionOptions } from '../../../src/sim/emitterOptions.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { changeNumbers, emissionNumbers, type EmissionOptions } from '../../../src/simulator/emitterOptions.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { decode, encode, defaultState } from '../../../src/preset/codec.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { table } from '../../../src/preset/table.ts';
-import { validate } from '../../../src/preset/values.ts';
+import { decode, encode, defaultState } from '../../../src/parameters/codec.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { table } from '../../../src/parameters/table.ts';
+import { validate } from '../../../src/parameters/values.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { OrbitCamera } from '../../../src/stage/orbit.ts';
 

@@ -1,12 +1,12 @@
 /** Seeking in a take and replaying it elsewhere give the same hashes. */
 import { Vector3 } from 'three';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { defaultState, encode, LONGEST_LINK } from '../../../src/preset/codec.ts';
-import { ParameterError, SimulatorError } from '../../../src/preset/errors.ts';
-import { unpackBytes } from '../../../src/preset/packing.ts';
+import { defaultState, encode, LONGEST_LINK } from '../../../src/parameters/codec.ts';
+import { ParameterError, SimulatorError } from '../../../src/base/errors.ts';
+import { unpackBytes } from '../../../src/parameters/packing.ts';
 import { lamp } from '../../../src/scenes/lamp.ts';
 import { wisp } from '../../../src/scenes/wisp.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { noteOf, takeOf } from '../../../src/stage/take.ts';

@@ -17,8 +17,8 @@ import {
 import { beforeAll, expect, test } from 'vitest';
 import { ballsOf } from '../../../src/three/proxies.ts';
 import { shapeOf } from '../../../src/three/shapes.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
 import { HandledSmoke } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

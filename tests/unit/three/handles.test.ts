@@ -2,9 +2,9 @@ import { BoxGeometry, Group, Mesh, Object3D, PlaneGeometry, SphereGeometry, Vect
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
 import { beforeAll, expect, test } from 'vitest';
-import { ParameterError, SimulatorError } from '../../../src/preset/errors.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { POSE_FLOATS } from '../../../src/sim/layout.ts';
+import { ParameterError, SimulatorError } from '../../../src/base/errors.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
 import { HandledSmoke, STILL } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

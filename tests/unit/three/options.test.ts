@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import type { AnyValues } from '../../../src/preset/parameter.ts';
-import { ParameterError } from '../../../src/preset/errors.ts';
-import { findPreset } from '../../../src/preset/presets.ts';
+import type { AnyValues } from '../../../src/parameters/parameter.ts';
+import { ParameterError } from '../../../src/base/errors.ts';
+import { findPreset } from '../../../src/parameters/presets.ts';
 import { loadPreset, startValues } from '../../../src/three/options.ts';
 
 test('the values of a preset are above the defaults and below those of the caller', async () => {

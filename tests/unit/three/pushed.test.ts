@@ -1,7 +1,7 @@
 import { BoxGeometry, CylinderGeometry, Group, Mesh, SphereGeometry } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { ParameterError } from '../../../src/preset/errors.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
+import { ParameterError } from '../../../src/base/errors.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { HandledSmoke, STILL } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

@@ -1,10 +1,10 @@
 import { BoxGeometry, Mesh, Object3D, Vector3, type Group } from 'three';
 import { beforeAll, expect, test } from 'vitest';
-import { ParameterError } from '../../../src/preset/errors.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import type { SimulatorFactory } from '../../../src/sim/load.ts';
-import { simulatorValues } from '../../../src/sim/simulatorValues.ts';
-import { SmokeFrame, type SmokeSpace } from '../../../src/three/frame.ts';
+import { ParameterError } from '../../../src/base/errors.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
+import { SmokeFrame, type SmokeSpace } from '../../../src/three/smokeSpace.ts';
 import { HandledSmoke, STILL } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 

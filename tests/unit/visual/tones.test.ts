@@ -7,7 +7,7 @@ import {
   NO_SMOKE,
   regionsOf,
   type Tones,
-} from '../../visual/smoke/tones.ts';
+} from '../../visual/renderer/tones.ts';
 
 /** A picture of lines of digits; a dot is no smoke. */
 function picture(...lines: string[]): Tones {

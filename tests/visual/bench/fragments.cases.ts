@@ -1,8 +1,8 @@
 /** The counters of the render benchmark, compared with known values. */
 import { OrthographicCamera } from 'three';
-import type { PuffForm } from '../../../src/device/puffTextures.ts';
-import { createDevice } from '../../../src/device/device.ts';
-import { LOBE_SHAPES } from '../../../src/puffs/lobeShapes.ts';
+import type { PuffForm } from '../../../src/renderer/gpu/puffTextures.ts';
+import { createDevice } from '../../../src/renderer/gpu/device.ts';
+import { LOBE_SHAPES } from '../../../src/renderer/puffs/lobeShapes.ts';
 import { countFragments, type Fragments } from '../../bench/render/fragments.ts';
 import { watchUploads } from '../../bench/render/uploads.ts';
 import { Lab, type LabScene } from '../lab.ts';

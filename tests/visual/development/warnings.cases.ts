@@ -5,7 +5,7 @@ import type * as Fiber from '../../../src/fiber.ts';
 import type * as Index from '../../../src/index.ts';
 import type { Puff } from '../../../src/puff.ts';
 import type { CartoonSmoke, CartoonSmokeOptions } from '../../../src/index.ts';
-import { Tree } from '../fiber/tree.ts';
+import { Tree } from '../three/fiber/tree.ts';
 import { emptyHost, makeRenderer } from '../three/scene.ts';
 
 /** More frames than a warning waits for. */
@@ -208,8 +208,8 @@ export const correct: typeof situations = {
 export async function written(build: 'development' | 'production', names: readonly string[]) {
   const ending = build === 'development' ? '.development.ts' : '.ts';
   const index = (await import(/* @vite-ignore */ `/src/index${ending}`)) as typeof Index;
-  const fiber = (await import(/* @vite-ignore */ `/src/fiber${ending}`)) as typeof Fiber;
-  const { puff } = (await import(/* @vite-ignore */ `/src/puff${ending}`)) as { puff: Puff };
+  const fiber = (await import(/* @vite-ignore */ `/src/three/fiber${ending}`)) as typeof Fiber;
+  const { puff } = (await import(/* @vite-ignore */ `/src/page/puff${ending}`)) as { puff: Puff };
   const renderer = makeRenderer({}, [8, 8]);
   const lines: Record<string, string[]> = {};
   const { warn } = console;

@@ -1,5 +1,5 @@
 /** The background, drawn without anything before it. */
-import { parseStops } from '../../../src/smoke/palette.ts';
+import { parseStops } from '../../../src/renderer/palette.ts';
 import { Lab, type LabScene } from '../lab.ts';
 
 const [WIDTH, HEIGHT] = [4, 200];

@@ -1,5 +1,5 @@
-import { readRamp } from '../../../src/preset/ramp.ts';
-import { presets } from '../../../src/preset/presets.ts';
+import { readRamp } from '../../../src/parameters/ramp.ts';
+import { presets } from '../../../src/parameters/presets.ts';
 import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./backdrop.cases.ts');

@@ -1,5 +1,5 @@
 /** Stages and their contexts: shared, lost, disposed, and with growing WASM memory. */
-import { createDevice } from '../../../src/device/device.ts';
+import { createDevice } from '../../../src/renderer/gpu/device.ts';
 import { differing, HEIGHT, lampPicture, lampStage, pixelsOf, shown, visibleCanvas, WIDTH } from './stage.cases.ts';
 
 /** Two stages on one device, one with another light: differences between the two, and from a stage alone. */
@@ -103,6 +103,6 @@ export async function growMemory(): Promise<{ changed: number; grown: boolean; p
 }
 
 async function wasmMemory(): Promise<WebAssembly.Memory> {
-  const { loadSimulators } = await import('../../../src/sim/load.ts');
+  const { loadSimulators } = await import('../../../src/simulator/load.ts');
   return (await loadSimulators({ physics: true })).module.memory;
 }

@@ -1,5 +1,5 @@
 /** Stages with invalid arguments: the error, and that the state is unchanged. */
-import { ParameterError } from '../../../src/preset/errors.ts';
+import { ParameterError } from '../../../src/base/errors.ts';
 import type { Stage } from '../../../src/stage/stage.ts';
 import { HEIGHT, lampStage, WIDTH } from './stage.cases.ts';
 

@@ -1,6 +1,6 @@
 /** Which programs a stage compiles, and when. */
-import type { Values } from '../../../src/preset/parameter.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
 

@@ -1,6 +1,6 @@
 /** Stages that draw fewer pixels than the page has. */
-import { createDevice, type Device } from '../../../src/device/device.ts';
-import { findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { createDevice, type Device } from '../../../src/renderer/gpu/device.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { gpuKeepsUp } from '../../support/gpuKeepsUp.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';

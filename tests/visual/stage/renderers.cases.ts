@@ -1,7 +1,7 @@
 /** Stages that change to a renderer before its code is loaded. */
 import { createStage } from '../../../src/stage/stage.ts';
 import { differing, HEIGHT, lampStage, shown, SMALL, visibleCanvas, WIDTH } from './stage.cases.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 
 /**
  * Pixels that change immediately when the renderer changes, pixels that change after its code is loaded, and pixels

@@ -1,7 +1,7 @@
 /** Stages as a page creates them, and the pixels of their canvases. Shared by all cases of stages. */
-import { createDevice, type Device } from '../../../src/device/device.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { defaultPreset, findPreset, presetValues } from '../../../src/preset/presets.ts';
+import { createDevice, type Device } from '../../../src/renderer/gpu/device.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { defaultPreset, findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
 

@@ -172,7 +172,7 @@ test.describe('a renderer that is not loaded yet', () => {
 
   test('a failed load emits an error event, and nailboards are drawn', async ({ load, blank }) => {
     const cases = await load<Renderers>(RENDERERS);
-    await blank.route('**/src/passes/selle.ts*', (route) => route.abort());
+    await blank.route('**/src/renderer/passes/selle.ts*', (route) => route.abort());
     const { notified, thrown, steps, drawn } = await cases.evaluate((module) => module.lostRenderer());
     expect(notified[0]).toContain('LoadError: The renderer selle could not be loaded');
     expect(thrown).toBe('LoadError');

@@ -1,5 +1,5 @@
 /** Stages over time: playback speed, seeks in both directions, replayed takes. */
-import type { Simulator } from '../../../src/sim/simulator.ts';
+import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';
 import { differing, HEIGHT, lampStage, pixelsOf, SMALL, WIDTH } from './stage.cases.ts';
@@ -9,8 +9,8 @@ import { differing, HEIGHT, lampStage, pixelsOf, SMALL, WIDTH } from './stage.ca
  * @returns largest difference between a frame's movement, in movements of a step, and the speed
  */
 export async function movementAtSpeed(speed: number): Promise<number> {
-  const { Clock } = await import('../../../src/sim/clock.ts');
-  const { loadSimulators } = await import('../../../src/sim/load.ts');
+  const { Clock } = await import('../../../src/simulator/clock.ts');
+  const { loadSimulators } = await import('../../../src/simulator/load.ts');
   const simulator = (await loadSimulators({ physics: false })).create({ capacity: 64, seed: 3 });
   simulator.set({ 'emission.rate': 600, 'emission.lifetime': 50, 'emitters.0.share': 1, 'emitters.0.size': 0.1 });
   simulator.set({ 'emission.growthTime': 0, 'turbulence.speed': 0 });

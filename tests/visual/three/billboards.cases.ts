@@ -1,6 +1,6 @@
 /** Smoke in the host's scene that changes to billboards before their code is loaded. */
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, type Host, type Pixels } from './scene.ts';
 
 export const BILLBOARDS: Values = { 'puff.form': 'billboards' };

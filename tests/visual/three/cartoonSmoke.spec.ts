@@ -259,7 +259,7 @@ test.describe('mistakes of a page', () => {
 test.describe('billboards that are not loaded yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
-  const CODE = '**/src/smoke/billboards.ts*';
+  const CODE = '**/src/renderer/billboards.ts*';
   const block = (page: Page) => page.route(CODE, (route) => route.abort());
   /** The intercepted request, held until the test continues it. */
   const held = async (page: Page) => {

@@ -2,7 +2,7 @@
 import { Color, Fog, FogExp2 } from 'three';
 import { dispose, draw, emptyHost, HANGING, HEIGHT, smokeIn, WIDTH } from './scene.ts';
 import { composed } from './targets.cases.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 
 const FOG = '#406080';
 const SMOKE = '#ffe0a0';

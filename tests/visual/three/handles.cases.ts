@@ -10,7 +10,7 @@ import {
   Vector3,
 } from 'three';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { changedPixels, dispose, draw, emptyHost, HEIGHT, smokeIn, smokePixels, WIDTH, type Host } from './scene.ts';
 
 /** Smoke that stays where it is born for half a second, and none of the table. */

@@ -11,7 +11,7 @@ import {
   type Camera,
 } from 'three';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import { SmokeError } from '../../../src/preset/errors.ts';
+import { SmokeError } from '../../../src/base/errors.ts';
 import { random } from '../random.ts';
 import { changedPixels, dispose, draw, furnishedHost, smokeIn, type Host } from './scene.ts';
 

@@ -13,7 +13,7 @@ import {
   WIDTH,
   type Pixels,
 } from './scene.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 
 /** There is ink within this distance of the border, pixels. */
 const REACH = 2;

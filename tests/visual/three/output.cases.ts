@@ -15,7 +15,7 @@ import {
   type Host,
   type Pixels,
 } from './scene.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 
 const PARAMETERS = [
   'VIEWPORT SCISSOR_BOX SCISSOR_TEST DEPTH_TEST DEPTH_FUNC DEPTH_WRITEMASK DEPTH_CLEAR_VALUE',

@@ -21,7 +21,7 @@ import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
 import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { emptyHost, makeRenderer, type Host } from './scene.ts';
 
 const [WIDTH, HEIGHT] = [400, 225];

@@ -27,7 +27,7 @@ import {
 } from 'three';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { CartoonSmokeOptions } from '../../../src/three/options.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 
 export const WIDTH = 200;
 export const HEIGHT = 140;

@@ -12,15 +12,15 @@ import {
   type Object3D,
   type WebGLRendererParameters,
 } from 'three';
-import { pictureTarget } from '../../../src/device/pictureTarget.ts';
-import { drawFrame } from '../../../src/smoke/frame.ts';
-import type { FrameInput } from '../../../src/smoke/frameInput.ts';
-import type { ShownSmoke } from '../../../src/smoke/shownSmoke.ts';
+import { pictureTarget } from '../../../src/renderer/gpu/pictureTarget.ts';
+import { drawFrame } from '../../../src/renderer/frame.ts';
+import type { FrameInput } from '../../../src/renderer/frameInput.ts';
+import type { ShownSmoke } from '../../../src/renderer/shownSmoke.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import type { HostPasses } from '../../../src/three/hostPasses.ts';
 import { lightFrom } from '../../../src/three/keyLight.ts';
 import { boneBalls, capsule, worldBall, instanceBalls, type BallAt } from '../../../src/three/proxies.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import {
   changedPixels,
   differences,

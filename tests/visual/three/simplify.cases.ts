@@ -1,6 +1,6 @@
 /** Simplified light of smoke in a host's scene. */
 import { Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { byComposer, byMirror, type Composed, type Seen } from './targets.cases.ts';
 import { together } from './transforms.cases.ts';
 import { dispose, draw, furnishedHost, HANGING, HEIGHT, smokeIn, smokePixels, WIDTH, type Pixels } from './scene.ts';

@@ -21,7 +21,7 @@ import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import type { Pass } from 'three/examples/jsm/postprocessing/Pass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
 import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import type { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { encoded } from './output.cases.ts';
 import { censusOf, maskOf, type Census } from './shadow.cases.ts';

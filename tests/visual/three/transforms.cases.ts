@@ -12,7 +12,7 @@ import {
   type Camera,
   type PerspectiveCamera,
 } from 'three';
-import type { Values } from '../../../src/preset/parameter.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { Reflector } from 'three/examples/jsm/objects/Reflector.js';
 import {
   changedPixels,

@@ -1,9 +1,9 @@
 /** Values that `get` gives are values that `set` takes. */
-import type { State } from '../../../src/preset/codec.ts';
-import type { Values } from '../../../src/preset/parameter.ts';
-import { openHere } from '../../../src/remote/openHere.ts';
-import { openStage } from '../../../src/remote/openStage.ts';
-import type { RemoteStage } from '../../../src/remote/contract.ts';
+import type { State } from '../../../src/parameters/codec.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { openHere } from '../../../src/stage/remote/openHere.ts';
+import { openStage } from '../../../src/stage/remote/openStage.ts';
+import type { RemoteStage } from '../../../src/stage/remote/contract.ts';
 import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { emptyHost, type Host } from './scene.ts';
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
-import { encode, type State } from '../../../src/preset/codec.ts';
-import { presets, presetValues } from '../../../src/preset/presets.ts';
+import { encode, type State } from '../../../src/parameters/codec.ts';
+import { presets, presetValues } from '../../../src/parameters/presets.ts';
 import { anyState } from '../../support/anyState.ts';
 import { expect, test } from '../../support/fixtures.ts';
 

@@ -1,4 +1,4 @@
-//! The layout of rows, 32 bytes per drawn particle in two arrays. `npm run generate` writes `src/sim/layout.ts` from it.
+//! The layout of rows, 32 bytes per drawn particle in two arrays. `npm run generate` writes `src/simulator/layout.ts` from it.
 //!
 //! place: x, y, z in world space (m) and radius (m), blended between the steps. attributes: the fields of
 //! [`ATTRIBUTE_BITS`].

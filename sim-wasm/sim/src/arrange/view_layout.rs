@@ -1,4 +1,4 @@
-//! The layout of a view: the numbers that callers of `arrange` give. `npm run generate` writes `src/sim/layout.ts` from
+//! The layout of a view: the numbers that callers of `arrange` give. `npm run generate` writes `src/simulator/layout.ts` from
 //! it.
 //!
 //! The balls of all variations can follow: for each variation their x, y, z and radii, in particle radii. Behind them

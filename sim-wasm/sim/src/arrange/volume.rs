@@ -1,5 +1,6 @@
-//! The shadow volume of a puff, as shaders/lib/volume.glsl draws it. `tests/visual/passes/volumes.spec.ts` compares the
-//! values. Lengths are in drawn radii unless stated otherwise.
+//! The shadow volume of a puff, as shaders/lib/volume.glsl draws it.
+//! `tests/visual/renderer/passes/volumes/volumes.spec.ts` compares the values. Lengths are in drawn radii unless stated
+//! otherwise.
 
 use wide::f32x4;
 

@@ -253,7 +253,7 @@ fn stretch(attributes: Attributes) -> (V3, f64) {
     (axis, 1.0 + 3.0 * f64::from(attributes[3] >> 16 & 0xff) / 255.0)
 }
 
-/// Transforms a direction from the frame of the puff to the world; see src/puffs/orientation.ts.
+/// Transforms a direction from the frame of the puff to the world; see src/renderer/puffs/orientation.ts.
 fn turned(at: V3, attributes: Attributes) -> V3 {
     let seed = f64::from(attributes[1] >> 8 & 0xff);
     let z = 1.0 - (2.0 * seed + 1.0) / 256.0;

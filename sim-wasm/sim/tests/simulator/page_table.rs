@@ -1,5 +1,5 @@
 //! `npm run generate` writes what the page shares with the simulator: the ranges and defaults of parameters in
-//! `src/preset/lists.json` and `singles.json`, what the panel says of lists in `src/preset/words/lists.json`, and the layouts of views and rows in `src/sim/layout.ts`.
+//! `src/parameters/lists.json` and `singles.json`, what the panel says of lists in `src/parameters/words/lists.json`, and the layouts of views and rows in `src/simulator/layout.ts`.
 
 use std::fs;
 use std::path::Path;
@@ -14,9 +14,9 @@ use sim::math::pose::POSE_FLOATS;
 
 #[test]
 fn the_page_has_the_parameters_of_the_simulator() {
-    is_generated("src/preset/lists.json", &lists_as_json());
-    is_generated("src/preset/words/lists.json", &list_words_as_json());
-    is_generated("src/preset/singles.json", &singles_as_json());
+    is_generated("src/parameters/lists.json", &lists_as_json());
+    is_generated("src/parameters/words/lists.json", &list_words_as_json());
+    is_generated("src/parameters/singles.json", &singles_as_json());
 }
 
 #[test]
@@ -69,7 +69,7 @@ export const RIGID_FLOATS = {rigid_floats};
 export const FIRST_PART = {FIRST_PART};
 "
     );
-    is_generated("src/sim/layout.ts", &expected);
+    is_generated("src/simulator/layout.ts", &expected);
 }
 
 fn view_offsets() -> Vec<String> {

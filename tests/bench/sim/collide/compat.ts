@@ -2,7 +2,7 @@
  * Rapier's JavaScript bindings as a page would use them to query the position of each particle, with minimal overhead.
  */
 import RAPIER from '@dimforge/rapier3d-compat';
-import type { RigidShape } from '../../../../src/sim/rigid.ts';
+import type { RigidShape } from '../../../../src/simulator/rigid.ts';
 import { poseAt, type Swing } from './obstacles.ts';
 
 /** Rapier's own world with the same rigids. */

@@ -1,8 +1,8 @@
 /** The simulator with measuring functions: `cargo xtask wasm --bench` in sim-wasm. */
-import { SimulatorFactory } from '../../../../src/sim/load.ts';
-import type { Simulator } from '../../../../src/sim/simulator.ts';
-import { rigidArguments } from '../../../../src/sim/rigid.ts';
-import type * as Bindings from '../../../../src/sim/wasm/physics/bindings.js';
+import { SimulatorFactory } from '../../../../src/simulator/load.ts';
+import type { Simulator } from '../../../../src/simulator/simulator.ts';
+import { rigidArguments } from '../../../../src/simulator/rigid.ts';
+import type * as Bindings from '../../../../src/simulator/wasm/physics/bindings.js';
 
 const FOLDER = '/sim-wasm/target/wasm/bench';
 

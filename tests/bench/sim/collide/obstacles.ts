@@ -1,7 +1,7 @@
 /** The rigids of both sides of collide.vsCompat, and the smoke among them. */
 import { emptyParticles, type Particles } from '../../support/snapshot.ts';
 import { random } from '../../../visual/random.ts';
-import type { RigidShape } from '../../../../src/sim/rigid.ts';
+import type { RigidShape } from '../../../../src/simulator/rigid.ts';
 
 export const RIGIDS = 100;
 

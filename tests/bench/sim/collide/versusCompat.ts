@@ -1,8 +1,8 @@
 /**
  * collide.vsCompat: one query per particle through Rapier's JavaScript bindings, divided by the time of our collisions.
  */
-import { loadSimulators } from '../../../../src/sim/load.ts';
-import type { Simulator } from '../../../../src/sim/simulator.ts';
+import { loadSimulators } from '../../../../src/simulator/load.ts';
+import type { Simulator } from '../../../../src/simulator/simulator.ts';
 import { EVERYTHING } from '../../../support/sim/everything.ts';
 import { demand, figure, say, time, type Figure } from '../../support/figures.ts';
 import { readParticles, withParticles } from '../../support/snapshot.ts';

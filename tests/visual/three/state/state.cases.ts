@@ -1,10 +1,10 @@
 /** `emitFrom` without options, and `clear`, `restart`, `save` and `restore` of smoke with handles. */
 import { BoxGeometry, Mesh, MeshBasicMaterial, Object3D } from 'three';
-import type { AnyValues, Values } from '../../../../src/preset/parameter.ts';
+import type { AnyValues, Values } from '../../../../src/parameters/parameter.ts';
 import type { CartoonSmoke } from '../../../../src/three/cartoonSmoke.ts';
 import type { EmitterHandle } from '../../../../src/three/emitters.ts';
-import { ALL_PARTICLES } from '../../../../src/sim/view.ts';
-import type { Simulator } from '../../../../src/sim/simulator.ts';
+import { ALL_PARTICLES } from '../../../../src/simulator/view.ts';
+import type { Simulator } from '../../../../src/simulator/simulator.ts';
 import { dispose, draw, emptyHost, smokeIn, type Host } from '../scene.ts';
 
 /** Smoke that stays where it is born. */

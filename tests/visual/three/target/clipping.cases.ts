@@ -16,7 +16,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { CartoonSmoke } from '../../../../src/three/cartoonSmoke.ts';
-import type { Values } from '../../../../src/preset/parameter.ts';
+import type { Values } from '../../../../src/parameters/parameter.ts';
 import {
   changedPixels,
   dispose,

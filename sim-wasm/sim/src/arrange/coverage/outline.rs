@@ -548,7 +548,8 @@ mod tests {
         all.iter().map(f32::to_string).collect::<Vec<_>>().join(" ")
     }
 
-    /// `npm run generate` writes the file, and `tests/visual/passes/volumes.spec.ts` compares it with the shader.
+    /// `npm run generate` writes the file. `tests/visual/renderer/passes/volumes/volumes.spec.ts` compares it with the
+    /// shader.
     #[test]
     fn shadow_volumes_are_those_of_the_file() {
         let mut random = Random::new(11);
@@ -567,7 +568,7 @@ mod tests {
             let [x, y, z] = place;
             writeln!(expected, "{}", line([x, y, z, radius], attributes, light)).unwrap();
         }
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/visual/passes/volumes.txt");
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/visual/renderer/passes/volumes/volumes.txt");
         if std::env::var_os("GENERATE").is_some() {
             std::fs::write(&file, &expected).unwrap();
         }

@@ -1,4 +1,4 @@
-//! The balls of puffs and their orientation, as in src/puffs/bake/solids.ts and shaders/lib/orientation.glsl.
+//! The balls of puffs and their orientation, as in src/renderer/puffs/bake/solids.ts and shaders/lib/orientation.glsl.
 
 use wide::f32x4;
 
@@ -16,7 +16,7 @@ const SEEDS: usize = 256;
 const SINES: usize = 4096;
 /// Rotation of the seed axes about z from one seed to the next.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
-/// See src/constants.ts.
+/// See src/base/constants.ts.
 const BILLOW_DEPTH: f32 = 0.6;
 const BILLOW_DELAY: f32 = 0.5;
 const BILLOW_STEP: f32 = 0.618_034;

@@ -1,4 +1,4 @@
-//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/puffs/bake/startCaps.ts.
+//! The starts of a puff's shadow, by the direction of the light, as tabulated in src/renderer/puffs/bake/startCaps.ts.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 

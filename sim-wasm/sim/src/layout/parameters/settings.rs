@@ -1,4 +1,4 @@
-//! Sections that exist once. Their labels and texts are in `src/preset/rows`.
+//! Sections that exist once. Their labels and texts are in `src/parameters/rows`.
 
 use crate::layout::parameters::field::{Field, PLACE, number, vector};
 use crate::layout::parameters::item::Item;

@@ -1,0 +1,42 @@
+import { notice, type Notice } from '../../parameters/notice.ts';
+import type { Values } from '../../parameters/parameter.ts';
+import { linkCapacity, lookOf } from '../moment.ts';
+import type { RemoteStage } from '../../stage/remote/contract.ts';
+import { STEP_SECONDS } from '../../simulator/clock.ts';
+import type { Take } from '../../stage/take.ts';
+
+/** Limit for pages on which smoke is a side feature. */
+const LONGEST_SECONDS = 600;
+
+/**
+ * Replays a take from a share link.
+ * @param seconds where to stop; defaults to the end of the take
+ * @param values of the link for style, light and camera, which takes do not record
+ * @returns a notice when the take is ignored; otherwise none
+ */
+export async function goToMoment(
+  stage: RemoteStage,
+  bytes: Uint8Array,
+  seconds: number | undefined,
+  values: Values,
+): Promise<Notice[]> {
+  try {
+    const take = await stage.readTake(bytes);
+    checkCapacity(take);
+    if (take.values.scene !== values.scene) await stage.enter(take.values);
+    await stage.playTake(bytes);
+    await stage.set(lookOf(values));
+    await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
+    return [];
+  } catch (error) {
+    const sentence = () => `The moment in the link cannot be shown: ${(error as Error).message}`;
+    return [notice('damaged', 'take', '', sentence)];
+  }
+}
+
+/** @throws Error when an untrusted take exceeds the limits of links */
+function checkCapacity({ isFresh, mostParticles }: Take): void {
+  const max = linkCapacity();
+  if (!isFresh) throw new Error('it starts from a saved state.');
+  if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles. The limit is ${max}.`);
+}

@@ -1,0 +1,125 @@
+/** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
+import { LoadError, ParameterError } from '../../base/errors.ts';
+import type { Engine } from './engine.ts';
+import { requirePuffOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
+import { sourceOf, type PuffTarget } from './target.ts';
+import { visibilityChange } from './visibility.ts';
+
+export interface Puff {
+  /**
+   * Shows smoke.
+   *
+   * @param target an element, which smoke leaves and flows around; an event with coordinates; or a point in client
+   * pixels. Default: the middle of the window
+   * @returns resolves when the last particle is gone. It resolves at once if there is nothing to show: for an element
+   * without a box, or with reduced motion. Rejects with a ParameterError for invalid arguments, an UnsupportedError
+   * without WebGL2 or WASM, a LoadError when code cannot be fetched, a ContextError when the context is lost for good
+   */
+  (target?: PuffTarget, options?: PuffOptions): Promise<void>;
+  /** The names of the effects. */
+  readonly effects: readonly Effect[];
+  /**
+   * Loads everything and compiles the shaders, so that later calls start at once, and keeps it.
+   * @throws as a call does
+   */
+  preload(): Promise<void>;
+  /** Removes all smoke. The promises of its calls resolve; elements that vanish or appear have done so. */
+  clear(): void;
+  /**
+   * A `puff` that draws on this canvas instead of one over the page. The canvas must not have a context. After `dispose`
+   * or a lost context, the next call replaces it by a copy.
+   */
+  create(canvas: HTMLCanvasElement): OwnPuff;
+}
+
+/** A `puff` on a canvas of the page. */
+export interface OwnPuff extends Puff {
+  /** Releases everything. The canvas stays in the page. */
+  dispose(): void;
+}
+
+/** Whether nothing can be drawn here, as on servers and in the simulated DOMs of unit tests: calls then do nothing. */
+const isInert = (): boolean => !('WebGL2RenderingContext' in globalThis);
+
+function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
+  let opening: Promise<Engine> | undefined;
+  let isKept = canvas !== undefined;
+  /** The calls before the latest `clear`. */
+  let calls = new AbortController();
+
+  const open = async (): Promise<Engine> => {
+    opening ??= fetchEngine().then(({ openEngine }) => openEngine({ canvas, onEnd: () => (opening = undefined) }));
+    try {
+      const engine = await opening;
+      if (isKept) engine.keep();
+      return engine;
+    } catch (error) {
+      opening = undefined;
+      throw error;
+    }
+  };
+
+  const end = (act: (engine: Engine) => void) => {
+    calls.abort();
+    calls = new AbortController();
+    opening?.then(act).catch(() => undefined);
+  };
+
+  const play = async (target?: PuffTarget, options: PuffOptions = {}): Promise<void> => {
+    requirePuffOptions(options);
+    if (!globalThis.document) return;
+    const source = sourceOf(target);
+    const { effect = 'poof', reducedMotion = 'skip' } = options;
+    const change = visibilityChange(effect, source.element);
+    const { signal } = calls;
+    signal.addEventListener('abort', change.end);
+    try {
+      const isCalm = isInert() || (reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches);
+      if (isCalm || !source.box()) return change.end();
+      const engine = await open();
+      if (signal.aborted) return;
+      await engine.play({ ...options, effect, source, signal, onBegin: change.begin });
+      await change.finished();
+    } catch (error) {
+      change.end();
+      throw error;
+    } finally {
+      signal.removeEventListener('abort', change.end);
+    }
+  };
+
+  const preload = async () => {
+    isKept = true;
+    if (!isInert()) await (await open()).warmUp();
+  };
+
+  const puff = (target?: PuffTarget, options?: PuffOptions) => handled(play(target, options));
+  return Object.assign(puff, {
+    effects: EFFECTS,
+    preload: () => handled(preload()),
+    clear: () => end((engine) => engine.clear()),
+    create(own: HTMLCanvasElement) {
+      if ((own as HTMLCanvasElement | undefined)?.localName !== 'canvas')
+        throw new ParameterError('canvas', own, 'a canvas of the page');
+      return makePuff(own);
+    },
+    dispose: () => end((engine) => engine.dispose()),
+  });
+}
+
+/** A page that does not await a call gets no unhandled rejection. */
+function handled(call: Promise<void>): Promise<void> {
+  call.catch(() => undefined);
+  return call;
+}
+
+/** Not by `fetched`, which would bring code of the element into the download before the first call. */
+async function fetchEngine() {
+  try {
+    return await import('./engine.ts');
+  } catch (cause) {
+    throw new LoadError(`The smoke could not be loaded: ${(cause as Error).message}`, { cause });
+  }
+}
+
+export const puff: Puff = makePuff();

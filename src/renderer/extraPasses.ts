@@ -1,0 +1,187 @@
+/** Code that few smokes need. It is loaded on first use and shared by all smokes of the thread. */
+import type { FrameView } from './gpu/frameView.ts';
+import type { PuffForm, PuffTextures } from './gpu/puffTextures.ts';
+import type { Shaders } from './gpu/programsAhead.ts';
+import type { RampTexture } from './gpu/ramps.ts';
+import type { DebugView } from '../parameters/quality.ts';
+import { LoadError } from '../base/errors.ts';
+import { LazyModules } from '../base/timeout.ts';
+import type { FrameExtras } from './smokePasses.ts';
+import type { Renderer, Volumes } from './style.ts';
+
+const modules = new LazyModules({
+  caps: () => import('./puffs/bake/lobeCaps.ts'),
+  billboards: () => import('./billboards.ts'),
+  selle: () => import('./passes/selle.ts'),
+  debugViews: () => import('./debugViews.ts'),
+  countedVolumes: () => import('./passes/countedVolumes.ts'),
+  tiledVolumes: () => import('./passes/tiledVolumes/tiledVolumes.ts'),
+  simplify: () => import('./passes/simplify/simplify.ts'),
+  strokes: () => import('./passes/strokes/strokes.ts'),
+  bites: () => import('./bites.ts'),
+});
+/** The modules that are loaded. */
+export const { loaded } = modules;
+
+type Name = keyof typeof loaded;
+
+/** The settings of a picture that decide which modules it needs. */
+export interface PictureKind {
+  readonly renderer: Renderer;
+  readonly form: PuffForm;
+  /** Whether puffs turn or stretch with the air, or unfold. */
+  readonly isDeformed: boolean;
+  readonly volumes: Volumes;
+  /** Distance over which light is smoothed, CSS pixels. */
+  readonly simplify: number;
+  /** How far light follows the form of the whole smoke, 0..1. */
+  readonly plumeForm: number;
+  readonly outlines: boolean;
+  /** Number of strokes inside the silhouette, 0..1. */
+  readonly strokes: number;
+  /** Whether puffs have bites. */
+  readonly isEroded: boolean;
+  readonly view?: DebugView;
+  /** Whether volumes are drawn in tiles, which gives the same picture. */
+  readonly isTiled?: boolean;
+}
+
+/** Whether a style's light is smoothed or follows the whole form. Other renderers than nailboards do not. */
+export function isSimplified({
+  renderer,
+  simplify,
+  plumeForm,
+}: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm'>): boolean {
+  return renderer === 'nailboards' && simplify + plumeForm > 0;
+}
+
+/** Whether a style has strokes. They are lines, on lobes only. */
+export function hasStrokes({
+  renderer,
+  form,
+  outlines,
+  strokes,
+}: Pick<PictureKind, 'renderer' | 'form' | 'outlines' | 'strokes'>): boolean {
+  return renderer === 'nailboards' && form === 'lobes' && outlines && strokes > 0;
+}
+
+/** The modules that a picture needs, with their names in error messages. */
+function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
+  const { renderer, form, isDeformed, volumes, isEroded, view, isTiled } = kind;
+  return {
+    ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
+    ...(form === 'billboards' && { billboards: 'Billboards' }),
+    ...(renderer === 'selle' && { billboards: 'The renderer selle', selle: 'The renderer selle' }),
+    ...(view && { debugViews: `The view ${view}` }),
+    ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
+    ...(isSimplified(kind) && { simplify: 'Simplified light' }),
+    ...(hasStrokes(kind) && { strokes: 'Strokes' }),
+    ...(isEroded && { bites: 'Bites' }),
+    ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
+  };
+}
+
+/** Names of the modules that a picture needs and that are not loaded. */
+export function missingExtras(kind: PictureKind): string {
+  return missing(kind)
+    .map(([name]) => name)
+    .join();
+}
+
+/** Whether all modules that a picture needs are loaded. */
+export function hasExtras(kind: PictureKind): boolean {
+  return missing(kind).length === 0;
+}
+
+/**
+ * Loads the modules that a picture needs. A failed load is retried on the next call.
+ * @throws LoadError if a module cannot be loaded
+ */
+export async function fetchExtras(kind: PictureKind): Promise<void> {
+  await Promise.all(missing(kind).map(([name, what]) => modules.load(name, what)));
+}
+
+/**
+ * Returns a loaded module.
+ * @throws LoadError if it is not loaded
+ */
+export function codeOf<Each extends Name>(name: Each): NonNullable<(typeof loaded)[Each]> {
+  const code = loaded[name];
+  if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
+  return code;
+}
+
+function missing(kind: PictureKind): [Name, string][] {
+  return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !loaded[name]);
+}
+
+/** What the optional passes of one smoke share with its other passes. */
+interface Sources {
+  readonly eye: FrameView;
+  readonly puffs: PuffTextures;
+  readonly ramps: RampTexture;
+}
+
+type PassName = Exclude<keyof FrameExtras, 'billboardsOf' | 'releaseTargets' | 'dispose'>;
+
+/** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
+export class ExtraPasses implements FrameExtras {
+  private readonly sources: Sources;
+  private readonly made: { -readonly [Each in PassName]?: FrameExtras[Each] } = {};
+  private requested: Promise<unknown> | undefined;
+
+  constructor(sources: Sources) {
+    this.sources = sources;
+  }
+
+  get selle(): FrameExtras['selle'] {
+    return this.pass('selle', ({ SellePass }, { eye, puffs, ramps }) => new SellePass(eye, puffs, ramps));
+  }
+
+  get countedVolumes(): FrameExtras['countedVolumes'] {
+    return this.pass('countedVolumes', ({ CountedVolumesPass }, { eye, puffs }) => new CountedVolumesPass(eye, puffs));
+  }
+
+  /** Undefined until its module is loaded, which starts on first access. Without it, pictures only take longer. */
+  get tiledVolumes(): FrameExtras['tiledVolumes'] {
+    this.requested ??= modules.load('tiledVolumes', 'Volumes in tiles').catch(() => {});
+    return this.pass('tiledVolumes', ({ TiledVolumesPass }, { eye, puffs }) => new TiledVolumesPass(eye, puffs));
+  }
+
+  get simplify(): FrameExtras['simplify'] {
+    return this.pass('simplify', ({ SimplifyPass }, { eye, ramps }) => new SimplifyPass(eye, ramps));
+  }
+
+  get strokes(): FrameExtras['strokes'] {
+    return this.pass('strokes', ({ StrokesPass }, { eye, puffs }) => new StrokesPass(eye, puffs));
+  }
+
+  get debugViews(): FrameExtras['debugViews'] {
+    return this.pass('debugViews', ({ DebugViews }, { eye }) => new DebugViews(eye));
+  }
+
+  /** The shaders of a puff form; undefined for lobes. */
+  billboardsOf(form: PuffForm): Shaders | undefined {
+    return form === 'billboards' ? codeOf('billboards').billboardShaders : undefined;
+  }
+
+  /** Releases render targets until the next frame. */
+  releaseTargets(): void {
+    this.made.simplify?.releaseTargets();
+    this.made.strokes?.releaseTargets();
+  }
+
+  /** Disposes of all passes. They allocate their resources again when they next draw. */
+  dispose(): void {
+    for (const pass of Object.values(this.made)) pass.dispose();
+  }
+
+  private pass<Each extends PassName>(
+    name: Each,
+    make: (code: NonNullable<(typeof loaded)[Each]>, sources: Sources) => FrameExtras[Each],
+  ): FrameExtras[Each] | undefined {
+    const code = loaded[name];
+    if (code) this.made[name] ??= make(code, this.sources);
+    return this.made[name];
+  }
+}

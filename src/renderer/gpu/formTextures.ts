@@ -1,0 +1,39 @@
+import type { DataArrayTexture, DataTexture } from 'three';
+import type { StartCaps } from '../puffs/bake/startCaps.ts';
+import type { PuffSolids } from '../puffs/bake/solids.ts';
+import type { CasterTable } from '../puffs/billboards/casters.ts';
+import type { PuffLayers } from '../puffs/billboards/layers.ts';
+
+/** Bounds of the puffs of one form and their shadows, in radii of the particle. */
+export interface PuffExtents {
+  /** Radius of the bounding sphere of all puffs. */
+  readonly reach: number;
+  /** Greatest factor by which lobes are farther from the centre than in the baked shape. */
+  readonly spread: number;
+  /** Largest distance behind the centre plane at which a part of a puff is visible. */
+  readonly depth: number;
+  /** Least and greatest distance behind the centre at which shadow volumes start. */
+  readonly capRange: readonly [number, number];
+  /** The baked table; absent if puffs turn, stretch or unfold. */
+  readonly capTable?: StartCaps;
+  readonly solids: PuffSolids;
+}
+
+/** Textures and bounds of the puffs of one form, as all passes use them. */
+export interface FormTextures extends PuffExtents {
+  /** See `latestCap` in src/renderer/puffs/bake/startCaps.ts. */
+  readonly latestCap: number;
+  /** Array texture of the table, with a layer for each variation. */
+  readonly startCaps?: DataArrayTexture;
+  /** One row for each variation: centre and radius of the lobes that cast shadow. The first `casterLobes` count. */
+  readonly casterTable: DataTexture;
+  readonly casterLobes: number;
+}
+
+/** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */
+export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'solids'> {
+  readonly layers: PuffLayers;
+  readonly startCaps: StartCaps;
+  readonly latestCap: number;
+  readonly casters: CasterTable;
+}

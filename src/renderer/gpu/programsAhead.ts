@@ -1,0 +1,93 @@
+import { GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
+import { nextTask } from '../../base/work.ts';
+import { DrawnMesh } from './drawnMesh.ts';
+import { hasPassed, placeFence } from './framesInFlight.ts';
+import { triangle } from './fullScreen.ts';
+
+const POLL_MS = 10;
+/** Then the first draw waits for the programs. */
+const TIMEOUT_MS = 10_000;
+
+/** The shaders of a program, as three.js takes them. */
+export interface Shaders {
+  readonly vertexShader: string;
+  readonly fragmentShader: string;
+  readonly defines?: Record<string, string>;
+}
+
+/**
+ * Replaces LOBES by the number of lobes. three.js unrolls loops only with literal bounds; unrolled loops need no
+ * dynamic indexing.
+ */
+export function withLobes(shader: string, lobes: number): string {
+  return shader.replaceAll(/\bLOBES\b/g, String(lobes));
+}
+
+/** Defines of programs whose puffs turn, stretch or unfold; see shaders/lib/orientation.glsl. */
+export const DEFORMED = { DEFORMED: '' };
+
+/**
+ * Compiles programs in the background. three.js compiles a program when it first draws with it and waits for the
+ * result. The materials here draw nothing: they keep programs in the cache of three.js, which finds them by their
+ * source text when another material has the same shaders.
+ */
+export class ProgramsAhead {
+  private readonly programs = new Map<string, RawShaderMaterial>();
+
+  /** Compiles a program unless it was compiled before. Does not wait for the result. */
+  compile(renderer: WebGLRenderer, { vertexShader, fragmentShader, defines = {} }: Shaders): void {
+    const shaders = { vertexShader, fragmentShader, defines };
+    const key = JSON.stringify(shaders);
+    if (this.programs.has(key)) return;
+    const material = new RawShaderMaterial({ ...shaders, glslVersion: GLSL3 });
+    this.programs.set(key, material);
+    new DrawnMesh(material, triangle()).compile(renderer);
+  }
+
+  /** Compiles the programs of what a pass draws with: its fields, and the elements of its arrays. */
+  compilePass(renderer: WebGLRenderer, pass: object): void {
+    for (const part of Object.values(pass).flat()) {
+      const material = part?.material ?? part;
+      if (material instanceof RawShaderMaterial) this.compile(renderer, material as Shaders);
+    }
+  }
+
+  /**
+   * Resolves when programs can be drawn with at once. Browsers with KHR_parallel_shader_compile compile in the
+   * background and report the end. Others compile in the order of the commands, so that a fence reports it.
+   */
+  async finished(renderer: WebGLRenderer): Promise<void> {
+    const context = renderer.getContext() as WebGL2RenderingContext;
+    const fence = placeFence(context);
+    const until = performance.now() + TIMEOUT_MS;
+    const programs = renderer.info.programs as unknown as readonly Compiled[];
+    const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
+    while (!context.isContextLost() && performance.now() < until) {
+      if (isReady()) return readUniforms([...programs]);
+      await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+    }
+  }
+
+  dispose(): void {
+    for (const material of this.programs.values()) material.dispose();
+    this.programs.clear();
+  }
+}
+
+/**
+ * In the first frame this would wait for the draw calls before it. Each program waits for the GPU, so each has a task of
+ * its own.
+ */
+async function readUniforms(programs: readonly Compiled[]): Promise<void> {
+  for (const program of programs) {
+    program.getUniforms();
+    await nextTask();
+  }
+}
+
+/** A program of three.js, with a method that its types lack. */
+interface Compiled {
+  /** Whether the browser has finished it; always true without KHR_parallel_shader_compile. */
+  isReady(): boolean;
+  getUniforms(): unknown;
+}

@@ -1,0 +1,46 @@
+import { MathUtils, Vector3, Vector4 } from 'three';
+import type { Values } from '../parameters/parameter.ts';
+
+/** Least elevation of a moving light, degrees. */
+const LOWEST = 5;
+
+/** The light: a sun with parallel rays, or a lamp at a position. World space, metres. */
+export type Light =
+  | { readonly kind: 'sun'; /** Unit vector. */ readonly towards: Vector3 }
+  | { readonly kind: 'lamp'; readonly place: Vector3 };
+
+/** Reads the light from the flat values of a preset, which must have every key. Angles are relative to `centre`. */
+export function lightOf(values: Values, centre: Vector3): Light {
+  const towards = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number);
+  if (values['light.kind'] !== 'lamp') return { kind: 'sun', towards };
+  return { kind: 'lamp', place: towards.multiplyScalar(values['light.distance'] as number).add(centre) };
+}
+
+/**
+ * Returns a copy of the values with the light moved by angles in degrees. The elevation has a lower limit, because the
+ * shadows of a light at the horizon are infinite.
+ */
+export function moved(values: Values, { azimuth, elevation }: { azimuth: number; elevation: number }): Values {
+  const height = (values['light.elevation'] as number) + elevation;
+  return {
+    ...values,
+    'light.azimuth': (values['light.azimuth'] as number) + azimuth,
+    'light.elevation': MathUtils.clamp(height, LOWEST, 90),
+  };
+}
+
+/**
+ * The unit vector towards the light, world space.
+ * @param azimuth degrees about the vertical; 0 is from the front (+z), positive turns to the right (+x)
+ * @param elevation degrees above the horizon
+ */
+export function towardsLight(azimuth: number, elevation: number): Vector3 {
+  return new Vector3().setFromSphericalCoords(1, MathUtils.degToRad(90 - elevation), MathUtils.degToRad(azimuth));
+}
+
+/** The light as the shaders take it: (unit vector towards the light, 0) or (position of the light, 1). */
+export function homogeneous(light: Light): Vector4 {
+  return light.kind === 'sun'
+    ? new Vector4(light.towards.x, light.towards.y, light.towards.z, 0)
+    : new Vector4(light.place.x, light.place.y, light.place.z, 1);
+}

@@ -1,0 +1,115 @@
+import { type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import copyShader from '../../../shaders/resolve/copy.frag';
+import edgesShader from '../../../shaders/resolve/edges.frag';
+import edgesVertexShader from '../../../shaders/resolve/edges.vert';
+import tilesShader from '../../../shaders/resolve/tiles.frag';
+import tonesShader from '../../../shaders/resolve/tones.frag';
+import vertexShader from '../../../shaders/lib/fullScreen.vert';
+import { EDGE_TILE } from '../../base/constants.ts';
+import type { FrameView } from '../gpu/frameView.ts';
+import { DrawnPoints } from '../gpu/drawnPoints.ts';
+import { FullScreen } from '../gpu/fullScreen.ts';
+import { pictureTarget } from '../gpu/pictureTarget.ts';
+import type { Shaders } from '../gpu/programsAhead.ts';
+import type { Targets } from './targets.ts';
+
+/** The colours to resolve, and their size in pixels. */
+export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
+
+/** Draws ink over the bound picture. */
+export interface InkOverlay {
+  compose(renderer: WebGLRenderer): void;
+}
+
+/** Draws the tones of all pixels into a target. */
+export type ChooseTones = (output: WebGLRenderTarget) => void;
+
+/** The shaders of the pass. */
+export const RESOLVE_SHADERS: readonly Shaders[] = [
+  ...[tonesShader, tilesShader, copyShader].map((fragmentShader) => ({ vertexShader, fragmentShader })),
+  { vertexShader: edgesVertexShader, fragmentShader: edgesShader },
+];
+
+/**
+ * Chooses lit or unlit by the mask, smooths edges, and writes premultiplied colour to the canvas or to a render target.
+ * Edge smoothing takes more draw calls, because it reads many neighbours of a pixel and each must be chosen only once.
+ * Its shader is expensive, so it runs only in tiles that contain an edge. The others are copied.
+ */
+export class ResolvePass {
+  smoothEdges = true;
+  /** Ink that is drawn over the picture. */
+  overlay: InkOverlay | undefined;
+  private readonly uniforms = {
+    unlit: { value: null as Texture | null },
+    lit: { value: null as Texture | null },
+    isLast: { value: false },
+  };
+  private readonly chosen = pictureTarget();
+  private readonly tones: FullScreen;
+  private readonly marks = pictureTarget();
+  private readonly tiles: FullScreen;
+  private readonly copy: FullScreen;
+  private readonly edges: DrawnPoints;
+
+  constructor(eye: FrameView) {
+    this.tones = new FullScreen(tonesShader, { ...eye.uniforms, ...this.uniforms });
+    const smoothing = { tones: { value: this.chosen.texture }, tiles: { value: this.marks.texture } };
+    this.tiles = new FullScreen(tilesShader, smoothing);
+    this.copy = new FullScreen(copyShader, smoothing);
+    this.edges = new DrawnPoints(edgesVertexShader, edgesShader, smoothing);
+  }
+
+  /**
+   * @param output render target, or null for the canvas
+   * @param choose chooses the tones instead, not premultiplied
+   */
+  draw(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null, choose?: ChooseTones): void {
+    this.drawPicture(renderer, sources, output, choose);
+    this.overlay?.compose(renderer);
+  }
+
+  /** Releases the render targets until the next draw. */
+  releaseTargets(): void {
+    for (const target of [this.chosen, this.marks]) target.dispose();
+  }
+
+  dispose(): void {
+    for (const part of [this.tones, this.tiles, this.copy, this.edges]) part.dispose();
+    this.releaseTargets();
+  }
+
+  private drawPicture(
+    renderer: WebGLRenderer,
+    { unlit, lit, width, height }: ResolveSources,
+    output: WebGLRenderTarget | null,
+    choose?: ChooseTones,
+  ): void {
+    this.uniforms.unlit.value = unlit;
+    this.uniforms.lit.value = lit;
+    this.uniforms.isLast.value = !this.smoothEdges && !choose;
+    if (this.uniforms.isLast.value) {
+      renderer.setRenderTarget(output);
+      this.tones.draw(renderer);
+      return;
+    }
+    this.chosen.setSize(width, height);
+    if (choose) {
+      choose(this.chosen);
+    } else {
+      renderer.setRenderTarget(this.chosen);
+      this.tones.draw(renderer);
+    }
+    if (!this.smoothEdges) {
+      renderer.setRenderTarget(output);
+      this.copy.draw(renderer);
+      return;
+    }
+    const [columns, rows] = [Math.ceil(width / EDGE_TILE), Math.ceil(height / EDGE_TILE)];
+    this.marks.setSize(columns, rows);
+    renderer.setRenderTarget(this.marks);
+    this.tiles.draw(renderer);
+    renderer.setRenderTarget(output);
+    this.copy.draw(renderer);
+    this.edges.draw(renderer, columns * rows);
+  }
+}

@@ -1,0 +1,159 @@
+import {
+  Matrix4,
+  NearestFilter,
+  NoColorSpace,
+  RedFormat,
+  WebGLRenderTarget,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import acrossShader from '../../../../shaders/simplify/across.frag';
+import fieldsShader from '../../../../shaders/simplify/fields.frag';
+import flatShader from '../../../../shaders/simplify/flat.frag';
+import tilesShader from '../../../../shaders/simplify/tiles.frag';
+import tonesShader from '../../../../shaders/simplify/tones.frag';
+import { FLAT_TILE } from '../../../base/constants.ts';
+import type { FrameView } from '../../gpu/frameView.ts';
+import { FullScreen } from '../../gpu/fullScreen.ts';
+import { pictureTarget } from '../../gpu/pictureTarget.ts';
+import type { RampTexture } from '../../gpu/ramps.ts';
+import type { Targets } from '../targets.ts';
+import { PlumeForm, type Particles } from './plumeForm.ts';
+
+/** Distance that is averaged, in standard deviations. */
+const REACH = 2;
+/** Keeps the weights finite without smoothing, pixels. */
+const MIN_DEVIATION = 0.1;
+
+/**
+ * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
+ * cut into tones, so that regions grow and shrink continuously. The average stops at ink and at gaps in depth: a
+ * separable approximation of the cross-bilateral filter of Eisemann and Durand, 'Flash Photography Enhancement via
+ * Intrinsic Relighting' (2004). Tiles with the same light everywhere within reach are not averaged.
+ */
+export class SimplifyPass {
+  private readonly uniforms = {
+    unlit: { value: null as Texture | null },
+    lit: { value: null as Texture | null },
+    shading: { value: null as Texture | null },
+    depth: { value: null as Texture | null },
+    litFrom: { value: 0 },
+    isBanded: { value: true },
+    reach: { value: 0 },
+    deviation: { value: 1 },
+    formFromView: { value: new Matrix4() },
+  };
+
+  private readonly fields = fieldTarget();
+  private readonly tiles = pictureTarget();
+  private readonly flatTiles = pictureTarget();
+  private readonly across = pictureTarget();
+  private readonly passes: readonly FullScreen[];
+  private readonly toneUniforms;
+  /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
+  private leaning: { readonly form: PlumeForm; readonly tones: FullScreen } | undefined;
+  private readonly eye: FrameView;
+
+  constructor(eye: FrameView, ramps: RampTexture) {
+    const [fields, links] = this.fields.textures.map((value) => ({ value }));
+    const [tiles, flatTiles] = [this.tiles, this.flatTiles].map(({ texture }) => ({ value: texture }));
+    const common = { ...eye.uniforms, ...this.uniforms, links, tiles, flatTiles };
+    const tones = { ...common, fields: { value: this.across.texture }, ramps: { value: ramps.texture } };
+    this.passes = [
+      new FullScreen(fieldsShader, common),
+      new FullScreen(tilesShader, { ...common, fields }),
+      new FullScreen(flatShader, common),
+      new FullScreen(acrossShader, { ...common, fields }),
+      new FullScreen(tonesShader, tones),
+    ];
+    this.toneUniforms = tones;
+    this.eye = eye;
+  }
+
+  /**
+   * @param deviation standard deviation of the Gaussian, pixels
+   * @param isBanded whether bands of colour are smoothed separately
+   * @param litFrom N.L from which a lit pixel differs from a shadowed one
+   */
+  setUniforms(deviation: number, isBanded: boolean, litFrom: number): void {
+    const { uniforms } = this;
+    uniforms.deviation.value = Math.max(deviation, MIN_DEVIATION);
+    uniforms.reach.value = Math.ceil(REACH * deviation);
+    uniforms.isBanded.value = isBanded;
+    uniforms.litFrom.value = litFrom;
+  }
+
+  /**
+   * Draws the tones of the targets, after the mask is drawn.
+   * @param shading the shading that the bodies wrote
+   * @param particles all particles, culled or not, if light follows their form
+   */
+  draw(
+    renderer: WebGLRenderer,
+    targets: Targets,
+    shading: Texture,
+    output: WebGLRenderTarget,
+    particles?: Particles,
+  ): void {
+    const { uniforms, fields, tiles, flatTiles, across, eye } = this;
+    const meshes = this.meshes(particles !== undefined);
+    if (particles) {
+      const { form } = this.leaning!;
+      form.fit(particles);
+      uniforms.formFromView.value.copy(eye.uniforms.viewFromWorld.value).invert().premultiply(form.fromWorld);
+    }
+    const { unlit, lit, depth, width, height } = targets;
+    Object.entries({ unlit, lit, shading, depth }).forEach(([name, texture]) => {
+      uniforms[name as keyof typeof uniforms].value = texture;
+    });
+    for (const target of [fields, across]) target.setSize(width, height);
+    for (const target of [tiles, flatTiles])
+      target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
+    [fields, tiles, flatTiles, across, output].forEach((target, index) => {
+      renderer.setRenderTarget(target);
+      meshes[index].draw(renderer);
+    });
+  }
+
+  /** What it draws with. @param hasForm whether light follows the form of the smoke */
+  meshes(hasForm: boolean): readonly FullScreen[] {
+    if (!hasForm) return this.passes;
+    this.leaning ??= this.createLeaning();
+    return [...this.passes.slice(0, -1), this.leaning.tones];
+  }
+
+  /** Releases the render targets until the next draw. */
+  releaseTargets(): void {
+    for (const target of [this.fields, this.tiles, this.flatTiles, this.across]) target.dispose();
+  }
+
+  dispose(): void {
+    for (const pass of this.passes) pass.dispose();
+    this.leaning?.tones.dispose();
+    this.leaning?.form.dispose();
+    this.releaseTargets();
+  }
+
+  private createLeaning() {
+    const form = new PlumeForm();
+    const uniforms = { ...this.toneUniforms, form: { value: form.texture } };
+    return { form, tones: new FullScreen(tonesShader, uniforms, LEANING) };
+  }
+}
+
+/** Makes shaders mix in the light of the whole form. */
+const LEANING = { defines: { FORM: '' } };
+
+/** Four numbers, and the links between pixels in a channel of its own. */
+function fieldTarget(): WebGLRenderTarget {
+  const target = new WebGLRenderTarget(1, 1, {
+    count: 2,
+    colorSpace: NoColorSpace,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    depthBuffer: false,
+  });
+  target.textures[1].format = RedFormat;
+  return target;
+}

@@ -1,0 +1,91 @@
+import { BackdropPass } from './passes/backdrop.ts';
+import { memoizedCreases, memoizedRibbons, memoizedSeams, meetingBehind } from './passes/creases.ts';
+import { MaskPass } from './passes/mask.ts';
+import { memoizedExtrusion } from './passes/meshVolumes.ts';
+import { RESOLVE_SHADERS } from './passes/resolve.ts';
+import { memoizedHullNormals, memoizedVertices } from './passes/surfaceGeometry.ts';
+import type { SurfaceDescription } from './passes/surface.ts';
+import { inPieces, nextTask, PIECE_MS, type Work } from '../base/work.ts';
+import type { Device } from './gpu/device.ts';
+import { SELF_TEST_SHADERS } from './gpu/selfTest.ts';
+import { FrameView } from './gpu/frameView.ts';
+import { RampTexture } from './gpu/ramps.ts';
+import { lobeBodyShaders } from './passes/bodies.ts';
+import { volumeShaders } from './passes/volumes.ts';
+import type { Values } from '../parameters/parameter.ts';
+import { coarserSurfaces } from './detail.ts';
+import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import { LivePuffs } from './livePuffs.ts';
+import { SceneSurfaces } from './sceneSurfaces.ts';
+import { styleOf, styleUniforms } from './style.ts';
+
+/**
+ * Computes everything that passes derive from surfaces. Results are memoized for the passes that draw them later.
+ * @param deviation of the triangles from the finest ones, metres
+ */
+export function* preparingSurfaces(finest: readonly SurfaceDescription[], deviation = 0): Work<void> {
+  const surfaces = coarserSurfaces(finest, deviation);
+  for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
+    memoizedHullNormals(finest[index].mesh);
+    yield;
+    if (casts) yield* memoizedExtrusion.pieces(mesh);
+    yield;
+    if (!inked) continue;
+    yield* memoizedCreases.pieces(mesh);
+    yield;
+    for (const other of meetingBehind(surfaces, index)) {
+      yield* memoizedSeams(mesh).pieces(other.mesh);
+      yield;
+    }
+  }
+  memoizedVertices(finest);
+  yield;
+  memoizedRibbons(surfaces);
+}
+
+/** Like {@link preparingSurfaces}, but keeps the page responsive. */
+export function prepareSurfaces(surfaces: readonly SurfaceDescription[], deviation: number): Promise<void> {
+  return inPieces(preparingSurfaces(surfaces, deviation));
+}
+
+/**
+ * Compiles the programs of a picture while other resources load, and resolves when they are ready. Those of rarely used
+ * passes are compiled when they first draw.
+ */
+export async function compileAhead(device: Device, values: Values): Promise<void> {
+  const { programs, renderer } = device;
+  if (!device.isUsable || values['puff.form'] !== 'lobes') return;
+  const lobes = values['puff.lobes'] as number;
+  const style = styleOf(values);
+  const { isDeformed } = style;
+  const isShaded = isSimplified(style);
+  const compileBodies = (isFlat: boolean) =>
+    programs.compile(renderer, lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed }));
+  compileBodies(false);
+  programs.compile(renderer, SELF_TEST_SHADERS);
+  programs.compile(renderer, volumeShaders(lobes, isDeformed));
+  const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
+  const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
+  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
+  for (const pass of passes) programs.compilePass(renderer, pass);
+  for (const shaders of RESOLVE_SHADERS) programs.compile(renderer, shaders);
+  const isStroked = hasStrokes(style);
+  if (isShaded || isStroked) await fetchExtras(style);
+  if (isShaded) {
+    const { SimplifyPass } = codeOf('simplify');
+    programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
+  }
+  if (isStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
+  await programs.finished(renderer);
+  if (device.writesDepth) return;
+  compileBodies(true);
+  await programs.finished(renderer);
+}
+
+/**
+ * Bakes the puffs that values describe while the scene and its simulator load. The puffs are cached for later requests.
+ */
+export async function bakeAhead(values: Values): Promise<void> {
+  const puffs = new LivePuffs(values);
+  while (!puffs.workFor(PIECE_MS)) await nextTask();
+}

@@ -1,0 +1,195 @@
+import type { Device } from './gpu/device.ts';
+import { FrameView } from './gpu/frameView.ts';
+import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
+import { RampTexture, type Color } from './gpu/ramps.ts';
+import { ONE_QUAD, TWO_QUADS } from './gpu/drawnRows.ts';
+import { CasterRows, PuffRows } from './gpu/puffRows.ts';
+import { BackdropPass } from './passes/backdrop.ts';
+import { BodiesPass } from './passes/bodies.ts';
+import { MaskPass } from './passes/mask.ts';
+import { ResolvePass } from './passes/resolve.ts';
+import { SurfaceDepthPass } from './passes/surfaceDepth.ts';
+import { Targets } from './passes/targets.ts';
+import { VolumesPass } from './passes/volumes.ts';
+import { bakedPuffs } from './bakedPuffs.ts';
+import type { FrameInput } from './frameInput.ts';
+import { bandsOf } from './bands.ts';
+import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
+import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import type { DrawnSurfaces } from './sceneSurfaces.ts';
+import { createShadowEnds } from './shadowEnds.ts';
+import { setStyle, styleUniforms, type Style } from './style.ts';
+import type { SmokePasses } from './smokePasses.ts';
+import { TINTS } from '../base/constants.ts';
+
+export interface SmokeOptions {
+  /** Largest number of particles that can be drawn. */
+  capacity: number;
+  /** The surfaces of its scene, such as `drawnSurfaces(descriptions)`; none if absent. */
+  surfaces?: DrawnSurfaces;
+  /** Display-encoded colours at the top and the bottom of the background; transparent if absent. */
+  backdrop?: { top: Color; bottom: Color };
+  /** The shapes of the puffs, such as `bakedPuffs(shapes)`; defaults to the built-in puffs. */
+  puffs?: BakedPuffs;
+}
+
+/** The parameters of a style that needs no further modules. */
+const PLAIN_PICTURE = {
+  renderer: 'nailboards',
+  form: 'lobes',
+  isDeformed: true,
+  volumes: 'receiver',
+  simplify: 0,
+  plumeForm: 0,
+  strokes: 0,
+  isEroded: false,
+} as const;
+// Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
+const FIRST_SURFACE_RAMP = 1 + TINTS;
+
+/**
+ * Cartoon smoke on a device: draws a simulator's particles for any camera and light. After McGuire and Fein, 'Real-Time
+ * Rendering of Cartoon Smoke and Clouds' (NPAR 2006). frame.ts has the order of the passes.
+ */
+export class SmokeRenderer {
+  readonly passes: SmokePasses;
+  private readonly device: Device;
+  private readonly ramps: RampTexture;
+  private readonly puffs: PuffTextures;
+  private readonly stopListening: () => void;
+  private readonly surfaces: DrawnSurfaces['descriptions'];
+  private readonly backdrop: SmokeOptions['backdrop'];
+  private style: Style | undefined;
+  private pixelRatio = 0;
+  /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
+  private asked: Style | undefined;
+  private meanwhile: Style | undefined;
+
+  constructor(device: Device, { capacity, surfaces, backdrop, puffs = bakedPuffs() }: SmokeOptions) {
+    this.device = device;
+    this.surfaces = surfaces?.descriptions ?? [];
+    this.backdrop = backdrop;
+    this.puffs = new PuffTextures(device.puffs, puffs);
+    this.ramps = new RampTexture(FIRST_SURFACE_RAMP + this.surfaces.length);
+    const eye = new FrameView(styleUniforms());
+    const isFlat = !device.writesDepth;
+    const bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
+    const casters = new CasterRows(capacity, ONE_QUAD);
+    this.passes = {
+      renderer: device.renderer,
+      eye,
+      targets: new Targets(),
+      bodies,
+      casters,
+      findShadowEnds: createShadowEnds(capacity),
+      backdrop: new BackdropPass(eye),
+      scene: surfaces?.make(eye, this.ramps, FIRST_SURFACE_RAMP),
+      surfaceDepth: new SurfaceDepthPass(this.surfaces.length > 0),
+      body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
+      volumes: new VolumesPass(eye, this.puffs, isFlat),
+      isFlat,
+      mask: new MaskPass(),
+      resolve: new ResolvePass(eye),
+      extras: new ExtraPasses({ eye, puffs: this.puffs, ramps: this.ramps }),
+      hasBackdrop: backdrop !== undefined,
+      extentsOf: (form) => this.puffs.of(form),
+    };
+    // Released on the loss, not on the restoration: three.js would delete resources of the lost context in the restored
+    // one.
+    this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
+  }
+
+  /**
+   * Applies the style of a frame to all passes, and returns the frame that they can draw: while `fetchExtras` has not
+   * loaded the modules that it needs, one with lobe nailboards.
+   * @throws ContextError if the device has lost its context
+   */
+  prepare(input: FrameInput): FrameInput {
+    this.device.requireUsable();
+    const drawn = this.availableStyle(input);
+    const { style, pixelRatio } = drawn;
+    if (style !== this.style || pixelRatio !== this.pixelRatio) this.apply(style, pixelRatio);
+    return drawn;
+  }
+
+  /** Replaces the puffs from the next frame on. Particles keep their variation. */
+  setPuffs(puffs: BakedPuffs): void {
+    this.puffs.show(puffs);
+    this.style = undefined;
+  }
+
+  /** Releases the render targets until the next frame. */
+  releaseTargets(): void {
+    this.passes.targets.dispose();
+    this.passes.resolve.releaseTargets();
+    this.passes.extras.releaseTargets();
+  }
+
+  /** Releases all resources on the device, but not the device. */
+  dispose(): void {
+    this.stopListening();
+    this.release();
+    this.puffs.dispose();
+  }
+
+  /** Frees all buffers, textures and programs. They are created again when they are next drawn. */
+  private release(): void {
+    const { passes } = this;
+    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop]) part.dispose();
+    for (const part of [passes.body, passes.volumes, passes.mask, passes.resolve]) part.dispose();
+    passes.scene?.dispose();
+    passes.extras.dispose();
+    this.ramps.dispose();
+  }
+
+  private availableStyle(input: FrameInput): FrameInput {
+    const { style, view } = input;
+    if (hasExtras({ ...style, view })) return input;
+    if (this.asked !== style) this.meanwhile = { ...style, ...PLAIN_PICTURE };
+    this.asked = style;
+    return { ...input, style: this.meanwhile!, view: undefined };
+  }
+
+  private apply(style: Style, pixelRatio: number): void {
+    const { eye, body, volumes, mask, resolve, extras } = this.passes;
+    setStyle(eye.style, style, pixelRatio);
+    this.writeRamps(style);
+    this.paintBackdrop(style);
+    body.setGradient(style.gradient, style.gradientColor, smokeColorOf(style), style.gradientHeights);
+    this.puffs.deform(style.isDeformed ? style.stretch : undefined);
+    this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
+    body.setForm(extras.billboardsOf(style.form), isSimplified(style));
+    extras.simplify?.setUniforms(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    const strokes = hasStrokes(style) ? extras.strokes : undefined;
+    strokes?.setUniforms(style.strokes, pixelRatio);
+    resolve.overlay = strokes;
+    volumes.setForm(style.form, litThresholdOf(style));
+    extras.countedVolumes?.setForm(style.form, litThresholdOf(style));
+    mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
+    this.style = style;
+    this.pixelRatio = pixelRatio;
+  }
+
+  private paintBackdrop({ backdropColors = [] }: Style): void {
+    if (!this.backdrop) return;
+    const { bottom, top } = this.backdrop;
+    const own = [bottom, top].map((color, from) => ({ from, color }));
+    this.passes.backdrop.setColors(backdropColors.length > 0 ? backdropColors : own);
+  }
+
+  /** Writes the ramps in the order: smoke, tints, surfaces, then smoke for each band of age and temperature. */
+  private writeRamps(style: Style): void {
+    const surfaces = surfaceToning(style);
+    const first = FIRST_SURFACE_RAMP + this.surfaces.length;
+    const { colors, bands } = bandsOf(style, first);
+    const ramps = [
+      rampOf(plainColorOf(style), style),
+      ...style.tints.map((tint) => rampOf(tint, style)),
+      ...this.surfaces.map(({ color }) => rampOf(washed(color, style.wash), surfaces)),
+      ...colors.map((color) => rampOf(color, style)),
+    ];
+    this.ramps.resize(ramps.length);
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp));
+    this.ramps.writeBands(bands);
+  }
+}

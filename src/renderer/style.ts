@@ -1,0 +1,165 @@
+import { Color as ThreeColor, type IUniform } from 'three';
+import type { StyleUniforms } from './gpu/frameView.ts';
+import type { PuffForm } from './gpu/puffTextures.ts';
+import { writeColor, type Color, type Tone } from './gpu/ramps.ts';
+import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
+import { styleRows } from '../parameters/rows/style.ts';
+import { defaults } from '../parameters/values.ts';
+import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
+
+/** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
+export type Renderer = 'nailboards' | 'selle';
+
+/** How the stencil counts shadow volumes: by testing each pixel's receiver, or entries and exits as in the paper. */
+export type Volumes = 'receiver' | 'counted';
+
+type StyleRow = Extract<(typeof styleRows)[number], { readonly reader: 'style' }>;
+
+type NameOf<Row extends StyleRow> = Row['key'] extends `style.${infer Name}` ? Name : never;
+
+/** The value of a parameter as the renderer uses it. */
+type FieldOf<Row extends StyleRow> =
+  | (Row extends { readonly isOptional: true } ? undefined : never)
+  | (Row['kind'] extends 'toggle'
+      ? boolean
+      : Row['kind'] extends 'color'
+        ? Color
+        : Row['kind'] extends 'ramp'
+          ? readonly Tone[]
+          : Row extends { readonly kind: 'choice'; readonly default: infer Option }
+            ? Option
+            : number);
+
+/** Every parameter of the table that the style reads, by its name. */
+type Fields = { [Row in StyleRow as NameOf<Row>]: FieldOf<Row> };
+
+/** Parameters that fields with other names hold. */
+type Combined =
+  | 'ramp'
+  | 'rampBlend'
+  | 'ageRamp'
+  | 'heatRamp'
+  | 'tint1'
+  | 'tint2'
+  | 'tint3'
+  | 'backdrop'
+  | 'wash'
+  | 'washColor'
+  | 'gradientBottom'
+  | 'gradientTop'
+  | 'form';
+
+/**
+ * The style of smoke: the paper's four effects, each on or off, and their colours. Parameters of the table
+ * (src/parameters/rows/style.ts) are fields of the same name, and further fields combine some of them.
+ */
+export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
+  form: PuffForm;
+  /** How far light follows the form of the whole smoke, 0..1. */
+  plumeForm: number;
+  /** Greatest ratio of the axes of a puff, 1 for puffs that do not stretch. */
+  stretch: number;
+  /** Part by which the lobes of young puffs are folded, 0..1. */
+  billow: number;
+  /** Whether puffs turn or stretch with the air, or unfold. Billboards do not. */
+  isDeformed: boolean;
+  /** Whether puffs have bites as they dissolve. */
+  isEroded: boolean;
+  /** World heights between which the gradient 'height' runs, metres. */
+  gradientHeights: readonly [bottom: number, top: number];
+  /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
+  ageColors: readonly Tone[];
+  heatColors: readonly Tone[];
+  /** Colours of smoke that an emitter or a collider has tinted. */
+  tints: readonly [Color, Color, Color];
+  /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
+  backdropColors?: readonly Tone[];
+}
+
+/**
+ * Colours that are computed if a preset does not set them.
+ * @param values every other key of the table
+ */
+export function automaticColors(values: Values): Values {
+  const [red, green, blue] = surfaceShadowOf({ ...styleOf(values), surfaceShadowColor: undefined });
+  return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
+}
+
+const rows = styleRows.filter(({ reader }) => reader === 'style');
+
+/** Builds a style from flat values, which must have every key of the table that is not optional. */
+export function styleOf(values: Values): Style {
+  const fields = Object.fromEntries(
+    rows.map((row) => [nameOf(row), fieldOf(row, (values as AnyValues)[row.key])]),
+  ) as Fields;
+  const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
+  const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
+  return {
+    ...same,
+    form: values['puff.form'] as PuffForm,
+    plumeForm,
+    ...deformationOf(values),
+    isEroded:
+      values['puff.form'] === 'lobes' &&
+      values['style.renderer'] === 'nailboards' &&
+      values['emission.dissolve'] === 'erode',
+    gradientHeights: [gradientBottom, gradientTop],
+    stops: ramp,
+    isBlended: rampBlend,
+    ageColors: ageRamp,
+    heatColors: heatRamp,
+    tints: [tint1, tint2, tint3],
+    backdropColors: backdrop,
+    wash: { share: wash, color: washColor },
+  };
+}
+
+/** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
+export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
+  const [rotation, stretch, billow] = (['turn', 'stretch', 'billow'] as const).map((name) => values[`puff.${name}`]!);
+  const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
+  return { stretch, billow, isDeformed };
+}
+
+function nameOf({ key }: Parameter): string {
+  return key.slice('style.'.length);
+}
+
+function fieldOf({ kind }: Parameter, value: Value | undefined): unknown {
+  if (kind === 'toggle') return value === 1;
+  if (kind === 'color') return value === undefined ? undefined : parseColor(value as string);
+  return kind === 'ramp' ? parseStops(value as string) : value;
+}
+
+/**
+ * Uniforms of a style, for the shaders of all passes: each number, toggle and colour that is a field of {@link Style},
+ * by its name, and `inkPixels`.
+ */
+export function styleUniforms(): StyleUniforms {
+  const uniforms = Object.entries(styleOf(defaults())).flatMap(([name, value]): [string, IUniform][] => {
+    if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
+    return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
+  });
+  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 } };
+}
+
+/** @param pixelRatio pixels of the target for each CSS pixel */
+export function setStyle({ inkPixels, ...uniforms }: StyleUniforms, style: Style, pixelRatio: number): void {
+  // The rim is light, which smoke without shading does not show.
+  const fields: Readonly<Record<string, unknown>> = { ...style, rim: style.shading ? style.rim : 0 };
+  for (const [name, uniform] of Object.entries(uniforms)) {
+    if (uniform.value instanceof ThreeColor) writeColor(fields[name] as Color, uniform as IUniform<ThreeColor>);
+    else uniform.value = fields[name];
+  }
+  inkPixels.value = inkPixelsOf(style, pixelRatio);
+}
+
+/** Width of outlines in pixels of the target; 0 without outlines. */
+export function inkPixelsOf({ outlines, outlineWidth }: Style, pixelRatio: number): number {
+  return outlines ? outlineWidth * pixelRatio : 0;
+}
+
+/** Largest width of a line in pixels of the target. */
+export function widestLineOf(style: Style, pixelRatio: number): number {
+  return inkPixelsOf(style, pixelRatio) * 2 ** style.inkSwell;
+}

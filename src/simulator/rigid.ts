@@ -1,0 +1,136 @@
+/** Descriptions of rigids, and their packing for WASM. */
+import { ParameterError } from '../base/errors.ts';
+import { requireIndices } from './indices.ts';
+import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
+
+/** A single shape, centred at its local origin. Capsules and cylinders extend along y. Lengths are in metres. */
+export type SingleShape =
+  | { type: 'ball'; radius: number }
+  | { type: 'cuboid'; halfExtents: Triple }
+  /** `halfHeight` is half the height of the straight part; the caps add `radius` at both ends. */
+  | { type: 'capsule'; halfHeight: number; radius: number }
+  | { type: 'cylinder'; halfHeight: number; radius: number }
+  /** Convex hull of at least four points that are not coplanar; x, y, z per point. */
+  | { type: 'convexHull'; vertices: ArrayLike<number> }
+  /**
+   * Triangles of three indices, counter-clockwise seen from outside. Only a closed mesh keeps smoke out of its inside.
+   */
+  | { type: 'trimesh'; vertices: ArrayLike<number>; indices: ArrayLike<number> };
+
+/** A shape of a compound, with its pose in the rigid's local space. */
+export interface RigidPart {
+  shape: SingleShape;
+  /** Metres. */
+  position: Triple;
+  /** Unit quaternion x, y, z, w; identity if omitted. */
+  rotation?: QuaternionLike;
+}
+
+/** One shape, or a compound of 1 to 64 shapes. */
+export type RigidShape = SingleShape | { type: 'compound'; parts: readonly RigidPart[] };
+
+/** Surface of a rigid, and what it does to the smoke that touches it. */
+export interface RigidSurface {
+  /** 0 (default): no bounce. 1: particles and rigids keep their speed. */
+  restitution?: number;
+  /** 0: frictionless. 1: contacts stop all tangential motion. Default 0.5. */
+  friction?: number;
+  /** Effect on smoke that touches the rigid: it bounces (default), dies, or passes through with a tint. */
+  action?: 'bounce' | 'kill' | 'tint';
+  /** Tint for the action `tint`, 1 (default) to 15. */
+  tint?: number;
+  /** The moving surface drags air along within this distance; metres, 0 (default) to 10. */
+  boundaryLayer?: number;
+}
+
+/** A rigid body that smoke collides with. */
+export interface RigidDescription extends RigidSurface {
+  /** `fixed` never moves, `kinematic` follows prescribed motion, `dynamic` responds to gravity and contacts. */
+  kind: 'fixed' | 'kinematic' | 'dynamic';
+  shape: RigidShape;
+  /** Metres. */
+  position: Triple;
+  /** Unit quaternion x, y, z, w; identity if omitted. */
+  rotation?: QuaternionLike;
+  /** kg/m3, default 1000. Applies to dynamic rigids. */
+  density?: number;
+  /** How strongly smoke pushes a dynamic rigid: 0 (default) is off, 1 is as strong as air, at most 10. */
+  feelsSmoke?: number;
+}
+
+/** Arguments of the WASM function `addRigid`; `sim-wasm/sim/src/rigids/numbers.rs` documents them. */
+export type RigidArguments = [numbers: Float32Array, vertices: Float32Array, indices: Uint32Array];
+
+const KINDS: readonly string[] = ['fixed', 'kinematic', 'dynamic'];
+const SHAPES: readonly string[] = ['ball', 'cuboid', 'capsule', 'cylinder', 'convexHull', 'trimesh'];
+const ACTIONS: readonly string[] = ['bounce', 'kill', 'tint'];
+const ORIGIN = [0, 0, 0];
+
+/** @throws ParameterError for an unknown kind, shape or action. The simulator validates the numbers. */
+export function rigidArguments(description: RigidDescription): RigidArguments {
+  const { shape } = description;
+  const numbers = [
+    indexOf(KINDS, 'rigid.kind', description.kind),
+    ...poseNumbers(description.position, description.rotation),
+    description.restitution ?? 0,
+    description.friction ?? 0.5,
+    description.density ?? 1000,
+    indexOf(ACTIONS, 'rigid.action', description.action ?? 'bounce'),
+    description.tint ?? 1,
+    description.boundaryLayer ?? 0,
+    description.feelsSmoke ?? 0,
+  ];
+  const flat: Flat = { numbers, vertices: [], indices: [] };
+  if (shape.type === 'compound') {
+    requireParts(shape.parts);
+    numbers.push(shape.parts.length);
+    shape.parts.forEach((part, index) => pushPart(flat, part, `rigid.parts.${index}`));
+  } else {
+    numbers.push(0);
+    pushPart(flat, { shape, position: ORIGIN }, 'rigid');
+  }
+  return [Float32Array.from(numbers), Float32Array.from(flat.vertices), Uint32Array.from(flat.indices)];
+}
+
+interface Flat {
+  numbers: number[];
+  vertices: number[];
+  indices: number[];
+}
+
+function pushPart(flat: Flat, { shape, position, rotation }: RigidPart, name: string): void {
+  const dimensions = Array.from(dimensionsOf(shape));
+  const vertices = 'vertices' in shape ? shape.vertices : [];
+  const indices = shape.type === 'trimesh' ? shape.indices : [];
+  requireIndices(indices, name);
+  const counts = [dimensions.length, vertices.length, indices.length];
+  flat.numbers.push(indexOf(SHAPES, `${name}.shape`, shape.type), ...counts);
+  flat.numbers.push(...poseNumbers(position, rotation), ...dimensions);
+  for (let index = 0; index < vertices.length; index++) flat.vertices.push(vertices[index]);
+  for (let index = 0; index < indices.length; index++) flat.indices.push(indices[index]);
+}
+
+/** Rejects zero parts, because a count of 0 denotes a single shape. */
+function requireParts(parts: readonly RigidPart[]): void {
+  if (parts.length < 1 || parts.length > 64) throw new ParameterError('rigid.parts', parts.length, '1 to 64 parts');
+}
+
+function indexOf(names: readonly string[], key: string, name: string): number {
+  const index = names.indexOf(name);
+  if (index < 0) throw new ParameterError(key, name, `one of ${names.join(', ')}`);
+  return index;
+}
+
+function dimensionsOf(shape: SingleShape): ArrayLike<number> {
+  switch (shape.type) {
+    case 'ball':
+      return [shape.radius];
+    case 'cuboid':
+      return shape.halfExtents;
+    case 'capsule':
+    case 'cylinder':
+      return [shape.halfHeight, shape.radius];
+    default:
+      return [];
+  }
+}

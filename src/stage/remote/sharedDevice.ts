@@ -1,0 +1,67 @@
+import { createDevice, type Device } from '../../renderer/gpu/device.ts';
+
+/**
+ * Keeps the device for stages that are soon reopened, for example when a page moves its widgets: programs stay compiled
+ * and puffs stay uploaded.
+ */
+const GRACE_MS = 2_000;
+
+/**
+ * One device for all stages of a thread, because browsers limit the number of WebGL contexts. After its context is
+ * given up, the next stage gets a new device; existing stages keep the old one, which may still be restored.
+ */
+export class SharedDevice {
+  private device: Device | undefined;
+  private readonly holders = new Map<Device, number>();
+  private shutdownTimer: ReturnType<typeof setTimeout> | undefined;
+
+  /**
+   * Returns the device. It must be released once for each call.
+   * @returns undefined if the browser cannot draw on an OffscreenCanvas: each stage then needs its own device
+   */
+  acquire(): Device | undefined {
+    clearTimeout(this.shutdownTimer);
+    this.dropLostDevice();
+    this.device ??= createOffPage();
+    if (this.device) this.holders.set(this.device, this.countOf(this.device) + 1);
+    return this.device;
+  }
+
+  release(device: Device): void {
+    const left = this.countOf(device) - 1;
+    if (left > 0) return void this.holders.set(device, left);
+    this.holders.delete(device);
+    if (device === this.device) this.shutdownTimer = setTimeout(() => this.end(), GRACE_MS);
+    else device.dispose();
+  }
+
+  /** Drops a device that new stages cannot use. */
+  private dropLostDevice(): void {
+    const { device } = this;
+    if (!device) return;
+    if (this.countOf(device) === 0 && !device.isUsable) this.end();
+    else if (!device.hasHope) this.device = undefined;
+  }
+
+  private countOf(device: Device): number {
+    return this.holders.get(device) ?? 0;
+  }
+
+  private end(): void {
+    this.device?.dispose();
+    this.device = undefined;
+  }
+}
+
+function createOffPage(): Device | undefined {
+  if (typeof OffscreenCanvas === 'undefined' || !new OffscreenCanvas(1, 1).getContext('bitmaprenderer'))
+    return undefined;
+  try {
+    return createDevice(new OffscreenCanvas(1, 1));
+  } catch {
+    return undefined;
+  }
+}
+
+/** The shared device of this thread. */
+export const threadDevice = new SharedDevice();

@@ -1,0 +1,76 @@
+/**
+ * Downloads of `<cartoon-smoke preset="wisp">`, in kilobytes on the wire (gzip -9). Where a limit is that of the plain
+ * drawing, `style-simplify="0"` and `style-form="0"` leave out the pass that the preset adds.
+ */
+import { expect, stands, test, type Server } from '../../../support/embed.ts';
+
+interface Figure {
+  readonly name: string;
+  readonly kB: number;
+  readonly limit: number;
+}
+
+function fetched(server: Server, isCounted: (file: string) => boolean): number {
+  const files = new Map(server.sent.map(({ file, bytes }) => [file, bytes]));
+  return [...files].reduce((sum, [file, bytes]) => sum + (isCounted(file) ? bytes : 0), 0) / 1000;
+}
+
+const isScript = (file: string) => file.endsWith('.js');
+const isThree = (file: string) => file.includes('node_modules/three');
+
+/** Files that a wisp on a page's main thread never needs. */
+const RARITIES =
+  'lamp train physics worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage';
+
+function judge(figures: readonly Figure[]): void {
+  for (const { name, kB, limit } of figures) {
+    const said = `${name}: ${kB.toFixed(1)} kB, limit ${limit}`;
+    process.stdout.write(`${said}\n`);
+    expect(kB, said).toBeLessThan(limit);
+  }
+}
+
+test('on the main thread, beside the three.js of the page', async ({ page, openPage, server }) => {
+  await openPage(
+    '<cartoon-smoke preset="wisp" style-simplify="0" style-form="0" thread="main" paused></cartoon-smoke>',
+  );
+  await stands(page);
+  const core = fetched(server, (file) => isScript(file) && !isThree(file));
+  judge([
+    { name: 'embed.coreKb', kB: core, limit: 77.6 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 119.9 },
+  ]);
+  const names = server.sent.map(({ file }) => file).join(' ');
+  for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
+  await page.evaluate(() => document.querySelector('cartoon-smoke')!.setAttribute('style-simplify', '3'));
+  await expect.poll(() => server.sent.filter(({ file }) => file.endsWith('simplify.js')).length).toBe(1);
+  judge([
+    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 4.8 },
+  ]);
+});
+
+test('in a worker, which includes its own three.js', async ({ page, openPage, server }) => {
+  await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>');
+  await stands(page);
+  const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
+  judge([
+    { name: 'page', kB: fetched(server, own), limit: 21.4 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 216 },
+  ]);
+  expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
+});
+
+test('as the single file for CDNs, three.js included', async ({ page, openPage, server }) => {
+  const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
+  await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
+  await stands(page);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 236 }]);
+  expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
+});
+
+test('with rigids, with the physics simulator instead of the core', async ({ page, openPage, server }) => {
+  await openPage('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
+  await stands(page);
+  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 560 }]);
+  expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');
+});

@@ -1,0 +1,211 @@
+import { describe, expect, it } from 'vitest';
+import { defaultPreset, presetValues } from '../../../src/parameters/presets.ts';
+import { blendedAt, colorAt, FIRST_BORDER, RampTexture } from '../../../src/renderer/gpu/ramps.ts';
+import {
+  isFlat,
+  parseColor,
+  parseStops,
+  plainColorOf,
+  rampOf,
+  smokeColorOf,
+  surfaceShadowOf,
+  surfaceToning,
+  litThresholdOf,
+  washed,
+} from '../../../src/renderer/palette.ts';
+import { automaticColors, styleOf } from '../../../src/renderer/style.ts';
+
+const CREAM = parseColor('#f6efe2');
+
+describe('rampOf', () => {
+  it('reads colours', () => {
+    expect(CREAM).toEqual([246, 239, 226]);
+  });
+
+  it.each([1, 2, 3] as const)('has %i tones in the light', (tones) => {
+    const { lit } = rampOf(CREAM, { tones, shading: true });
+    expect(new Set(lit.map(({ color }) => color.join())).size).toBe(tones);
+    expect(lit.at(-1)?.color).toEqual(CREAM);
+  });
+
+  it.each([2, 3] as const)('is the same in light and in shadow where the surface faces away: %i tones', (tones) => {
+    const { lit, unlit } = rampOf(CREAM, { tones, shading: true });
+    expect(colorAt(lit, 0)).toEqual(colorAt(unlit, 0));
+  });
+
+  it('has no lighter tone below the threshold that the volumes assume', () => {
+    for (const tones of [2, 3] as const) {
+      const { lit } = rampOf(CREAM, { tones, shading: true });
+      for (const tone of lit.slice(1)) expect(tone.from).toBeGreaterThanOrEqual(FIRST_BORDER);
+    }
+  });
+
+  it('is flat without shading, whatever the tones', () => {
+    expect(rampOf(CREAM, { tones: 3, shading: false }).lit).toHaveLength(1);
+    expect(isFlat({ tones: 3, shading: false })).toBe(true);
+    expect(isFlat({ tones: 2, shading: true })).toBe(false);
+  });
+});
+
+const STOPS = parseStops('0:333344,.125:aa7090,.5:ffeedd');
+
+describe('custom ramps', () => {
+  const toning = { tones: 2, shading: true, stops: STOPS } as const;
+  const white = parseColor('#ffffff');
+
+  it('show the colours as typed, the first of them in shadow', () => {
+    const { lit, unlit } = rampOf(white, toning);
+    expect(lit.map(({ color }) => color)).toEqual(STOPS.map(({ color }) => color));
+    expect(
+      [0, 0.124, 0.125, 0.49, 0.5, 1].map((facing) =>
+        STOPS.findIndex(({ color }) => color.join() === colorAt(lit, facing).join()),
+      ),
+    ).toEqual([0, 0, 1, 1, 2, 2]);
+    expect(unlit.map(({ color }) => color)).toEqual([STOPS[0].color]);
+    expect(plainColorOf({ ...toning, smokeColor: CREAM })).toEqual(white);
+    expect(smokeColorOf({ ...toning, smokeColor: CREAM })).toEqual(STOPS[2].color);
+  });
+
+  it('are multiplied by the colour of a tint', () => {
+    expect(rampOf(parseColor('#ff0080'), toning).lit[2].color).toEqual([255, 0, 111]);
+  });
+
+  it('report where they leave shadow', () => {
+    expect(litThresholdOf(toning)).toBe(0.125);
+    expect(litThresholdOf({ ...toning, isBlended: true })).toBe(0);
+    expect(litThresholdOf({ ...toning, shading: false })).toBe(-1);
+    expect(litThresholdOf({ tones: 3, shading: true })).toBe(FIRST_BORDER);
+    expect(litThresholdOf({ tones: 1, shading: true })).toBe(-1);
+  });
+
+  it('are blended on request, starting at the shadow', () => {
+    const ramp = rampOf(white, { ...toning, isBlended: true });
+    expect(blendedAt(ramp.lit, 0)).toEqual(STOPS[0].color);
+    expect(blendedAt(ramp.lit, 0.0625)).toEqual([111, 82, 106]);
+    expect(blendedAt(ramp.lit, 0.9)).toEqual(STOPS[2].color);
+  });
+});
+
+describe('fill', () => {
+  it('is a tone between shadow and light, and replaces the first tone only', () => {
+    const ramp = rampOf(CREAM, { tones: 3, shading: true, fill: 0.25 });
+    const [shadow, light] = [ramp.unlit[0].color, CREAM];
+    ramp.filled!.forEach((channel, index) => {
+      expect(channel).toBeGreaterThan(shadow[index]);
+      expect(channel).toBeLessThan(light[index]);
+    });
+    const ramps = new RampTexture(1);
+    ramps.write(0, ramp);
+    const data = ramps.texture.image.data as Uint8Array;
+    const texel = (row: number, column: number) => [
+      ...data.subarray(4 * (256 * row + column), 4 * (256 * row + column) + 3),
+    ];
+    expect([texel(0, 0), texel(1, 0)]).toEqual([shadow, shadow]);
+    expect([texel(2, 0), texel(2, 255), texel(3, 0)]).toEqual([ramp.filled, ramp.filled, ramp.filled]);
+    expect(texel(3, 255)).toEqual([...CREAM]);
+  });
+
+  it('is off without shading', () => {
+    expect(rampOf(CREAM, { tones: 2, shading: false, fill: 0.5 }).filled).toBeUndefined();
+  });
+});
+
+describe('surfaceToning', () => {
+  it('keeps the far side of a surface as dark as its shadow for any smoke style', () => {
+    for (const tones of [1, 2, 3] as const) {
+      for (const shading of [true, false]) {
+        const { lit, unlit } = rampOf(CREAM, surfaceToning({ tones, shading }));
+        expect(colorAt(lit, 0)).toEqual(colorAt(unlit, 0));
+      }
+    }
+  });
+});
+
+describe('the shadow of surfaces', () => {
+  const WHITE = parseColor('#ffffff');
+  const [tones, shading] = [3, true] as const;
+  const GREEN = parseStops('0:2f5a34,.3:9fc48a,.6:ffffff');
+  const lightness = ([red, green, blue]: readonly number[]) => 0.3 * red + 0.59 * green + 0.11 * blue;
+
+  it('is violet without a custom ramp', () => {
+    const { lit, unlit } = rampOf(WHITE, surfaceToning({ tones, shading, stops: [] }));
+    expect(unlit[0].color).toEqual([150, 140, 196]);
+    expect(lit.map(({ color }) => color)).toEqual([
+      [150, 140, 196],
+      [214, 202, 232],
+      [255, 255, 255],
+    ]);
+  });
+
+  it('has the hue of the first colour of a custom ramp, as light as the violet and no more saturated', () => {
+    // The dark green minus its lightness is (-26, 17, -21); the channels of the violet span 56, those of the green 43.
+    expect(surfaceShadowOf({ tones, shading, stops: GREEN })).toEqual([115, 171, 122]);
+    for (const dark of ['000000', 'ffffff', '140030', 'ff0000', '808080']) {
+      const shadow = surfaceShadowOf({ tones, shading, stops: parseStops(`0:${dark},.5:ffffff`) });
+      expect(Math.abs(lightness(shadow) - lightness([150, 140, 196])), dark).toBeLessThan(1);
+      expect(Math.max(...shadow) - Math.min(...shadow), dark).toBeLessThanOrEqual(57);
+    }
+  });
+
+  it('has the hue in its middle tone, too', () => {
+    const [shadow, middle, light] = rampOf(WHITE, surfaceToning({ tones, shading, stops: GREEN })).lit;
+    middle.color.forEach((channel, index) => {
+      expect(channel).toBeGreaterThan(shadow.color[index]);
+      expect(channel).toBeLessThan(light.color[index]);
+    });
+    expect(middle.color[1]).toBeGreaterThan(middle.color[0]);
+    expect(middle.color[1]).toBeGreaterThan(middle.color[2]);
+  });
+
+  it('is the colour that is set, for any ramp and any wash', () => {
+    const wash = { share: 1, color: [200, 100, 50] } as const;
+    const surfaceShadowColor = parseColor('#203040');
+    expect(surfaceShadowOf({ tones, shading, stops: GREEN, wash, surfaceShadowColor })).toEqual(surfaceShadowColor);
+  });
+
+  it('is read from values, and has a default value if it is not set', () => {
+    const values = presetValues(defaultPreset);
+    expect(styleOf(values).surfaceShadowColor).toBeUndefined();
+    expect(automaticColors(values)).toEqual({ 'style.surfaceShadowColor': '#968cc4' });
+    const set = { ...values, 'style.ramp': '0:2f5a34,.6:ffffff', 'style.surfaceShadowColor': '#203040' };
+    expect(styleOf(set).surfaceShadowColor).toEqual([32, 48, 64]);
+    expect(automaticColors(set)).toEqual({ 'style.surfaceShadowColor': '#73ab7a' });
+  });
+});
+
+describe('RampTexture', () => {
+  it('changes exactly at one half, between two texels', () => {
+    const ramps = new RampTexture(2);
+    ramps.write(1, rampOf(CREAM, { tones: 2, shading: true }));
+    const data = ramps.texture.image.data as Uint8Array;
+    const [unlit, lit] = [4, 5];
+    const texel = (row: number, column: number) =>
+      Array.from(data.subarray(4 * (256 * row + column), 4 * (256 * row + column) + 3));
+    expect(texel(lit, 127)).not.toEqual([...CREAM]);
+    expect(texel(lit, 128)).toEqual([...CREAM]);
+    expect(texel(unlit, 255)).toEqual(texel(lit, 0));
+  });
+});
+
+describe('washed', () => {
+  const wash = { share: 1, color: [200, 100, 50] } as const;
+
+  it('does not change colours without a wash', () => {
+    expect(washed(CREAM)).toEqual(CREAM);
+    expect(washed(CREAM, { ...wash, share: 0 })).toEqual(CREAM);
+  });
+
+  it('makes shades of one colour with the lightness of the original colours', () => {
+    expect(washed([255, 255, 255], wash)).toEqual([200, 100, 50]);
+    const [dark, light] = [washed([60, 20, 20], wash), washed([90, 220, 120], wash)];
+    for (const shade of [dark, light]) expect(shade[0] / shade[1]).toBeCloseTo(2, 1);
+    expect(light[0]).toBeGreaterThan(dark[0] + 60);
+  });
+
+  it('applies to surface shadows, too', () => {
+    const toning = surfaceToning({ tones: 3, shading: true, wash });
+    const { lit } = rampOf([255, 255, 255], toning);
+    expect(lit).toHaveLength(3);
+    for (const { color } of lit) expect(new Set(color).size).toBe(1);
+  });
+});

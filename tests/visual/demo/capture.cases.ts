@@ -1,0 +1,303 @@
+/** Captures of a small lamp scene, and the decoded content of the files. */
+import { unzipSync } from 'fflate';
+import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
+import { capture } from '../../../src/demo/capture/dialog.ts';
+import type { CaptureSettings } from '../../../src/demo/capture/settings.ts';
+import { createStage, type Stage } from '../../../src/stage/stage.ts';
+
+const [WIDTH, HEIGHT] = [160, 120];
+const PLAIN: CaptureSettings = {
+  format: 'png',
+  width: WIDTH,
+  height: HEIGHT,
+  scale: 1,
+  hasBackground: true,
+  seconds: 0.25,
+  rate: 24,
+  inLayers: false,
+};
+
+let opened: Promise<Stage> | undefined;
+
+/** One stage for all tests, with smoke. */
+function lamp(): Promise<Stage> {
+  opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: { 'simulation.maxParticles': 300 } }).then(
+    async (stage) => {
+      await stage.seek(3);
+      stage.camera.orbit(0.4, 0.1);
+      return stage;
+    },
+  );
+  return opened;
+}
+
+async function captured(settings: Partial<CaptureSettings>, signal = new AbortController().signal): Promise<Blob> {
+  return capture(await lamp(), { ...PLAIN, ...settings }, { signal, onProgress: () => undefined });
+}
+
+/** Runs captures and reports whether the smoke is unchanged afterwards. */
+export async function untouched<Report>(work: () => Promise<Report>): Promise<Report & { isUntouched: boolean }> {
+  const stage = await lamp();
+  const before = [stage.hash(), stage.stats.steps, (await bytesOf(await stage.picture())).join()];
+  const report = await work();
+  const after = [stage.hash(), stage.stats.steps, (await bytesOf(await stage.picture())).join()];
+  return { ...report, isUntouched: before.join() === after.join() };
+}
+
+let large: Promise<ImageData> | undefined;
+
+/** At scale 2 and without background; memoized for all tests. */
+function largeCut(): Promise<ImageData> {
+  large ??= captured({ scale: 2, hasBackground: false }).then(pixelsOf);
+  return large;
+}
+
+export function still() {
+  return untouched(async () => {
+    const same = await pixelsOf(await captured({}));
+    const stage = await lamp();
+    const shown = await pixelsOf(await stage.picture());
+    const cut = await largeCut();
+    const flats = commonest(cut, 4);
+    return {
+      differing: differing(same, shown),
+      size: [cut.width, cut.height],
+      foreignFlats: flats.filter((color) => !commonest(shown, 40).includes(color)),
+      alphaOfCorner: cut.data[3],
+    };
+  });
+}
+
+export function gif() {
+  return untouched(async () => {
+    const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 1 }));
+    const shown = await pixelsOf(await (await lamp()).picture());
+    const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
+    // The same moments without the transition of the loop back to the first one.
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 1 }))));
+    const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
+    return {
+      frameCount: frames.length,
+      loops,
+      kept,
+      moves: frames.map((frame, at) => differing(frame, frames[(at + 1) % frames.length], 24)),
+      jump: differing(first, last, 24),
+    };
+  });
+}
+
+async function gifOf(blob: Blob): Promise<{ frames: ImageData[]; loops: boolean }> {
+  const decoder = new ImageDecoder({ data: await bytesOf(blob), type: 'image/gif' });
+  await decoder.tracks.ready;
+  await decoder.completed;
+  const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
+  const frames: ImageData[] = [];
+  for (let frameIndex = 0; frameIndex < frameCount; ++frameIndex) {
+    frames.push(pixelsOfFrame((await decoder.decode({ frameIndex })).image));
+  }
+  return { frames, loops: repetitionCount === Infinity };
+}
+
+export function video(format: 'webm' | 'mp4', hasBackground = true) {
+  return untouched(async () => {
+    const blob = await captured({ format, hasBackground, width: WIDTH - 1 });
+    const input = new Input({ source: new BlobSource(blob), formats: ALL_FORMATS });
+    const track = (await input.getPrimaryVideoTrack())!;
+    const times: number[] = [];
+    const moves: number[] = [];
+    let last: ImageData | undefined;
+    for await (const sample of new VideoSampleSink(track).samples()) {
+      times.push(sample.timestamp);
+      const pixels = pixelsOfFrame(sample.toVideoFrame());
+      sample.close();
+      if (last) moves.push(differing(last, pixels, 24));
+      last = pixels;
+    }
+    return { times, moves, size: [track.displayWidth, track.displayHeight], corner: last!.data[3] };
+  });
+}
+
+export function sequence(inLayers: boolean) {
+  return untouched(async () => {
+    const settings = inLayers ? { inLayers, scale: 2, seconds: 0.04 } : { seconds: 0.125 };
+    const blob = await captured({ ...settings, format: 'zip', hasBackground: false });
+    const entries = unzipSync(await bytesOf(blob));
+    const names = Object.keys(entries).sort();
+    const pictures = await Promise.all(names.map((name) => pixelsOfBytes(entries[name])));
+    const corners = pictures.map(({ data }) => data[3]);
+    return { names, corners, composed: inLayers ? await composedError(pictures) : differing(pictures[0], pictures[1]) };
+  });
+}
+
+/** Pixels in the colour of the smoke, in the flats and among the surfaces. */
+export function withoutSmoke() {
+  return untouched(async () => {
+    const stage = await lamp();
+    const { 'style.smokeColor': before } = stage.get();
+    stage.set({ 'style.smokeColor': '#00ff00' });
+    const entries = unzipSync(await bytesOf(await captured({ format: 'zip', inLayers: true, seconds: 0.04 })));
+    stage.set({ 'style.smokeColor': before });
+    const [flats, surfaces] = await Promise.all(
+      ['flats', 'surfaces'].map((layer) => pixelsOfBytes(entries[`${layer}/0001.png`])),
+    );
+    return { flats: countGreen(flats), surfaces: countGreen(surfaces), drawn: commonest(surfaces, 50).length };
+  });
+}
+
+function countGreen({ data }: ImageData): number {
+  return data.filter((value, at) => at % 4 === 1 && value > 90 + Math.max(data[at - 1], data[at + 1])).length;
+}
+
+/** Composes flats, shadow and ink and compares the result with the picture: mean difference of a channel, 0 to 255. */
+async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
+  const [width, height] = [2 * WIDTH, 2 * HEIGHT];
+  const context = new OffscreenCanvas(width, height).getContext('2d')!;
+  for (const layer of [flats, shadow, ink]) context.drawImage(await createImageBitmap(layer), 0, 0);
+  return meanDifference(context.getImageData(0, 0, width, height), await largeCut());
+}
+
+export function flipbook() {
+  return untouched(async () => {
+    const settings = { format: 'flipbook', hasBackground: false, scale: 0.5, rate: 12, seconds: 0.5 } as const;
+    const entries = unzipSync(await bytesOf(await captured(settings)));
+    const layout: unknown = JSON.parse(new TextDecoder().decode(entries['flipbook.json']));
+    const { 'color.png': color, 'channels.png': channels, 'normals.png': normals, 'motion.png': motion } = entries;
+    const [colors, light, directions, vectors] = await Promise.all(
+      [color, channels, normals, motion].map(pixelsOfBytes),
+    );
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...settings, format: 'zip' }))));
+    const first = await pixelsOfBytes(straight[0]);
+    const cells = [0, 1, 2, 3, 4, 5].map((cell) => cropped(colors, 80 * (cell % 3), 60 * Math.floor(cell / 3), 80, 60));
+    return {
+      names: Object.keys(entries).sort(),
+      layout,
+      size: [colors.width, colors.height],
+      // The loop begins where its transition ends, after a quarter of a second.
+      isFirst: differing(cells[0], await pixelsOfBytes(straight[3])) === 0,
+      isStart: differing(cells[0], first) === 0,
+      moves: cells.map((cell, at) => differing(cell, cells[(at + 1) % 6], 24)),
+      motion: new Set(new Uint32Array(vectors.data.buffer)).size,
+      alpha: alphaDifference(colors, light) + alphaDifference(colors, directions),
+      channels: [0, 2].map((channel) => new Set(light.data.filter((_, at) => at % 4 === channel)).size),
+    };
+  });
+}
+
+function cropped({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {
+  const result = new ImageData(columns, rows);
+  for (let y = 0; y < rows; ++y) {
+    const at = 4 * ((top + y) * width + left);
+    result.data.set(data.subarray(at, at + 4 * columns), 4 * columns * y);
+  }
+  return result;
+}
+
+/** Pixels that only one of two pictures covers. */
+function alphaDifference(a: ImageData, b: ImageData): number {
+  return a.data.filter((value, at) => at % 4 === 3 && value > 0 !== b.data[at] > 0).length;
+}
+
+export function drawing() {
+  return untouched(async () => {
+    const blob = await captured({ format: 'svg', scale: 2, hasBackground: false });
+    const text = await blob.text();
+    const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+    const picture = await largeCut();
+    const fills = [...root.querySelectorAll('path')].map((path) => path.getAttribute('fill'));
+    return {
+      groups: [...root.children].map(({ id }) => id),
+      bytes: blob.size,
+      missing: commonest(picture, 5)
+        .map(hexOf)
+        .filter((color) => !fills.includes(color)),
+      error: meanDifference(await rasterised(text, picture), picture),
+    };
+  });
+}
+
+/** Cancels a clip after its second frame. */
+export function cancelled() {
+  return untouched(async () => {
+    const controller = new AbortController();
+    let shares = 0;
+    const onProgress = () => void (++shares === 2 && controller.abort());
+    const task = { signal: controller.signal, onProgress };
+    const outcome = await capture(await lamp(), { ...PLAIN, format: 'zip', seconds: 5 }, task).then(
+      () => 'finished',
+      (error: Error) => error.name,
+    );
+    return { outcome, shares };
+  });
+}
+
+/** The error without an encoder. */
+export function withoutEncoder() {
+  return untouched(async () => {
+    const encoder = globalThis.VideoEncoder;
+    Reflect.deleteProperty(globalThis, 'VideoEncoder');
+    const message = await captured({ format: 'mp4' }).catch((error: Error) => `${error.name}: ${error.message}`);
+    globalThis.VideoEncoder = encoder;
+    return { message };
+  });
+}
+
+async function rasterised(svg: string, { width, height }: { width: number; height: number }): Promise<ImageData> {
+  const image = new Image(width, height);
+  image.src = `data:image/svg+xml,${encodeURIComponent(svg)}`;
+  await image.decode();
+  return drawn(image, width, height);
+}
+
+async function pixelsOf(blob: Blob): Promise<ImageData> {
+  const bitmap = await createImageBitmap(blob);
+  return drawn(bitmap, bitmap.width, bitmap.height);
+}
+
+function pixelsOfBytes(bytes: Uint8Array): Promise<ImageData> {
+  return pixelsOf(new Blob([bytes.slice()]));
+}
+
+function pixelsOfFrame(frame: VideoFrame): ImageData {
+  const pixels = drawn(frame, frame.displayWidth, frame.displayHeight);
+  frame.close();
+  return pixels;
+}
+
+function drawn(source: CanvasImageSource, width: number, height: number): ImageData {
+  const context = new OffscreenCanvas(width, height).getContext('2d')!;
+  context.drawImage(source, 0, 0, width, height);
+  return context.getImageData(0, 0, width, height);
+}
+
+async function bytesOf(blob: Blob): Promise<Uint8Array<ArrayBuffer>> {
+  return new Uint8Array(await blob.arrayBuffer());
+}
+
+/** The most frequent opaque colours. */
+function commonest({ data }: ImageData, count: number): number[] {
+  const counts = new Map<number, number>();
+  for (const color of new Uint32Array(data.buffer)) {
+    if (color >>> 24 === 255) counts.set(color, (counts.get(color) ?? 0) + 1);
+  }
+  return [...counts.keys()].sort((a, b) => counts.get(b)! - counts.get(a)!).slice(0, count);
+}
+
+function hexOf(color: number): string {
+  return `#${[0, 8, 16].map((shift) => ((color >>> shift) & 0xff).toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** Pixels of which a channel differs by more than `tolerance`. */
+function differing(a: ImageData, b: ImageData, tolerance = 0): number {
+  let count = 0;
+  for (let at = 0; at < a.data.length; at += 4) {
+    if ([0, 1, 2, 3].some((channel) => Math.abs(a.data[at + channel] - b.data[at + channel]) > tolerance)) ++count;
+  }
+  return count;
+}
+
+/** Mean difference of a channel, 0 to 255. */
+function meanDifference(a: ImageData, b: ImageData): number {
+  let sum = 0;
+  a.data.forEach((value, at) => (sum += Math.abs(value - b.data[at])));
+  return sum / a.data.length;
+}

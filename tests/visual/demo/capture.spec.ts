@@ -1,0 +1,95 @@
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./capture.cases.ts');
+const CASES = '/tests/visual/demo/capture.cases.ts';
+
+test('a PNG is the picture, also larger with the same flat colours, and transparent without background', async ({
+  load,
+}) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.still());
+  expect(report).toEqual({ differing: 0, size: [320, 240], foreignFlats: [], alphaOfCorner: 0, isUntouched: true });
+});
+
+test('a GIF has all frames, keeps flat colours, and loops seamlessly', async ({ load }) => {
+  const { moves, jump, kept, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.gif());
+  expect(report).toEqual({ frameCount: 12, loops: true, isUntouched: true });
+  expect(kept).toBe(20);
+  for (const moved of moves) expect(moved).toBeGreaterThan(50);
+  const seam = moves.pop()!;
+  expect(seam).toBeLessThanOrEqual(Math.max(...moves));
+  expect(Math.max(...moves)).toBeLessThan(jump);
+});
+
+for (const format of ['webm', 'mp4'] as const) {
+  test(`a ${format} has every frame at its time, and neighbours differ`, async ({ load }) => {
+    const report = await (await load<Cases>(CASES)).evaluate((cases, name) => cases.video(name), format);
+    expect(report.times).toHaveLength(6);
+    report.times.forEach((time, frame) => expect(time).toBeCloseTo(frame / 24, 2));
+    for (const moved of report.moves) expect(moved).toBeGreaterThan(20);
+    expect(report.size).toEqual([160, 120]);
+    expect(report.isUntouched).toBe(true);
+  });
+}
+
+test('a sequence has a PNG with alpha for each frame', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.sequence(false));
+  expect(report.names).toEqual(['frame-0001.png', 'frame-0002.png', 'frame-0003.png']);
+  expect(report.corners).toEqual([0, 0, 0]);
+  expect(report.composed).toBeGreaterThan(50);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('composited layers equal the picture', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.sequence(true));
+  expect(report.names).toEqual([
+    'depth/0001.png',
+    'flats/0001.png',
+    'ink/0001.png',
+    'shadow/0001.png',
+    'surfaces/0001.png',
+  ]);
+  expect(report.composed).toBeLessThan(1);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('the layer of surfaces has everything but the smoke', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutSmoke());
+  expect(report.flats).toBeGreaterThan(100);
+  expect(report.surfaces).toBe(0);
+  expect(report.drawn).toBe(50);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('a flipbook has its frames in rows, loops, and covers the same pixels in all atlases', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.flipbook());
+  expect(report.names).toEqual(['channels.png', 'color.png', 'flipbook.json', 'motion.png', 'normals.png']);
+  expect(report.layout).toMatchObject({ columns: 3, rows: 2, frames: 6, rate: 12, frame: [80, 60], atlas: [240, 120] });
+  expect(report.size).toEqual([240, 120]);
+  expect([report.isFirst, report.isStart]).toEqual([true, false]);
+  for (const moved of report.moves) expect(moved).toBeGreaterThan(10);
+  expect(report.moves[5]).toBeLessThanOrEqual(Math.max(...report.moves.slice(0, 5)));
+  expect(report.motion).toBeGreaterThan(10);
+  expect(report.alpha).toBe(0);
+  for (const levels of report.channels) expect(levels).toBeGreaterThan(10);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('a drawing has the flat colours in named groups, and looks like the picture', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.drawing());
+  expect(report.groups).toEqual(['flats', 'ink']);
+  expect(report.missing).toEqual([]);
+  expect(report.bytes).toBeLessThan(100_000);
+  expect(report.error).toBeLessThan(0.02 * 255);
+  expect(report.isUntouched).toBe(true);
+});
+
+test('a cancelled clip ends at once and does not change the smoke', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.cancelled());
+  expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
+});
+
+test('without an encoder the page reports it and suggests an alternative', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());
+  expect(report.message).toContain('cannot encode Video (MP4) at 160 \u00d7 120 pixels. Use');
+  expect(report.isUntouched).toBe(true);
+});

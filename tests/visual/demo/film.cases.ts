@@ -1,0 +1,55 @@
+/** The same frames as `npm run film`, by the page and by `npm run poster`; and a link with a take. */
+import { unzipSync } from 'fflate';
+import { capture } from '../../../src/demo/capture/dialog.ts';
+import { downsample } from '../../../src/demo/film/downsample.ts';
+import { decode, encode } from '../../../src/parameters/codec.ts';
+import { createStage } from '../../../src/stage/stage.ts';
+
+/** Frames of the page's PNG sequence from a time on, in base64. */
+export async function sequence(hash: string, start: number, width: number, height: number, scale: number) {
+  const { values } = (await decode(hash)).state;
+  const stage = await createStage(new OffscreenCanvas(16, 16), { values });
+  await stage.seek(start);
+  const settings = { format: 'zip', width, height, scale, hasBackground: true, inLayers: false } as const;
+  const task = { signal: new AbortController().signal, onProgress: () => undefined };
+  const zip = await capture(stage, { ...settings, seconds: 0.1, rate: 24 }, task);
+  stage.dispose();
+  const files = Object.values(unzipSync(new Uint8Array(await zip.arrayBuffer())));
+  return files.map((bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')));
+}
+
+/** A link whose smoke is dragged and blown on at several times. */
+export async function disturbed(hash: string): Promise<string> {
+  const { state } = await decode(hash);
+  const canvas = new OffscreenCanvas(160, 90);
+  const stage = await createStage(canvas, { values: state.values, width: 160, height: 90 });
+  for (let time = 0; time < 5; ++time) {
+    stage.step(9);
+    stage.nudge({ dx: 0.1, dy: 0.05 });
+    stage.step(3);
+    stage.blow({ x: 80, y: 30 });
+  }
+  stage.step(30);
+  const link = await encode(state, stage.take().toBytes());
+  stage.dispose();
+  return link;
+}
+
+/** Pictures of frames at 30 a second, in base64 by their number, from a stage that seeks in this order. */
+export async function sought(hash: string, order: readonly number[]): Promise<Record<number, string>> {
+  const { values } = (await decode(hash)).state;
+  const stage = await createStage(new OffscreenCanvas(160, 90), { values });
+  const pictures: Record<number, string> = {};
+  for (const frame of order) {
+    await stage.seek(frame / 30);
+    const bytes = new Uint8Array(await (await stage.picture()).arrayBuffer());
+    pictures[frame] = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  }
+  stage.dispose();
+  return pictures;
+}
+
+/** Two by two pixels of these colours as one, and its alpha. */
+export function averaged(...colors: readonly (readonly number[])[]): number[] {
+  return [...downsample(new ImageData(Uint8ClampedArray.from(colors.flat()), 2, 2), 2).data];
+}

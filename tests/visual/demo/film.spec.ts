@@ -1,0 +1,215 @@
+/** `npm run film`: the files of shards, of killed runs and of one run, and the pictures of other ways to the same frame. */
+import { execFile, spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { setTimeout as wait } from 'node:timers/promises';
+import { fileURLToPath } from 'node:url';
+import { PNG } from 'pngjs';
+import { FloatType } from 'three';
+import { EXRLoader } from 'three/examples/jsm/loaders/EXRLoader.js';
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./film.cases.ts');
+type Posters = typeof import('../page/element/poster.cases.ts');
+
+const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
+const SCRIPT = 'scripts/film.mjs';
+const SMALL = ['--size', '160x90'];
+const HASH = '#v=1&preset=lamp&simulation.maxParticles=300';
+
+let folder: string;
+test.beforeEach(() => (folder = mkdtempSync(join(tmpdir(), 'cartoon-smoke-film-'))));
+// The browser of a killed run may still write.
+test.afterEach(() => rmSync(folder, { recursive: true, maxRetries: 10 }));
+
+interface Ending {
+  status: number;
+  errors: string;
+}
+
+function wordsOf(link: string, frames: string, out: string, ...words: string[]): string[] {
+  return [link, '--frames', frames, '--out', join(folder, out), ...SMALL, ...words];
+}
+
+/** The browser of the tests: it starts with less than the one of users, which is stopped below. */
+function withShell(): NodeJS.ProcessEnv {
+  return { ...process.env, CHROMIUM_PATH: process.env.TEST_BROWSER };
+}
+
+function film(...given: Parameters<typeof wordsOf>): Promise<Ending> {
+  const parameters = [SCRIPT, ...wordsOf(...given)];
+  return new Promise((resolve) => {
+    execFile(process.execPath, parameters, { cwd: ROOT, env: withShell() }, (error, _output, errors) =>
+      resolve({ status: error ? Number(error.code) : 0, errors }),
+    );
+  });
+}
+
+/**
+ * Starts a run and sends it a signal when a file is there. The run has a folder of its own for temporary files.
+ * @returns its exit status, null if the signal ended it
+ */
+async function stoppedAt(
+  file: string,
+  signal: NodeJS.Signals,
+  words: readonly string[],
+  environment = process.env,
+): Promise<number | null> {
+  mkdirSync(join(folder, 'temporary'), { recursive: true });
+  const env = { ...environment, TMPDIR: join(folder, 'temporary') };
+  const child = spawn(process.execPath, [SCRIPT, ...words], { cwd: ROOT, env, stdio: 'ignore' });
+  const ended = new Promise<number | null>((resolve) => child.once('close', resolve));
+  while (child.exitCode === null && !existsSync(join(folder, file))) await wait(5);
+  child.kill(signal);
+  return ended;
+}
+
+/** Content of the files in a folder, by name, in base64. */
+function filesIn(name: string): Record<string, string> {
+  const path = join(folder, name);
+  const entries = readdirSync(path, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
+  const files = entries.map((entry) => join(entry.parentPath, entry.name)).sort();
+  return Object.fromEntries(files.map((file) => [file.slice(path.length), readFileSync(file, 'base64')]));
+}
+
+function pixelsOf(file: Buffer): Buffer {
+  return PNG.sync.read(file).data;
+}
+
+test('shards, killed runs and one run write the same files, also from the states of a take', async ({ load }) => {
+  const link = await (
+    await load<Cases>('/tests/visual/demo/film.cases.ts')
+  ).evaluate((cases, hash) => cases.disturbed(hash), HASH);
+  expect(await film(link, '10-25', 'one')).toMatchObject({ status: 0 });
+  const states = ['--states', join(folder, 'states'), '--states-every', '4'];
+  expect(await stoppedAt('stopped/frame-000010.json', 'SIGINT', wordsOf(link, '10-25', 'stopped'))).toBe(130);
+  expect(Object.keys(filesIn('stopped')).filter((name) => name.endsWith('.part'))).toEqual([]);
+  expect(readdirSync(join(folder, 'temporary')), 'what the browser left').toEqual([]);
+  const shard = wordsOf(link, '10-25', 'shards', '--shard', '1/2', ...states);
+  expect(await stoppedAt('shards/frame-000012.png', 'SIGKILL', shard, withShell())).toBeNull();
+  const unfinished = Object.keys(filesIn('shards'));
+  expect(unfinished).toContain('/frame-000011.json');
+  expect(unfinished).not.toContain('/frame-000017.json');
+  const began = Object.keys(filesIn('states'));
+  for (const part of ['2/2', '1/2']) {
+    expect(await film(link, '10-25', 'shards', '--shard', part, ...states)).toMatchObject({ status: 0 });
+  }
+  // The second shard starts from a state of the first one.
+  expect(began).toContain('/state-000010.bin');
+  expect(Object.keys(filesIn('states'))).toContain('/state-000050.bin');
+  const [one, shards] = [filesIn('one'), filesIn('shards')];
+  expect(Object.keys(one)).toHaveLength(32);
+  expect(Object.keys(shards)).toEqual(Object.keys(one));
+  expect(shards).toEqual(one);
+  expect(new Set(Object.values(one)).size, 'no two frames are the same').toBe(32);
+});
+
+test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
+  blank,
+  load,
+}) => {
+  const link = `?t=2.5${HASH}`;
+  expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
+  const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
+  const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
+  const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
+  expect(sequence).toHaveLength(2);
+  expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
+    true,
+    true,
+  ]);
+  expect(first.equals(second)).toBe(false);
+  const session = await blank.context().newCDPSession(blank);
+  const metrics = { width: 640, height: 360, deviceScaleFactor: 2, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', metrics);
+  const posters = await load<Posters>('/tests/visual/page/element/poster.cases.ts');
+  const order = { link: `https://example.org/${link}`, width: 80, height: 45, isTransparent: false };
+  const { png } = await posters.evaluate((module, given) => module.poster(given), order);
+  await session.send('Emulation.clearDeviceMetricsOverride');
+  expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
+
+  expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
+  const exr = exrIn('exr/frame-000000.exr');
+  expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
+  const depth = exrIn('exr/depth/000000.exr');
+  const near = depth.filter((value, at) => at % 4 === 0 && Number.isFinite(value));
+  // The camera of the scene is 6.3 m from the lamp, which stands on a table 2 m wide.
+  expect(near.length).toBeGreaterThan(1000);
+  expect(Math.min(...near)).toBeGreaterThan(4);
+  expect(Math.max(...near)).toBeLessThan(9);
+  expect(new Set(near).size, 'more depths than 8 bits have').toBeGreaterThan(300);
+});
+
+/** Pixels of a file as floats, rows from the top down. */
+function exrIn(name: string): Float32Array {
+  const bytes = readFileSync(join(folder, name));
+  const loader = new EXRLoader().setDataType(FloatType);
+  const found = loader.parse(new Uint8Array(bytes).buffer);
+  const { data, width, height } = found as { data: Float32Array; width: number; height: number };
+  expect([width, height]).toEqual([160, 90]);
+  const rows = Array.from({ length: height }, (_, y) => data.slice(4 * width * y, 4 * width * (y + 1)));
+  return Float32Array.from(rows.toReversed().flatMap((row) => [...row]));
+}
+
+/** Linear light of an sRGB code; alpha stays as it is. */
+function linear(code: number, at: number): number {
+  const value = code / 255;
+  if (at % 4 === 3) return value;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}
+
+test('supersampling averages light by coverage', async ({ load }) => {
+  const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
+  const [white, black, clear] = [
+    [255, 255, 255, 255],
+    [0, 0, 0, 255],
+    [255, 0, 0, 0],
+  ];
+  const average = (colors: number[][]) => cases.evaluate((module, given) => module.averaged(...given), colors);
+  // Half the light has the sRGB code 188.
+  expect(await average([white, white, black, black])).toEqual([188, 188, 188, 255]);
+  expect(await average([white, clear, clear, clear])).toEqual([255, 255, 255, 64]);
+  expect(await average([clear, clear, clear, clear])).toEqual([0, 0, 0, 0]);
+});
+
+test('a stage shows the same frame in whatever order frames are asked for', async ({ load }) => {
+  const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
+  const orders = [
+    [30, 31, 32, 40, 60],
+    [60, 31, 40, 30, 32],
+  ];
+  const pictures = [];
+  for (const order of orders) {
+    pictures.push(await cases.evaluate((module, [hash, asked]) => module.sought(hash, asked), [HASH, order] as const));
+  }
+  expect(pictures[1]).toEqual(pictures[0]);
+  expect(new Set(Object.values(pictures[0])).size).toBe(5);
+});
+
+test('mistakes in a link end the run before the first frame', async () => {
+  const { status, errors } = await film('#v=1&preset=fog&emission.rat=2', '0-1', 'bad');
+  expect(status).toBe(1);
+  expect(errors.trim().split('\n').at(-1)).toMatch(/^The link has mistakes: There is no preset .fog.;.*emission\.rat/);
+  expect(Object.keys(filesIn('bad'))).toEqual([]);
+});
+
+test('a full disk ends the run with one line, and the files on it are whole', () => {
+  const isMountable = spawnSync('unshare', ['--mount', 'true']).status === 0;
+  test.skip(!isMountable, 'Only root on Linux can mount a small disk');
+  const [disk, copy] = ['disk', 'copy'].map((name) => join(folder, name));
+  for (const place of [disk, copy]) mkdirSync(place);
+  // The mount ends with the processes in the namespace.
+  const commands = 'mount -t tmpfs -o size=96k tmpfs "$1" && shift && "$@"; status=$?; cp -r disk/. copy; exit $status';
+  const run = [process.execPath, join(ROOT, SCRIPT), ...wordsOf(HASH, '0-60', 'disk')];
+  const parameters = ['--mount', 'sh', '-c', commands, 'sh', disk, ...run];
+  const { status, stderr } = spawnSync('unshare', parameters, { cwd: folder, encoding: 'utf8', env: withShell() });
+  expect(status).toBe(1);
+  expect(stderr.trim().split('\n').at(-1)).toMatch(
+    /^The disk is full: .*frame-0000\d\d\.(png|json) was not written\.$/,
+  );
+  const names = readdirSync(copy);
+  expect(names.length).toBeGreaterThan(4);
+  expect(names.filter((name) => !/^frame-0000\d\d\.(png|json)$/.test(name))).toEqual([]);
+  for (const name of names.filter((each) => each.endsWith('.png'))) pixelsOf(readFileSync(join(copy, name)));
+});

@@ -1,0 +1,82 @@
+import { expect, test } from '../../../../support/fixtures.ts';
+
+type Cases = typeof import('./simplify.cases.ts');
+const CASES = '/tests/visual/renderer/passes/simplify/simplify.cases.ts';
+
+/** A Gaussian of deviation s leaves less than half of a disc in its middle if the radius is below s sqrt(2 ln 2). */
+const GONE_BELOW = Math.sqrt(2 * Math.LN2);
+const DEVIATION = 6;
+
+test('a patch of shade vanishes below the size that the Gaussian says, and grows out of nothing', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const radii = Array.from({ length: 13 }, (_, step) => DEVIATION * (GONE_BELOW - 0.3 + 0.1 * step));
+  for (const pixelRatio of [1, 2]) {
+    const areas = await cases.evaluate((module, given) => module.shadowAreas(...given), [
+      radii,
+      DEVIATION,
+      pixelRatio,
+    ] as const);
+    const visible = areas.findIndex((area) => area > 0);
+    expect.soft(radii[visible] / DEVIATION, `${pixelRatio}`).toBeGreaterThan(GONE_BELOW - 0.21);
+    expect.soft(radii[visible] / DEVIATION, `${pixelRatio}`).toBeLessThan(GONE_BELOW + 0.1);
+    areas.slice(visible).reduce((before, area) => {
+      expect.soft(area).toBeGreaterThan(before);
+      return area;
+    }, 0);
+    expect.soft(areas.at(-1)! / pixelRatio ** 2).toBeGreaterThan(100);
+  }
+});
+
+test('a small patch of shade vanishes wherever it is in the tiles of the picture', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  for (const radius of [3, 8]) {
+    const shifts = [0, 1, 2, 3, 4, 5, 6, 7];
+    const areas = await cases.evaluate((module, given) => module.shadowAreasAt(...given), [shifts, radius] as const);
+    expect.soft(Math.min(...areas.map(({ plain }) => plain))).toBeGreaterThan(2 * radius ** 2);
+    expect.soft(areas.map(({ smooth }) => smooth)).toEqual(areas.map(() => 0));
+  }
+  // On a surface all light is equal.
+  const inOneTile = (deviation: number) =>
+    cases.evaluate((module, given) => module.shadowAreasOnWall([3], given), deviation);
+  expect.soft((await inOneTile(0))[0]).toBeGreaterThan(18);
+  expect.soft(await inOneTile(8)).toEqual([0]);
+});
+
+test('large shapes keep their size, on smoke and on surfaces', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const onSmoke = await cases.evaluate((module) => module.shadowAreas([30], 4, 1));
+  const onWall = await cases.evaluate((module) => module.shadowAreasOnWall([4, 30], 4));
+  expect.soft(onWall[0]).toBe(0);
+  for (const area of [onSmoke[0], onWall[1]]) {
+    expect.soft(area / (Math.PI * 30 ** 2)).toBeGreaterThan(0.95);
+    expect.soft(area / (Math.PI * 30 ** 2)).toBeLessThan(1.01);
+  }
+});
+
+test('light is smoothed within one colour and depth only', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const left = (name: 'same' | 'otherTint' | 'nearer') =>
+    cases.evaluate((module, which) => module.shareLeft(which), name);
+  expect.soft(await left('same')).toBe(0);
+  expect.soft(await left('otherTint')).toBeGreaterThan(0.85);
+  expect.soft(await left('nearer')).toBeGreaterThan(0.85);
+});
+
+test('light is not smoothed across ink', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { shadow, changed } = await cases.evaluate((module) => module.acrossInk());
+  expect.soft(shadow).toBeGreaterThan(5000);
+  expect.soft(changed).toBe(0);
+});
+
+test('smoothing adds no colours', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { changed, added } = await cases.evaluate((module) => module.allTones());
+  expect.soft(changed).toBeGreaterThan(500);
+  expect.soft(added).toEqual([]);
+});
+
+test('a picture does not depend on the frame before it', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.repeated())).toBe(0);
+});

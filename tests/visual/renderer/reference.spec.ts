@@ -1,0 +1,131 @@
+import { test } from '../../support/fixtures.ts';
+import { buildReference, expectReference } from '../../support/reference.ts';
+
+type Cases = typeof import('./reference.cases.ts');
+type SceneName = Parameters<Cases['drawn']>[0];
+type Mode = Parameters<Cases['drawn']>[1][number];
+const CASES = '/tests/visual/renderer/reference.cases.ts';
+
+const STOPS = [
+  { from: 0, color: [52, 56, 104] },
+  { from: 0.12, color: [140, 96, 150] },
+  { from: 0.55, color: [250, 214, 170] },
+] as const;
+const FIRE = [
+  { from: 0, color: [70, 66, 80] },
+  { from: 0.4, color: [226, 88, 44] },
+  { from: 0.8, color: [255, 226, 150] },
+] as const;
+
+const BILLBOARDS = { form: 'billboards' } as const;
+
+/** A few modes of each scene; the long test covers every mode of every scene. */
+const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{}, { tones: 1 }, { tones: 3, inkSwell: 0.7 }]],
+  ['offAxis', [{}, { outlines: false }]],
+  ['orthographic', [{}, { shading: false }, { shading: false, tones: 1, outlines: false, shadows: false }]],
+  ['eyeInside', [{}, { shadows: false }]],
+];
+const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['touching', [{}, { shadowSteps: 2, shadowDepth: 3, outlineWidth: 3 }]],
+  ['underParts', [{ shadowSteps: 2, shadowDepth: 2 }]],
+  ['byLamp', [{}, { tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2, boil: 0.8 }]],
+  ['byLampAmongPuffs', [{ tones: 3 }]],
+  ['backlit', [{ tones: 3 }, { gradient: 'height' }, { gradient: 'screen' }]],
+];
+const MANY: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['lampAmongPuffs', [{}, BILLBOARDS]],
+  ['besideEye', [{}]],
+  ['coincident', [{}, BILLBOARDS]],
+];
+const ON_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [BILLBOARDS, { ...BILLBOARDS, tones: 1 }]],
+  ['offAxis', [BILLBOARDS]],
+  ['orthographic', [BILLBOARDS]],
+  ['eyeInside', [BILLBOARDS]],
+  ['backlit', [BILLBOARDS]],
+  ['byLamp', [BILLBOARDS]],
+  ['byLampAmongPuffs', [BILLBOARDS]],
+];
+const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['offAxis', [{ volumes: 'counted' }]],
+  ['eyeInside', [{ volumes: 'counted' }, { ...BILLBOARDS, volumes: 'counted' }]],
+  ['underParts', [{ volumes: 'counted', shadowSteps: 2, shadowDepth: 2 }]],
+  ['byLampAmongPuffs', [{ volumes: 'counted' }]],
+  ['coincident', [{ volumes: 'counted' }]],
+];
+const STRETCHED = { isDeformed: true, stretch: 3 };
+const UNFOLDING = { ...STRETCHED, billow: 1 };
+const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['deformed', [STRETCHED, UNFOLDING, { ...UNFOLDING, volumes: 'counted' }, { ...STRETCHED, tones: 3 }]],
+  ['deformedByLamp', [UNFOLDING]],
+  ['eyeInsideDeformed', [STRETCHED]],
+];
+const ERODED = { isEroded: true };
+const DISSOLVING: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['eroded', [ERODED, { ...ERODED, tones: 3, inkSwell: 0.7, boil: 0.5 }, { ...ERODED, volumes: 'counted' }]],
+  ['erodedByLamp', [{ ...ERODED, outlineWidth: 4 }]],
+  [
+    'erodedAndDeformed',
+    [
+      { ...ERODED, ...STRETCHED },
+      { ...ERODED, ...UNFOLDING, tones: 3 },
+    ],
+  ],
+];
+const REVERSED: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{}]],
+  ['offAxis', [BILLBOARDS]],
+  ['orthographic', [{}, BILLBOARDS]],
+  ['touching', [{}]],
+  ['eyeInside', [{}]],
+];
+const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  [
+    'perspective',
+    [
+      { fill: 0.4, rim: 0.5 },
+      { stops: STOPS },
+      { stops: STOPS, isBlended: true, fill: 0.5 },
+      { ageColors: FIRE, heatColors: STOPS },
+    ],
+  ],
+  ['backlit', [{ stops: STOPS, fill: 0.4, rim: 0.3 }]],
+];
+/** Light by the form of the whole smoke. */
+const FORMS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['perspective', [{ plumeForm: 0.6 }, { plumeForm: 1, tones: 3 }]],
+  ['byLamp', [{ plumeForm: 0.6, fill: 0.4, rim: 0.3 }]],
+];
+const LAMPS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['lampRising', [{}, { gradient: 'age', tones: 3 }]],
+  ['lampFull', [{}, { gradient: 'puff' }, { shadowSteps: 2, shadowDepth: 3 }]],
+  ['eyeInPlume', [{}]],
+];
+
+test.beforeAll(buildReference);
+
+for (const [what, scenes, reversedDepth] of [
+  ['puffs among solids', CLUSTERS, false],
+  ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
+  ['puffs that turn, stretch and unfold', DEFORMED, false],
+  ['puffs that are eroded, also while they turn and stretch', DISSOLVING, false],
+  ['billboards', ON_BOARDS, false],
+  ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
+  ['volumes counted by entry and exit', COUNTED, false],
+  ['puffs among solids under a reversed depth buffer', REVERSED, true],
+  ['puffs in tones of all kinds', TONES, false],
+  ['puffs with the light of their whole form', FORMS, false],
+  ['the lamp', LAMPS, false],
+] as const) {
+  test(`${what}: the picture equals the reference`, async ({ load }, testInfo) => {
+    const cases = await load<Cases>(CASES);
+    for (const [scene, modes] of scenes) {
+      const input = [scene, modes, reversedDepth] as const;
+      const pictures = await cases.evaluate((module, given) => module.drawn(...given), input);
+      for (const [index, picture] of pictures.entries()) {
+        await expectReference(`${scene} ${JSON.stringify(modes[index])}`, picture, testInfo);
+      }
+    }
+  });
+}
