@@ -9,7 +9,7 @@ import { styleOf, type Style } from './style.ts';
 /**
  * Modifies the input of a frame. It can at most double the number of particles, relative to the simulator's capacity.
  */
-type Retouch = (input: FrameInput) => FrameInput;
+type FrameOverride = (input: FrameInput) => FrameInput;
 
 type Make = (options: Pick<SmokeOptions, 'capacity' | 'puffs'>) => SmokeRenderer;
 
@@ -23,7 +23,7 @@ export class ShownSmoke {
   private readonly styleIn: (values: Values) => Style;
   private readonly puffs: LivePuffs;
   private baked: BakedPuffs | undefined;
-  private change: Retouch | undefined;
+  private change: FrameOverride | undefined;
 
   constructor(values: Values, make: Make, styleIn = styleOf) {
     this.values = values;
@@ -36,7 +36,7 @@ export class ShownSmoke {
   }
 
   /** Applies new values. */
-  follow(values: Values): void {
+  setValues(values: Values): void {
     const before = capacityOf(this.values);
     this.values = values;
     this.style = this.styleIn(values);
@@ -74,7 +74,7 @@ export class ShownSmoke {
   }
 
   /** Changes the input of each frame, from the next frame on. Used to draw more than one moment in a picture. */
-  retouch(change: Retouch): void {
+  overrideFrame(change: FrameOverride): void {
     this.change = change;
     this.renew();
   }

@@ -88,7 +88,7 @@ export class Governor {
   private judge(): void {
     const median = [...this.times].sort((a, b) => a - b)[this.times.length >> 1];
     if (median > this.budgetMs) this.fallBehind(median);
-    else this.keepUp();
+    else this.raiseWhenCalm();
     this.clearWindow();
   }
 
@@ -101,7 +101,7 @@ export class Governor {
     this.calmMs = 0;
     this.slowWindows += 1;
     if (this.slowWindows < SLOW_WINDOWS || this.restMs > 0) return;
-    if (this.level === SCALES.length - 1) this.giveBackIfFutile(median);
+    if (this.level === SCALES.length - 1) this.resetIfFutile(median);
     else this.descend(median);
   }
 
@@ -119,13 +119,13 @@ export class Governor {
     return fitting < 0 ? SCALES.length - 1 : fitting;
   }
 
-  private giveBackIfFutile(median: number): void {
+  private resetIfFutile(median: number): void {
     if (median < FUTILE * this.fullScaleMs) return;
     this.moveTo(0, false);
     this.restMs = FUTILE_REST_MS;
   }
 
-  private keepUp(): void {
+  private raiseWhenCalm(): void {
     this.slowWindows = 0;
     this.calmMs += this.windowMs;
     if (this.calmMs < this.retryDelayMs) return;

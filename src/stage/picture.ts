@@ -150,7 +150,7 @@ export class Picture {
 
   /** Applies new values. */
   setValues(values: Values): void {
-    this.smoke.follow(values);
+    this.smoke.setValues(values);
     this.eye.override(values);
   }
 

@@ -112,7 +112,7 @@ export class RunningScene implements FrameTasks {
    * @param look valid values of camera and style
    */
   showAt(seconds: number, look: Values = {}): void {
-    this.values.follow({ ...this.values.all, ...look });
+    this.values.adoptValues({ ...this.values.all, ...look });
     this.showTime(seconds / STEP_SECONDS);
   }
 
@@ -163,7 +163,7 @@ export class RunningScene implements FrameTasks {
     this.opened = opened;
     this.picture.enter(opened.scene, values);
     this.gestures = new Gestures(simulation, this.picture, this.showMoved);
-    this.values.follow(values);
+    this.values.adoptValues(values);
     this.showLatest();
   }
 
@@ -183,7 +183,7 @@ export class RunningScene implements FrameTasks {
   look(move: (eye: OrbitCamera) => void): void {
     this.show(() => {
       move(this.picture.eye);
-      this.values.followCamera();
+      this.values.adoptCamera();
     });
     this.notifyState();
   }
@@ -193,7 +193,7 @@ export class RunningScene implements FrameTasks {
    * @param values that the simulator has, if the log does not tell
    */
   showJump(values?: Values): void {
-    if (values) this.values.follow(values);
+    if (values) this.values.adoptValues(values);
     else this.values.applyLog();
     this.picture.smoke.keepVariations(this.simulation.simulator.variationsAlive);
     this.showLatest();

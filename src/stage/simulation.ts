@@ -159,7 +159,7 @@ export class Simulation {
   }
 
   /** Whether the log of a take has applied or undone inputs since the last call. */
-  hasFollowed(): boolean {
+  hasAppliedInputs(): boolean {
     const { inputsDone } = this.simulator;
     const hasFollowed = inputsDone !== this.inputsSeen;
     this.inputsSeen = inputsDone;

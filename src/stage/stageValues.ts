@@ -49,11 +49,11 @@ export class StageValues {
     keys.forEach(requireOptional);
     this.followers.simulation.unset(keys);
     const kept = Object.entries(this.now).filter(([key]) => !keys.includes(key));
-    this.followers.show(() => this.follow(Object.fromEntries(kept)));
+    this.followers.show(() => this.adoptValues(Object.fromEntries(kept)));
   }
 
   /** Applies values that the simulator already has. */
-  follow(values: Values): void {
+  adoptValues(values: Values): void {
     this.now = values;
     this.followers.picture.setValues(values);
     this.followers.announce();
@@ -62,11 +62,11 @@ export class StageValues {
   /** Applies values that the log of a take changed since the last call. */
   applyLog(): void {
     const { simulation } = this.followers;
-    if (simulation.hasFollowed()) this.follow(simulation.valuesIn(this.now));
+    if (simulation.hasAppliedInputs()) this.adoptValues(simulation.valuesIn(this.now));
   }
 
   /** Takes over the camera that the user has moved. The picture has it already. */
-  followCamera(): void {
+  adoptCamera(): void {
     this.now = { ...this.now, ...this.followers.picture.eye.held };
   }
 
@@ -80,7 +80,7 @@ export class StageValues {
       simulation.input((simulator) => simulator.inputCapacity(capacity));
     }
     if (after.seed !== before.seed) simulation.restart(after);
-    this.followers.show(() => this.follow(after));
+    this.followers.show(() => this.adoptValues(after));
   }
 
   private without(after: Values): string[] {

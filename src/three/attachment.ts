@@ -3,12 +3,12 @@ import { ParameterError } from '../base/errors.ts';
 import { findParameter } from '../parameters/table.ts';
 import { Handle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
-import { worldPose, type Rider, type Riders } from './riders.ts';
+import { worldPose, type ObjectPart, type ObjectParts } from './objectParts.ts';
 import { newPose } from './shapes.ts';
 
 /** What an attachment needs of its smoke. */
 export interface AttachmentContext {
-  readonly riders: Riders;
+  readonly parts: ObjectParts;
   readonly overrides: Overrides;
   /** Items of the table that ride on an object. */
   readonly attached: Set<string>;
@@ -18,7 +18,7 @@ export interface AttachmentContext {
 export class Attachment extends Handle {
   private readonly context: AttachmentContext;
   private readonly item: string;
-  private rider: Rider | undefined;
+  private part: ObjectPart | undefined;
 
   /** @param item such as `vortices.0` */
   constructor(context: AttachmentContext, item: string, object: Object3D) {
@@ -26,7 +26,7 @@ export class Attachment extends Handle {
     requireItem(item);
     if (context.attached.has(item))
       throw new ParameterError('attach', item, 'an item that is not attached yet; remove its handle first');
-    this.requireSound(context.riders.frame.toSmoke(worldPose(object, pose)));
+    this.requireSound(context.parts.frame.toSmoke(worldPose(object, pose)));
     this.context = context;
     this.item = item;
     context.attached.add(item);
@@ -34,21 +34,21 @@ export class Attachment extends Handle {
 
   protected start(): void {
     const { context, item, object } = this;
-    this.requireSound(context.riders.frame.toSmoke(worldPose(object, pose)));
-    this.rider = context.riders.add(pose);
-    context.overrides.put(`${item}.rigid`, this.rider.number);
+    this.requireSound(context.parts.frame.toSmoke(worldPose(object, pose)));
+    this.part = context.parts.add(pose);
+    context.overrides.put(`${item}.rigid`, this.part.number);
     context.overrides.unmute(item);
   }
 
   protected override follow(): void {
-    const { riders } = this.context;
-    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
-    riders.move(this.rider!, pose);
+    const { parts } = this.context;
+    this.requireSound(parts.frame.toSmoke(worldPose(this.object, pose)));
+    parts.move(this.part!, pose);
   }
 
   protected stop(): void {
-    this.context.riders.remove(this.rider!);
-    this.rider = undefined;
+    this.context.parts.remove(this.part!);
+    this.part = undefined;
     this.context.overrides.mute(this.item);
   }
 

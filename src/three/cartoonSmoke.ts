@@ -25,7 +25,7 @@ import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer } from '../renderer/smoke.ts';
 import { Attachment } from './attachment.ts';
-import { Carrier } from './carrier.ts';
+import { ItemMotion } from './itemMotion.ts';
 import { Caster } from './caster.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
 import type { BurstOptions, EmitterOptions } from '../simulator/emitterOptions.ts';
@@ -50,7 +50,7 @@ import {
 import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
 import { isEmptyView, isOverridden, requireRenderer } from './requirements.ts';
-import { Riders } from './riders.ts';
+import { ObjectParts } from './objectParts.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
@@ -91,12 +91,12 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private readonly start: Uint8Array;
   private readonly passes: HostPasses;
   private readonly handles: Handles;
-  private readonly riders: Riders;
+  private readonly parts: ObjectParts;
   private readonly emitters: EmitterPool;
   private readonly overrides: Overrides;
   private readonly table: TableNumbers;
   private readonly frame: SmokeFrame;
-  private readonly carrier: Carrier;
+  private readonly itemMotion: ItemMotion;
   private readonly attached = new Set<string>();
   /** Messages of the errors that were reported, each of which is reported once. */
   private readonly reported = new Set<string>();
@@ -161,12 +161,12 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
     this.space = options.space ?? 'world';
     this.frame = new SmokeFrame(this.space);
-    this.riders = new Riders(simulator, this.frame);
-    this.emitters = new EmitterPool(simulator, this.riders);
-    this.overrides = new Overrides(simulator, (key) => this.carrier.numberOf(key));
+    this.parts = new ObjectParts(simulator, this.frame);
+    this.emitters = new EmitterPool(simulator, this.parts);
+    this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
     this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
-    const { riders, overrides, frame } = this;
-    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.shown.values });
+    const { parts, overrides, frame } = this;
+    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.shown.values });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
@@ -226,7 +226,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const own = emitter === undefined ? this.table : emitter;
     if (typeof own === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, own));
     const { simulator, overrides, frame } = this;
-    const release = (item: string) => this.carrier.release(item);
+    const release = (item: string) => this.itemMotion.release(item);
     const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
     return this.handles.add(new TableEmitter(context, object, own));
   }
@@ -254,8 +254,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   override attach(item: string | Object3D, object?: Object3D): SmokeHandle | this {
     if (typeof item === 'object' && object === undefined) return super.attach(item);
     this.requirePlaced();
-    const { riders, overrides, attached } = this;
-    return this.handles.add(new Attachment({ riders, overrides, attached }, item as string, object!));
+    const { parts, overrides, attached } = this;
+    return this.handles.add(new Attachment({ parts, overrides, attached }, item as string, object!));
   }
 
   /**
@@ -421,7 +421,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Takes over values that the simulator has. */
   private change(values: Values): void {
     const before = missingExtras(this.shown.style);
-    this.shown.follow(values);
+    this.shown.setValues(values);
     if (missingExtras(this.shown.style) !== before) this.completion.begin();
   }
 
@@ -480,8 +480,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     for (let taken = 0; taken < steps; ++taken) {
       const [from, to] = [taken / steps, (taken + 1) / steps];
       this.handles.move(from, to);
-      this.carrier.place((from + to) / 2);
-      this.riders.place(from, to);
+      this.itemMotion.place((from + to) / 2);
+      this.parts.place(from, to);
       this.simulator.step();
     }
   }
@@ -489,7 +489,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Reads the transform of this object. Reports errors once, until it is sound again. */
   private place(steps: number): void {
     try {
-      this.carrier.look(this, steps, this.simulator.steps === 0);
+      this.itemMotion.look(this, steps, this.simulator.steps === 0);
       this.isPlaced = true;
     } catch (error) {
       if (this.isPlaced) this.report(error);

@@ -5,7 +5,7 @@ import type { SmokeFrame } from './smokeSpace.ts';
 import { Handle } from './handle.ts';
 import type { CastOptions } from './options.ts';
 import { requireProxies } from './proxies.ts';
-import { worldPose } from './riders.ts';
+import { worldPose } from './objectParts.ts';
 import { meshesIn, newPose } from './shapes.ts';
 
 /** An object of the host's scene that casts shadow volumes. */

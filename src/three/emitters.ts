@@ -18,7 +18,7 @@ import type { Simulator } from '../simulator/simulator.ts';
 import { Handle, type SmokeHandle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
-import { worldPose, type Rider, type Riders } from './riders.ts';
+import { worldPose, type ObjectPart, type ObjectParts } from './objectParts.ts';
 import { newPose } from './shapes.ts';
 
 /** What `emitFrom` returns. */
@@ -43,15 +43,15 @@ const NO_NUMBERS = new Float64Array();
 /** The emitters of one smoke outside the parameter table. */
 export class EmitterPool {
   readonly simulator: Simulator;
-  readonly riders: Riders;
+  readonly parts: ObjectParts;
   /** Indices of the emitters of active handles. */
   readonly used = new Set<number>();
   private readonly isTaken: boolean[] = Array.from({ length: OBJECT_SLOTS }, () => false);
   private bursts = 0;
 
-  constructor(simulator: Simulator, riders: Riders) {
+  constructor(simulator: Simulator, parts: ObjectParts) {
     this.simulator = simulator;
-    this.riders = riders;
+    this.parts = parts;
   }
 
   /** Index of a free emitter for the simulator. @throws ParameterError when all are taken */
@@ -74,7 +74,7 @@ export class EmitterPool {
 
   /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
   burst(options: BurstOptions): void {
-    const numbers = burstNumbers(placedIn(options, this.riders.frame));
+    const numbers = burstNumbers(placedIn(options, this.parts.frame));
     const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
     this.simulator.setEmitter(index, numbers, options.count);
   }
@@ -89,14 +89,14 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   private own: Float64Array;
   /** The numbers of the table that it has. */
   private base: Float64Array | undefined;
-  private rider: Rider | undefined;
+  private part: ObjectPart | undefined;
 
   /** @param options or the table, whose emitter 0 it follows */
   constructor(pool: EmitterPool, object: Object3D, options: EmitterOptions | TableNumbers) {
     super('emitFrom', object);
     this.table = options instanceof TableNumbers ? options : undefined;
     this.own = options instanceof TableNumbers ? NOT_SET : emitterNumbers('emitFrom', options);
-    this.requireSound(pool.riders.frame.toSmoke(worldPose(object, pose)));
+    this.requireSound(pool.parts.frame.toSmoke(worldPose(object, pose)));
     this.pool = pool;
     this.index = pool.acquire();
   }
@@ -104,7 +104,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   set(values: EmitterOptions): void {
     this.requireUsable('set');
     this.own = emitterNumbers('emitFrom', values, this.own);
-    if (this.rider) this.write();
+    if (this.part) this.write();
   }
 
   burst(count: number): void {
@@ -114,23 +114,23 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   }
 
   protected start(): void {
-    const { riders } = this.pool;
-    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
-    this.rider = riders.add(pose);
+    const { parts } = this.pool;
+    this.requireSound(parts.frame.toSmoke(worldPose(this.object, pose)));
+    this.part = parts.add(pose);
     this.table?.overrides.reserve('emitters.0');
     this.write();
   }
 
   protected override follow(): void {
-    const { riders } = this.pool;
-    this.requireSound(riders.frame.toSmoke(worldPose(this.object, pose)));
-    riders.move(this.rider!, pose);
+    const { parts } = this.pool;
+    this.requireSound(parts.frame.toSmoke(worldPose(this.object, pose)));
+    parts.move(this.part!, pose);
     if (this.table && this.table.read() !== this.base) this.write();
   }
 
   protected stop(): void {
-    this.pool.riders.remove(this.rider!);
-    this.rider = undefined;
+    this.pool.parts.remove(this.part!);
+    this.part = undefined;
     this.pool.used.delete(this.index);
     this.pool.simulator.setEmitter(this.index, NO_NUMBERS);
   }
@@ -142,7 +142,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
   private write(): void {
     const base = (this.base = this.table?.read() ?? this.own);
     const numbers = this.own.map((number, index) => (Number.isNaN(number) ? base[index] : number));
-    numbers[RIGID] = this.rider!.number;
+    numbers[RIGID] = this.part!.number;
     this.pool.used.add(this.index);
     this.pool.simulator.setEmitter(this.index, numbers);
   }

@@ -6,7 +6,7 @@ import type { Simulator } from '../simulator/simulator.ts';
 import { errorOfOption, type CollideOptions } from './colliders.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
 import { Handle } from './handle.ts';
-import { worldPose } from './riders.ts';
+import { worldPose } from './objectParts.ts';
 import { meshesIn, newPose, partsOf, poseOf, shapeOf, type Pose } from './shapes.ts';
 
 /** Density of light things such as paper lanterns, kg/m3. */

@@ -6,7 +6,7 @@ import type { SimulatorFactory } from '../../src/simulator/load.ts';
 import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
 import { simulatorValues } from '../../src/simulator/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
-import { Carrier } from '../../src/three/carrier.ts';
+import { ItemMotion } from '../../src/three/itemMotion.ts';
 import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
 import type { EmitterOptions } from '../../src/simulator/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
@@ -14,7 +14,7 @@ import { SmokeFrame, type SmokeSpace } from '../../src/three/smokeSpace.ts';
 import { Handles, type Handle } from '../../src/three/handle.ts';
 import { Overrides } from '../../src/three/overrides.ts';
 import { PushedObject } from '../../src/three/pushed.ts';
-import { Riders } from '../../src/three/riders.ts';
+import { ObjectParts } from '../../src/three/objectParts.ts';
 
 /** Still air in which nothing dies, and no emitter of the table emits. */
 export const STILL: Values = {
@@ -34,10 +34,10 @@ export class HandledSmoke {
   readonly pool;
   isAlive = true;
   private readonly handles;
-  private readonly riders;
+  private readonly parts;
   private readonly overrides;
   private readonly frameOfSmoke;
-  private readonly carrier: Carrier;
+  private readonly itemMotion: ItemMotion;
   private readonly attached = new Set<string>();
   private values: Values;
 
@@ -47,11 +47,11 @@ export class HandledSmoke {
     this.simulator.set(simulatorValues(values));
     this.scene.add(this.object);
     this.frameOfSmoke = new SmokeFrame(space);
-    this.riders = new Riders(this.simulator, this.frameOfSmoke);
-    this.pool = new EmitterPool(this.simulator, this.riders);
-    this.overrides = new Overrides(this.simulator, (key) => this.carrier.numberOf(key));
-    const { simulator, riders, overrides, frameOfSmoke: frame } = this;
-    this.carrier = new Carrier({ simulator, riders, overrides, frame, values: () => this.values });
+    this.parts = new ObjectParts(this.simulator, this.frameOfSmoke);
+    this.pool = new EmitterPool(this.simulator, this.parts);
+    this.overrides = new Overrides(this.simulator, (key) => this.itemMotion.numberOf(key));
+    const { simulator, parts, overrides, frameOfSmoke: frame } = this;
+    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.values });
     const report = (error: unknown) => this.errors.push(error);
     this.handles = new Handles({ object: this.object, report, isAlive: () => this.isAlive });
   }
@@ -72,7 +72,7 @@ export class HandledSmoke {
     this.place();
     if (typeof options === 'object') return this.handles.add(new PooledEmitter(this.pool, object, options));
     const { simulator, overrides, frameOfSmoke: frame } = this;
-    const release = (item: string) => this.carrier.release(item);
+    const release = (item: string) => this.itemMotion.release(item);
     const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
     return this.handles.add(new TableEmitter(context, object, options));
   }
@@ -86,27 +86,27 @@ export class HandledSmoke {
 
   attach(item: string, object: Object3D) {
     this.place();
-    const { riders, overrides, attached } = this;
-    return this.handles.add(new Attachment({ riders, overrides, attached }, item, object));
+    const { parts, overrides, attached } = this;
+    return this.handles.add(new Attachment({ parts, overrides, attached }, item, object));
   }
 
   /** Reads the transform before the first step. */
   place(): void {
-    if (this.simulator.steps === 0) this.carrier.look(this.object, 1, true);
+    if (this.simulator.steps === 0) this.itemMotion.look(this.object, 1, true);
   }
 
   /** One frame of `count` steps. An invalid transform is an error of {@link errors}. */
   frame(count = 1): void {
     try {
-      this.carrier.look(this.object, count, this.simulator.steps === 0);
+      this.itemMotion.look(this.object, count, this.simulator.steps === 0);
     } catch (error) {
       this.errors.push(error);
     }
     this.handles.look();
     for (let step = 0; step < count; step++) {
       this.handles.move(step / count, (step + 1) / count);
-      this.carrier.place((step + 0.5) / count);
-      this.riders.place(step / count, (step + 1) / count);
+      this.itemMotion.place((step + 0.5) / count);
+      this.parts.place(step / count, (step + 1) / count);
       this.simulator.step();
     }
     this.handles.show(1);

@@ -23,7 +23,7 @@ export class LayerCamera {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
     this.style = studio.stage.get();
-    studio.stage.running.picture.smoke.retouch((input) =>
+    studio.stage.running.picture.smoke.overrideFrame((input) =>
       this.hasSmoke ? input : { ...input, simulator: withoutRows(input.simulator) },
     );
   }

@@ -23,7 +23,7 @@ export async function shootLoop(
   const lead = Math.floor(Math.min(JOIN_SECONDS * settings.rate, JOIN_SHARE * count));
   const stills: Still[] = [];
   let [frame, drawn]: [number, FrameInput | undefined] = [0, undefined];
-  stage.running.picture.smoke.retouch((input) => {
+  stage.running.picture.smoke.overrideFrame((input) => {
     const still = stills[frame - count];
     drawn = still ? joined(input, still, (frame - count + 1) / (lead + 1)) : input;
     return drawn;

@@ -132,7 +132,7 @@ export class Engine {
       // The stage goes on without what could not be fetched.
       if (!(error instanceof LoadError)) this.fail(error);
     });
-    this.rest();
+    this.scheduleDisposal();
   }
 
   /** Keeps everything while there is no smoke. */
@@ -168,7 +168,7 @@ export class Engine {
     clearTimeout(this.idle);
     const look = call.preset === undefined ? undefined : await this.lookFor(call.preset);
     const color = call.color === undefined ? undefined : hexOf(call.color, call.source.inside);
-    if (call.signal.aborted) return this.playing ? undefined : this.rest();
+    if (call.signal.aborted) return this.playing ? undefined : this.scheduleDisposal();
     if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
     await new Promise<void>((resolve, reject) => {
       this.waiting.push({ call, look, color, resolve, reject });
@@ -178,7 +178,7 @@ export class Engine {
 
   /** Removes all smoke. */
   clear(): void {
-    for (const each of this.takeAll()) each.resolve();
+    for (const each of this.removeAll()) each.resolve();
     if (this.playing) this.empty();
   }
 
@@ -187,7 +187,7 @@ export class Engine {
     this.hasEnded = true;
     clearTimeout(this.idle);
     this.playing?.abort();
-    for (const each of this.takeAll()) each.resolve();
+    for (const each of this.removeAll()) each.resolve();
     this.stage.dispose().catch(() => undefined);
     this.sheet.remove();
     this.onEnd();
@@ -196,11 +196,11 @@ export class Engine {
   private fail(error: unknown): void {
     if (this.hasEnded) return;
     const failure = asSmokeError(error);
-    for (const each of this.takeAll()) each.reject(failure);
+    for (const each of this.removeAll()) each.reject(failure);
     this.dispose();
   }
 
-  private takeAll(): Waiting[] {
+  private removeAll(): Waiting[] {
     for (const { stopFollowing } of this.running) for (const stop of stopFollowing) stop();
     return [...this.waiting.splice(0), ...this.starting.splice(0), ...this.running.splice(0)];
   }
@@ -218,7 +218,7 @@ export class Engine {
     try {
       return await lookOf(preset);
     } catch (error) {
-      if (!this.playing) this.rest();
+      if (!this.playing) this.scheduleDisposal();
       throw error;
     }
   }
@@ -239,7 +239,7 @@ export class Engine {
   private async startSome(): Promise<void> {
     if (this.playing && this.placement.isFar) this.restart();
     const isFirst = !this.playing;
-    const taken = this.takeWaiting();
+    const taken = this.dequeue();
     if (taken.length === 0) return delay(RETRY_MS);
     const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
     this.place(isFirst, taken, changes);
@@ -252,7 +252,7 @@ export class Engine {
     this.starting.splice(0).forEach((each, index) => this.run(each, numbers[index], time));
   }
 
-  private takeWaiting(): Waiting[] {
+  private dequeue(): Waiting[] {
     let free = MAX_EMISSIONS - this.running.reduce((sum, { emissions }) => sum + emissions.length, 0);
     const taken: Waiting[] = [];
     for (let [next] = this.waiting; next; [next] = this.waiting) {
@@ -283,7 +283,7 @@ export class Engine {
   }
 
   /** A target has entered the top layer. */
-  private rise(): void {
+  private moveToTop(): void {
     const host = this.hostOf(this.running);
     if (!host) return;
     this.move(false, host);
@@ -312,7 +312,7 @@ export class Engine {
     const box = this.placement.clipped(call.source.box()!);
     const place = this.placement.rectangleOf(box);
     if (flowsAround(call.effect) && box.width > 0)
-      Object.assign(changes, this.obstacles.take(call, place, this.placement.plane));
+      Object.assign(changes, this.obstacles.claim(call, place, this.placement.plane));
     const tint = this.tints.acquireTint(each.color, changes);
     return { ...each, place, tint, emissions: emissionsOf(call.effect, place, call) };
   }
@@ -333,14 +333,14 @@ export class Engine {
   private run(each: Starting, emission: number, start: number): void {
     const { call } = each;
     const stopFollowing = [this.scrolling.enter(call.source.inside)];
-    if (call.effect === 'trail') stopFollowing.push(this.follow(each, emission));
+    if (call.effect === 'trail') stopFollowing.push(this.moveWithSource(each, emission));
     const life = Math.max(...each.emissions.map(lifeOf));
     this.running.push({ ...each, end: start + life, stopFollowing });
     this.alarm?.wake();
     call.onBegin();
   }
 
-  private follow({ call, place }: Starting, emission: number): () => void {
+  private moveWithSource({ call, place }: Starting, emission: number): () => void {
     return follow(this.placement, call.source, place.middle, async (from, to) => {
       this.moveVisible();
       await this.stage.changeEmission(emission, alongLine(from, to));
@@ -354,7 +354,7 @@ export class Engine {
     addEventListener('keydown', ({ key }) => key === 'Escape' && this.clear(), { signal, capture: true });
     addEventListener('resize', () => this.moveVisible(), { signal });
     for (const type of ['toggle', 'fullscreenchange']) {
-      document.addEventListener(type, () => this.rise(), { signal, capture: true });
+      document.addEventListener(type, () => this.moveToTop(), { signal, capture: true });
     }
     this.watch(signal).catch((error) => this.fail(error));
   }
@@ -408,11 +408,11 @@ export class Engine {
     this.playing?.abort();
     this.playing = undefined;
     this.stage.pause().catch(() => undefined);
-    this.rest();
+    this.scheduleDisposal();
   }
 
   /** Ends the engine if it is not used. */
-  private rest(): void {
+  private scheduleDisposal(): void {
     clearTimeout(this.idle);
     if (!this.isKept) this.idle = setTimeout(() => this.dispose(), IDLE_MS);
   }

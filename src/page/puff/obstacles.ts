@@ -13,7 +13,7 @@ export class Obstacles {
   private next = 0;
 
   /** Values of an obstacle. @param owner frees it */
-  take(owner: object, place: PlaneRectangle, plane: ScenePlane): Values {
+  claim(owner: object, place: PlaneRectangle, plane: ScenePlane): Values {
     const free = this.taken.indexOf(undefined);
     const index = free >= 0 ? free : this.next++ % LIST_LIMIT;
     this.taken[index] = owner;

@@ -46,7 +46,7 @@ export async function pictures(preset: string): Promise<Detail> {
 export async function deviations(heights: readonly number[]): Promise<number[]> {
   const stage = await createStage(new OffscreenCanvas(16, 16), { values: SMALL });
   let latest = NaN;
-  stage.running.picture.smoke.retouch((input) => {
+  stage.running.picture.smoke.overrideFrame((input) => {
     latest = input.deviation!;
     return input;
   });

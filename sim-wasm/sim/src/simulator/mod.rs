@@ -214,7 +214,7 @@ impl Simulator {
         self.steps += 1;
         hold::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
         self.parts.end();
-        self.follow_log();
+        self.apply_due_inputs();
         ended(StepPart::Rest);
     }
 

@@ -43,7 +43,7 @@ export class OnPage {
 
   /** Resolves when the page's elements are first in the smoke. */
   async begin(): Promise<void> {
-    await this.holdView();
+    await this.stopAutomaticCamera();
     this.measure();
     await this.hasBegun.promise;
   }
@@ -82,7 +82,7 @@ export class OnPage {
    * Stops an automatic camera, whose motion would separate the smoke from the page's elements. The user can still orbit
    * the view.
    */
-  private async holdView(): Promise<void> {
+  private async stopAutomaticCamera(): Promise<void> {
     await this.stage.orbit(0, 0);
     await this.stage.zoom(1);
     await this.stage.pan(0, 0);

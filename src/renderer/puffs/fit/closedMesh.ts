@@ -26,7 +26,7 @@ const MIN_TRIANGLES = 4;
 /** @throws ShapeError with the fault of the mesh and what is accepted */
 export function closedMesh(mesh: PlainMesh): ClosedMesh {
   if (typeof (mesh as PlainMesh | undefined)?.positions?.length !== 'number')
-    throw new ShapeError('This is no mesh: it needs an array of positions, x, y, z per vertex.');
+    throw new ShapeError('This is not a mesh: it needs an array of positions, x, y, z per vertex.');
   const { positions, indices } = mesh;
   const corners = indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   requireNumbers(positions, corners);

@@ -60,7 +60,7 @@ describe('obstacles', () => {
   it('go with their owner, and the oldest makes way for the ninth', () => {
     const obstacles = new Obstacles();
     const owners = Array.from({ length: 9 }, () => ({}));
-    const take = (owner: object) => Object.keys(obstacles.take(owner, PLACE, PLANE))[0];
+    const take = (owner: object) => Object.keys(obstacles.claim(owner, PLACE, PLANE))[0];
     const keys = owners.map(take);
     expect(keys[8]).toBe(keys[0]);
     expect(obstacles.release(owners[0])).toEqual({});

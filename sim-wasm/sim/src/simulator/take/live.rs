@@ -31,7 +31,7 @@ impl Simulator {
         trial.set_all(entries)?;
         for (key, value) in entries {
             let key = self.recorder.log.number_of(key);
-            self.give(Input::Set { key, value: *value })?;
+            self.apply_input(Input::Set { key, value: *value })?;
         }
         Ok(())
     }
@@ -39,7 +39,7 @@ impl Simulator {
     /// Sets the maximum number of particles. See [`Simulator::resize`].
     pub fn input_capacity(&mut self, capacity: u32) -> Result<(), ParameterError> {
         check_capacity(capacity)?;
-        self.give(Input::Resize { capacity })
+        self.apply_input(Input::Resize { capacity })
     }
 
     /// Sends a kinematic rigid to a pose, or teleports a dynamic one. `numbers`: x, y, z (m, rounded to millimetres)
@@ -50,7 +50,7 @@ impl Simulator {
         // An index too large for the log belongs to no rigid and is an error here.
         self.rigids.check_movable(rigid)?;
         let rigid = rigid as u16;
-        self.give(Input::Move { rigid, pose })
+        self.apply_input(Input::Move { rigid, pose })
     }
 
     /// Drags a point of a rigid by a spring. `numbers`: the point x, y, z in the rigid's space (m), the target x, y, z
@@ -60,7 +60,7 @@ impl Simulator {
         let grip = crate::layout::quantised::Grip::new(numbers)?;
         self.rigids.check_exists(rigid)?;
         let rigid = rigid as u16;
-        self.give(Input::Drag { rigid, grip })
+        self.apply_input(Input::Drag { rigid, grip })
     }
 
     /// Ends the drag of a rigid.
@@ -68,22 +68,22 @@ impl Simulator {
     pub fn input_release(&mut self, rigid: u32) -> Result<(), ParameterError> {
         self.rigids.check_exists(rigid)?;
         let rigid = rigid as u16;
-        self.give(Input::Release { rigid })
+        self.apply_input(Input::Release { rigid })
     }
 
     /// Sets channel 0..=7 to a value in -1..=1.
     pub fn input_steer(&mut self, channel: u32, value: f64) -> Result<(), ParameterError> {
-        self.give(Input::steer(channel, value)?)
+        self.apply_input(Input::steer(channel, value)?)
     }
 
     /// Starts a gust.
     pub fn input_blow(&mut self, numbers: &BlowNumbers) -> Result<(), ParameterError> {
-        self.give(Input::Blow(Blow::new(numbers)?))
+        self.apply_input(Input::Blow(Blow::new(numbers)?))
     }
 
     /// Removes all particles, and the births that wait. Emitters keep the fractions that they owe.
     pub fn input_clear(&mut self) -> Result<(), ParameterError> {
-        self.give(Input::Clear)
+        self.apply_input(Input::Clear)
     }
 
     /// Starts an emission, or changes one. Returns its number; none if all slots are taken, or if the one to change is over.
@@ -93,7 +93,7 @@ impl Simulator {
             return Ok(None);
         };
         let number = emission.number();
-        self.give(Input::Emit(Box::new(emission)))?;
+        self.apply_input(Input::Emit(Box::new(emission)))?;
         Ok(Some(number))
     }
 
@@ -117,7 +117,7 @@ impl Simulator {
         self.recorder.end
     }
 
-    fn give(&mut self, input: Input) -> Result<(), ParameterError> {
+    fn apply_input(&mut self, input: Input) -> Result<(), ParameterError> {
         self.with_log(|simulator, recorder| {
             simulator.perform(&input, &recorder.log)?;
             if recorder.is_on() {
@@ -131,7 +131,7 @@ impl Simulator {
     }
 
     /// Applies the inputs of the log that are due.
-    pub(crate) fn follow_log(&mut self) {
+    pub(crate) fn apply_due_inputs(&mut self) {
         self.recorder.end = self.recorder.end.max(self.steps);
         if self
             .recorder

@@ -32,7 +32,7 @@ impl Simulator {
         self.active_inputs.done = 0;
         // The simulator's own state: a parsed fresh take has none.
         self.recorder = Recorder::new(origin_of(self), log, end);
-        self.follow_log();
+        self.apply_due_inputs();
         Ok(())
     }
 
@@ -50,7 +50,7 @@ impl Simulator {
             self.active_inputs.done = done.min(recorder.log.len() as u32);
         }
         self.recorder = recorder;
-        self.follow_log();
+        self.apply_due_inputs();
         result
     }
 

@@ -6,17 +6,17 @@ import { simulatorValues } from '../simulator/simulatorValues.ts';
 import { AXES } from '../simulator/emitterOptions.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
 import type { Overrides } from './overrides.ts';
-import type { Rider, Riders } from './riders.ts';
+import type { ObjectPart, ObjectParts } from './objectParts.ts';
 import { newPose } from './shapes.ts';
 
 /** `WORLD` in Rust: the item rides on nothing. */
 const NOWHERE = -1;
 const WIND = 'forces.wind';
 
-/** What a carrier needs of its smoke. */
-export interface CarrierContext {
+/** What item motion needs of its smoke. */
+export interface ItemMotionContext {
   readonly simulator: Simulator;
-  readonly riders: Riders;
+  readonly parts: ObjectParts;
   readonly overrides: Overrides;
   readonly frame: SmokeFrame;
   /** Current values of the parameter table. */
@@ -27,15 +27,15 @@ export interface CarrierContext {
  * Moves the items of the parameter table with the object of world-space smoke, and keeps the wind of local smoke in its
  * direction of the world. Does nothing while the object has no transform.
  */
-export class Carrier {
-  private readonly context: CarrierContext;
+export class ItemMotion {
+  private readonly context: ItemMotionContext;
   /** The smoke object, which the items ride on. */
-  private rider: Rider | undefined;
+  private part: ObjectPart | undefined;
   /** Items with places of their own. */
   private readonly free = new Set<string>();
   private isWindRotated = false;
 
-  constructor(context: CarrierContext) {
+  constructor(context: ItemMotionContext) {
     this.context = context;
   }
 
@@ -52,11 +52,11 @@ export class Carrier {
 
   /** Sets what the transform changes. Values may have changed, too. */
   private carry(isFirst: boolean): void {
-    const { simulator, riders, overrides, frame, values } = this.context;
+    const { simulator, parts, overrides, frame, values } = this.context;
     // Until it moved, the object was at the origin.
-    this.rider ??= riders.add(newPose());
-    riders.move(this.rider, frame.object);
-    if (isFirst) riders.move(this.rider, frame.object);
+    this.part ??= parts.add(newPose());
+    parts.move(this.part, frame.object);
+    if (isFirst) parts.move(this.part, frame.object);
     const items = new Set(Object.keys(values()).flatMap((key) => /^\w+\.\d+(?=\.)/.exec(key) ?? []));
     const numbers: Record<string, number> = {};
     for (const item of items) {
@@ -87,8 +87,8 @@ export class Carrier {
     const number = simulatorValues({ [key]: (this.context.values() as AnyValues)[key] ?? findParameter(key)!.default })[
       key
     ];
-    const isCarried = this.rider && key.endsWith('.rigid') && !this.free.has(key.slice(0, -'.rigid'.length));
-    return isCarried && number === NOWHERE ? this.rider!.number : number;
+    const isCarried = this.part && key.endsWith('.rigid') && !this.free.has(key.slice(0, -'.rigid'.length));
+    return isCarried && number === NOWHERE ? this.part!.number : number;
   }
 
   /** Numbers of an obstacle, which cannot ride. */
