@@ -208,8 +208,8 @@ export const correct: typeof situations = {
 export async function written(build: 'development' | 'production', names: readonly string[]) {
   const ending = build === 'development' ? '.development.ts' : '.ts';
   const index = (await import(/* @vite-ignore */ `/src/index${ending}`)) as typeof Index;
-  const fiber = (await import(/* @vite-ignore */ `/src/three/fiber${ending}`)) as typeof Fiber;
-  const { puff } = (await import(/* @vite-ignore */ `/src/page/puff${ending}`)) as { puff: Puff };
+  const fiber = (await import(/* @vite-ignore */ `/src/fiber${ending}`)) as typeof Fiber;
+  const { puff } = (await import(/* @vite-ignore */ `/src/puff${ending}`)) as { puff: Puff };
   const renderer = makeRenderer({}, [8, 8]);
   const lines: Record<string, string[]> = {};
   const { warn } = console;
