@@ -2,24 +2,14 @@ import type { Device } from './gpu/device.ts';
 import { FrameView } from './gpu/frameView.ts';
 import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
 import { RampTexture, type Color } from './gpu/ramps.ts';
-import { ONE_QUAD, TWO_QUADS } from './gpu/drawnRows.ts';
-import { CasterRows, PuffRows } from './gpu/puffRows.ts';
-import { BackdropPass } from './passes/backdrop.ts';
-import { BodiesPass } from './passes/bodies.ts';
-import { MaskPass } from './passes/mask.ts';
-import { ResolvePass } from './passes/resolve.ts';
-import { SurfaceDepthPass } from './passes/surfaceDepth.ts';
-import { Targets } from './passes/targets.ts';
-import { VolumesPass } from './passes/volumes.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
 import type { FrameInput } from './frameInput.ts';
 import { bandsOf } from './bands.ts';
 import { plainColorOf, rampOf, smokeColorOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
-import { createShadowEnds } from './shadowEnds.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
-import type { SmokePasses } from './smokePasses.ts';
+import { SmokePasses } from './smokePasses.ts';
 import { TINTS } from '../base/constants.ts';
 
 export interface SmokeOptions {
@@ -72,28 +62,17 @@ export class SmokeRenderer {
     this.puffs = new PuffTextures(device.puffs, puffs);
     this.ramps = new RampTexture(FIRST_SURFACE_RAMP + this.surfaces.length);
     const eye = new FrameView(styleUniforms());
-    const isFlat = !device.writesDepth;
-    const bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
-    const casters = new CasterRows(capacity, ONE_QUAD);
-    this.passes = {
-      renderer: device.renderer,
+    this.passes = new SmokePasses({
+      device,
       eye,
-      targets: new Targets(),
-      bodies,
-      casters,
-      findShadowEnds: createShadowEnds(capacity),
-      backdrop: new BackdropPass(eye),
+      puffs: this.puffs,
+      ramps: this.ramps,
+      capacity,
       scene: surfaces?.make(eye, this.ramps, FIRST_SURFACE_RAMP),
-      surfaceDepth: new SurfaceDepthPass(this.surfaces.length > 0),
-      body: new BodiesPass(eye, this.puffs, this.ramps, isFlat),
-      volumes: new VolumesPass(eye, this.puffs, isFlat),
-      isFlat,
-      mask: new MaskPass(),
-      resolve: new ResolvePass(eye),
-      extras: new ExtraPasses({ eye, puffs: this.puffs, ramps: this.ramps }),
+      hasSurfaces: this.surfaces.length > 0,
       hasBackdrop: backdrop !== undefined,
-      extentsOf: (form) => this.puffs.of(form),
-    };
+      extras: new ExtraPasses({ eye, puffs: this.puffs, ramps: this.ramps }),
+    });
     // Released on the loss, not on the restoration: three.js would delete resources of the lost context in the restored
     // one.
     this.stopListening = device.onContext((event) => (event === 'lost' ? this.release() : undefined));
@@ -134,11 +113,7 @@ export class SmokeRenderer {
 
   /** Frees all buffers, textures and programs. They are created again when they are next drawn. */
   private release(): void {
-    const { passes } = this;
-    for (const part of [passes.targets, passes.bodies, passes.casters, passes.backdrop]) part.dispose();
-    for (const part of [passes.body, passes.volumes, passes.mask, passes.resolve]) part.dispose();
-    passes.scene?.dispose();
-    passes.extras.dispose();
+    this.passes.release();
     this.ramps.dispose();
   }
 

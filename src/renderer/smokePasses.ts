@@ -2,30 +2,47 @@ import type { WebGLRenderer } from 'three';
 import type { PuffExtents } from './gpu/formTextures.ts';
 import type { FrameView } from './gpu/frameView.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
-import type { PuffForm } from './gpu/puffTextures.ts';
-import type { CasterRows, PuffRows } from './gpu/puffRows.ts';
-import type { BackdropPass } from './passes/backdrop.ts';
-import type { BodiesPass } from './passes/bodies.ts';
-import type { MaskPass } from './passes/mask.ts';
+import type { PuffForm, PuffTextures } from './gpu/puffTextures.ts';
+import type { RampTexture } from './gpu/ramps.ts';
+import type { Device } from './gpu/device.ts';
+import { ONE_QUAD, TWO_QUADS } from './gpu/drawnRows.ts';
+import { CasterRows, PuffRows } from './gpu/puffRows.ts';
+import { BackdropPass } from './passes/backdrop.ts';
+import { BodiesPass } from './passes/bodies.ts';
+import { MaskPass } from './passes/mask.ts';
 import type { CountedVolumesPass } from './passes/countedVolumes.ts';
 import type { SimplifyPass } from './passes/simplify/simplify.ts';
 import type { SellePass } from './passes/selle.ts';
 import type { StrokesPass } from './passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from './passes/tiledVolumes/tiledVolumes.ts';
-import type { ResolvePass } from './passes/resolve.ts';
-import type { SurfaceDepth, SurfaceDepthPass } from './passes/surfaceDepth.ts';
-import type { Targets } from './passes/targets.ts';
-import type { VolumesPass } from './passes/volumes.ts';
+import { ResolvePass } from './passes/resolve.ts';
+import { SurfaceDepthPass, type SurfaceDepth } from './passes/surfaceDepth.ts';
+import { Targets } from './passes/targets.ts';
+import { VolumesPass } from './passes/volumes.ts';
 import type { CoverageGrid } from '../simulator/view.ts';
 import type { FrameInput } from './frameInput.ts';
 import type { SceneSurfaces } from './sceneSurfaces.ts';
-import type { FindEnds } from './shadowEnds.ts';
+import { createShadowEnds, type FindEnds } from './shadowEnds.ts';
+
+interface Sources {
+  readonly device: Device;
+  readonly eye: FrameView;
+  readonly puffs: PuffTextures;
+  readonly ramps: RampTexture;
+  /** Maximum number of particles. */
+  readonly capacity: number;
+  /** Undefined without surfaces. */
+  readonly scene: SceneSurfaces | undefined;
+  readonly hasSurfaces: boolean;
+  readonly hasBackdrop: boolean;
+  readonly extras: FrameExtras;
+}
 
 /** Everything that a frame draws with, created once for a smoke. */
-export interface SmokePasses {
+export class SmokePasses {
   readonly renderer: WebGLRenderer;
   readonly eye: FrameView;
-  readonly targets: Targets;
+  readonly targets = new Targets();
   readonly bodies: PuffRows;
   readonly casters: CasterRows;
   readonly findShadowEnds: FindEnds;
@@ -37,13 +54,43 @@ export interface SmokePasses {
   readonly volumes: VolumesPass;
   /** Whether puffs are drawn as discs, for GPUs that do not keep the depth that fragments write. */
   readonly isFlat: boolean;
-  readonly mask: MaskPass;
+  readonly mask = new MaskPass();
   readonly resolve: ResolvePass;
   /** The modules that the input of a frame needs must be loaded. */
   readonly extras: FrameExtras;
   readonly hasBackdrop: boolean;
+  private readonly puffs: PuffTextures;
+
+  constructor({ device, eye, puffs, ramps, capacity, scene, hasSurfaces, hasBackdrop, extras }: Sources) {
+    const isFlat = !device.writesDepth;
+    this.renderer = device.renderer;
+    this.eye = eye;
+    this.puffs = puffs;
+    this.isFlat = isFlat;
+    this.bodies = new PuffRows(capacity, isFlat ? TWO_QUADS : ONE_QUAD);
+    this.casters = new CasterRows(capacity, ONE_QUAD);
+    this.findShadowEnds = createShadowEnds(capacity);
+    this.backdrop = new BackdropPass(eye);
+    this.scene = scene;
+    this.surfaceDepth = new SurfaceDepthPass(hasSurfaces);
+    this.body = new BodiesPass(eye, puffs, ramps, isFlat);
+    this.volumes = new VolumesPass(eye, puffs, isFlat);
+    this.resolve = new ResolvePass(eye);
+    this.extras = extras;
+    this.hasBackdrop = hasBackdrop;
+  }
+
   /** Bounds of the puffs of a form and of their shadows. */
-  extentsOf(form: PuffForm): PuffExtents;
+  extentsOf(form: PuffForm): PuffExtents {
+    return this.puffs.of(form);
+  }
+
+  /** Frees all buffers, textures and programs. They are created again when they are next drawn. */
+  release(): void {
+    const { targets, bodies, casters, backdrop, scene, body, volumes, mask, resolve, extras } = this;
+    for (const part of [targets, bodies, casters, backdrop, scene, body, volumes, mask, resolve, extras])
+      part?.dispose();
+  }
 }
 
 /** A frame before its first draw call: the rows that it draws. */

@@ -61,7 +61,8 @@ function compare(lab: Lab, line: readonly number[], report: LawReport): void {
   lab.draw(scene);
   const found = volumeOf(lab, puff);
 
-  const { eye, volumes, ...passes } = lab['smoke'].passes;
+  const { passes } = lab['smoke'];
+  const { eye, volumes } = passes;
   const extents = passes.extentsOf('lobes');
   const { lightInWorld, receiversMin, receiversMax } = eye.uniforms;
   const place = new Vector3(x, y, z);
