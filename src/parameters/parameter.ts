@@ -5,7 +5,7 @@
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
-import type { ItemValues, SingleValues } from './valueTypes.ts';
+import type { ItemValues, SingleValues, PresetName } from './valueTypes.ts';
 
 /** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve or ramp. */
 export type Value = number | string;
@@ -101,3 +101,10 @@ export function accepted(parameter: Parameter): string {
 
 /** A row with the literal type of its key and its reader. */
 export type Keyed<Row, Key extends string, By extends Reader> = Row & { readonly key: Key; readonly reader: By };
+
+/** A named preset. Its label and text are in `words/presets.ts`. */
+export interface Preset {
+  /** Name in links: the scene's name, followed by a dash and the look if it is not the scene's first preset. */
+  readonly name: PresetName;
+  readonly values: Values;
+}

@@ -6,12 +6,11 @@ import { cloudscapePresets } from './byScene/cloudscape.ts';
 import { dustPresets } from './byScene/dust.ts';
 import { geniePresets } from './byScene/genie.ts';
 import { lampPresets } from './byScene/lamp.ts';
-import type { Preset } from './byScene/preset.ts';
+import type { Preset, Values } from './parameter.ts';
 import { rocketPresets } from './byScene/rocket.ts';
 import { trainPresets } from './byScene/train.ts';
 import { wispPresets } from './byScene/wisp.ts';
 import { ParameterError } from '../base/errors.ts';
-import type { Values } from './parameter.ts';
 import { presetValues as valuesOf } from './values.ts';
 import type { PresetName } from './valueTypes.ts';
 

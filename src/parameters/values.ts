@@ -1,9 +1,8 @@
 /** Values of the parameter table: defaults, validation, parsing and formatting. */
 import { readCurve } from './curve.ts';
 import { ParameterError } from '../base/errors.ts';
-import type { Preset } from './byScene/preset.ts';
-import { notice, type Notice } from './notice.ts';
 import {
+  type Preset,
   accepted,
   type NumberParameter,
   type Parameter,
@@ -11,6 +10,7 @@ import {
   type Value,
   type Values,
 } from './parameter.ts';
+import { notice, type Notice } from './notice.ts';
 import { readRamp } from './ramp.ts';
 import { findParameter, table } from './table.ts';
 

@@ -1,5 +1,5 @@
 import { Device } from '../renderer/gpu/device.ts';
-import { pictureTarget } from '../renderer/gpu/pictureTarget.ts';
+import { pictureTarget } from '../renderer/passes/targets.ts';
 import { InsertPass } from '../renderer/passes/insert.ts';
 import type { SmokeRenderer } from '../renderer/smoke.ts';
 import { HostCasters } from './casters.ts';

@@ -8,7 +8,7 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import { isBlended, materialsOf } from './materials.ts';
+import { isBlended, materialsOf } from './shapes.ts';
 import { withoutBackground } from './rendererState.ts';
 
 /**

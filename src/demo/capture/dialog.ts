@@ -1,6 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { create, textButton } from '../ui/dom.ts';
-import { download } from '../ui/download.ts';
+import { download } from '../ui/output.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 import { SettingsForm } from './settingsForm.ts';

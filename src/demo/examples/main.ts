@@ -1,5 +1,5 @@
 /** The page with the examples. */
-import { copyText } from '../share/copyText.ts';
+import { copyText } from '../ui/output.ts';
 import { create } from '../ui/dom.ts';
 import { Card } from './card.ts';
 import { examples } from './examples.ts';

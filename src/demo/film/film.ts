@@ -11,9 +11,8 @@ import { cameraAt } from './cameraPath.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
 import { encodeDepth, encodeExr } from './exr.ts';
-import { messages } from './messages.ts';
+import { messages, type Receiver } from './receiver.ts';
 import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder } from './order.ts';
-import type { Receiver } from './receiver.ts';
 
 /** Renders the frames that the receiver asks for, in ascending order. */
 export async function film(order: FilmOrder, receiver: Receiver): Promise<void> {

@@ -1,4 +1,3 @@
-import { messages } from './messages.ts';
 import type { Beginning, DrawnFrame, FilmOrder, FlipbookOrder } from './order.ts';
 
 /** The command that opened the page, over HTTP; scripts/film/server.mjs answers. */
@@ -61,3 +60,11 @@ async function request(method: string, path: string, body?: BodyInit, headers?: 
   if (!response.ok) throw new Error(messages.failed(`${method} ${path}`, response.status));
   return response;
 }
+
+/** Errors of the film page. They are not in strings.ts, which every visitor of the demo downloads. */
+export const messages = {
+  badLink: (problems: readonly string[]) => `The link has mistakes: ${problems.join(' ')}`,
+  otherState: (saved: string, found: string) =>
+    `A saved state has the hash ${saved}, but ${found} after it was read: delete the folder of the states.`,
+  failed: (what: string, status: number) => `${what}: the command answered ${status}.`,
+};

@@ -1,4 +1,4 @@
-import type { Values } from '../../preset.ts';
+import { type Values, findParameter } from '../../preset.ts';
 import { DIRECTIONS, type Direction } from '../input/directions.ts';
 import { create } from '../ui/dom.ts';
 import type { Changes, Editor } from '../editor/editor.ts';
@@ -99,4 +99,13 @@ export class GizmoHandle {
   private apply(from: Values, way: Direction): void {
     this.editor.changeAll(this.gizmo.move(from, way), `gizmo ${this.gizmo.key}`);
   }
+}
+
+/** Rounds a value and clamps it to the parameter's range. Values from pixel positions need only a few decimals. */
+export function clampTo(key: string, value: number, decimals: number): number {
+  const row = findParameter(key);
+  if (row?.kind !== 'number') return value;
+  const rounded = Number(value.toFixed(decimals));
+  // Adding 0 converts -0 to 0, as a link does.
+  return Math.min(Math.max(rounded, row.min), row.max) + 0;
 }

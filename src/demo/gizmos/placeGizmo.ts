@@ -1,10 +1,9 @@
 import type { Stage } from '../../index.ts';
 import { itemLabel } from '../../internal.ts';
 import { findParameter, type AnyValues, type Values } from '../../preset.ts';
-import { clampTo } from './clampTo.ts';
+import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';
-import type { Gizmo } from './gizmo.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 type List = 'emitters' | 'vortices';

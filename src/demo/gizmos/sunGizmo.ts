@@ -1,8 +1,7 @@
 import { findParameter, type Values } from '../../preset.ts';
-import { clampTo } from './clampTo.ts';
+import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';
-import type { Gizmo } from './gizmo.ts';
 import { strings } from '../strings.ts';
 
 /** The sky over the overlay, as fractions of its size: half width, horizon, height and the sag of its arcs. */

@@ -1,9 +1,8 @@
 import type { Stage } from '../../index.ts';
 import type { Values } from '../../preset.ts';
-import { clampTo } from './clampTo.ts';
+import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
 import type { Direction } from '../input/directions.ts';
-import type { Gizmo } from './gizmo.ts';
 import { strings } from '../strings.ts';
 
 type Vector = readonly [x: number, y: number, z: number];

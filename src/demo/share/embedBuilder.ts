@@ -4,8 +4,7 @@ import { strings as page } from '../strings.ts';
 // oxlint-disable-next-line import/no-unassigned-import -- its rules arrive with this module
 import '../styles/embed.css';
 import { create, textButton } from '../ui/dom.ts';
-import { download } from '../ui/download.ts';
-import { copyText } from './copyText.ts';
+import { download, copyText } from '../ui/output.ts';
 import { elementCode, FRAME, frameCode, heightOf, POSTER, type ElementScript, type EmbedOptions } from './embed.ts';
 import { strings } from './embedStrings.ts';
 import { puffCall } from './puffCall.ts';

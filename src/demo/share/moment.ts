@@ -2,9 +2,8 @@
 import type { Stage, Take } from '../../index.ts';
 import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
 import { encode, type Decoded, type State, type Values } from '../../preset.ts';
-import { enterScene } from '../editor/entering.ts';
+import { enterScene, windForward } from '../ui/progress.ts';
 import type { Notices } from '../ui/notices.ts';
-import { windForward } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 
 /** Limit in simulated seconds. Replaying an hour of the lamp takes about a minute. */

@@ -8,7 +8,7 @@ import { icon } from '../ui/icons.ts';
 import { linkToMoment } from './moment.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
 import { strings } from '../strings.ts';
-import { copyText } from './copyText.ts';
+import { copyText } from '../ui/output.ts';
 import type { EmbedBuilder } from './embedBuilder.ts';
 import type { Bitmap2D } from 'lean-qr';
 

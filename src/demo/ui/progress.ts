@@ -1,3 +1,4 @@
+import type { Values } from '../../preset.ts';
 import type { LoadProgress, Stage } from '../../index.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
@@ -106,4 +107,13 @@ export function showSlowProgress(scrubber: Scrubber, container: HTMLElement): vo
     }
     progress.show(seek.share);
   });
+}
+
+/**
+ * Enters the scene of these values, and shows progress over the previous scene if loading is slow.
+ * @throws the errors of `Stage.enter`
+ */
+export function enterScene(stage: Stage, values: Values, container: HTMLElement): Promise<void> {
+  const { loading } = strings.scenes[String(values.scene)];
+  return withProgress(loading, container, (onProgress) => stage.enter(values, { onProgress }));
 }

@@ -3,7 +3,7 @@ import type { PresetName } from '../../parameters/valueTypes.ts';
 import type { Fault } from '../../renderer/gpu/faults.ts';
 import { runOnSelf } from '../../base/onSelf.ts';
 import { asSmokeError } from '../asSmokeError.ts';
-import { Deferred } from './deferred.ts';
+import { Deferred, ignoreRejection } from './deferred.ts';
 import type { RemoteStage } from '../../stage/remote/contract.ts';
 import type { SmokeEvents } from './events.ts';
 import { HANDED_ON, type StageMethods } from './methods.ts';
@@ -12,7 +12,6 @@ import { whenNear } from '../visibility.ts';
 import { fetchAhead } from './parts.ts';
 import { fetched } from '../../base/timeout.ts';
 import { defineProperties, FLAGS, upgradeProperties, TEXTS } from './attributes/properties.ts';
-import { ignoreRejection } from './ignoreRejection.ts';
 import type { Session } from './session.ts';
 import { isInert, Shell } from './shell/shell.ts';
 

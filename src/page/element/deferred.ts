@@ -1,5 +1,3 @@
-import { ignoreRejection } from './ignoreRejection.ts';
-
 /** A promise that is settled from outside. A rejection that nobody awaits is not reported as unhandled. */
 export class Deferred<Value> {
   resolve!: (value: Value) => void;
@@ -12,4 +10,12 @@ export class Deferred<Value> {
   constructor() {
     ignoreRejection(this.promise);
   }
+}
+
+/**
+ * Marks a rejection as handled, for work whose failure is reported elsewhere (by the stage's `error` event) or follows
+ * from disposal. The library does not write to the page's console.
+ */
+export function ignoreRejection(work: Promise<unknown>): void {
+  work.catch(() => undefined);
 }

@@ -4,8 +4,8 @@
  */
 import { LazyModules } from '../../base/timeout.ts';
 import { fetchPreset, FIRST_PRESET } from '../../parameters/byScene/fetchPreset.ts';
-import type { Preset } from '../../parameters/byScene/preset.ts';
-import { ignoreRejection } from './ignoreRejection.ts';
+import type { Preset } from '../../parameters/parameter.ts';
+import { ignoreRejection } from './deferred.ts';
 
 const modules = new LazyModules({
   /** With `src` or `start`. */

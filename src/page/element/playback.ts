@@ -1,5 +1,5 @@
 import type { RemoteStage } from '../../stage/remote/contract.ts';
-import { ignoreRejection } from './ignoreRejection.ts';
+import { ignoreRejection } from './deferred.ts';
 
 /** Whether the user's system requests reduced motion. */
 export const calm = (): MediaQueryList => matchMedia('(prefers-reduced-motion: reduce)');

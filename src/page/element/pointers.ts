@@ -1,7 +1,7 @@
 import { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from '../gestures.ts';
 import { zoomOf } from '../zoom.ts';
 import type { RemoteStage } from '../../stage/remote/contract.ts';
-import { ignoreRejection } from './ignoreRejection.ts';
+import { ignoreRejection } from './deferred.ts';
 import type { Shell } from './shell/shell.ts';
 
 const ZOOM_PER_PIXEL = 0.01;

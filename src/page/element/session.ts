@@ -14,7 +14,7 @@ import { part } from './parts.ts';
 import { calm, Playback } from './playback.ts';
 import { FLAGS, LABELS, OF_PAGE } from './attributes/properties.ts';
 import type { PointerControls } from './pointers.ts';
-import { ignoreRejection } from './ignoreRejection.ts';
+import { ignoreRejection } from './deferred.ts';
 import type { Shell } from './shell/shell.ts';
 import { parseAttributes, type ParsedAttributes } from './attributes/parsedAttributes.ts';
 

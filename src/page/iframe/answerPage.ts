@@ -2,10 +2,9 @@ import type { CartoonSmokeElement } from '../element/cartoonSmokeElement.ts';
 import { HANDED_ON } from '../element/methods.ts';
 import { SimulatorError } from '../../base/errors.ts';
 import type { RemoteStage } from '../../stage/remote/contract.ts';
-import { isHandshake, handshake } from '../../stage/remote/handshake.ts';
+import { isHandshake, handshake, OPENING } from '../../stage/remote/protocol.ts';
 import { makeMethods } from '../../stage/remote/methods.ts';
 import { packError } from '../../stage/remote/packedErrors.ts';
-import { OPENING } from '../../stage/remote/protocol.ts';
 import { serveStage } from '../../stage/remote/serveStage.ts';
 
 /** Connections after this many get no answer. */

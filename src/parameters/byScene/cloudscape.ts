@@ -1,5 +1,4 @@
-import type { Values } from '../parameter.ts';
-import type { Preset } from './preset.ts';
+import type { Values, Preset } from '../parameter.ts';
 
 /** Values shared by all presets of this scene. */
 const smoke: Values = {

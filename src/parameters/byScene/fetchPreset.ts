@@ -1,6 +1,6 @@
 /** Loads the presets of one scene on demand. */
 import { fetched } from '../../base/timeout.ts';
-import type { Preset } from './preset.ts';
+import type { Preset } from '../parameter.ts';
 
 const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
   lamp: async () => (await import('./lamp.ts')).lampPresets,

@@ -1,5 +1,4 @@
-import type { Values } from '../parameter.ts';
-import type { Preset } from './preset.ts';
+import type { Values, Preset } from '../parameter.ts';
 
 /**
  * The vortex that curls the smoke above the lamp's spout, and puffs that turn in it. All presets of the scene use them and

@@ -9,9 +9,8 @@ import { EDGE_TILE } from '../../base/constants.ts';
 import type { FrameView } from '../gpu/frameView.ts';
 import { DrawnPoints } from '../gpu/drawnPoints.ts';
 import { FullScreen } from '../gpu/fullScreen.ts';
-import { pictureTarget } from '../gpu/pictureTarget.ts';
+import { pictureTarget, type Targets } from './targets.ts';
 import type { Shaders } from '../gpu/programsAhead.ts';
-import type { Targets } from './targets.ts';
 
 /** The colours to resolve, and their size in pixels. */
 export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;

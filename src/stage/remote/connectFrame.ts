@@ -1,6 +1,6 @@
 import { ParameterError, requireOptions, SimulatorError } from '../../base/errors.ts';
 import type { RemoteStage } from './contract.ts';
-import { isHandshake, handshake } from './handshake.ts';
+import { isHandshake, handshake } from './protocol.ts';
 import { PortStage } from './portStage.ts';
 
 export interface ConnectOptions {

@@ -12,7 +12,7 @@ import {
   type Object3D,
   type WebGLRendererParameters,
 } from 'three';
-import { pictureTarget } from '../../../src/renderer/gpu/pictureTarget.ts';
+import { pictureTarget } from '../../../src/renderer/passes/targets.ts';
 import { drawFrame } from '../../../src/renderer/frame.ts';
 import type { FrameInput } from '../../../src/renderer/frameInput.ts';
 import type { ShownSmoke } from '../../../src/renderer/shownSmoke.ts';

@@ -6,11 +6,10 @@ import { clientBox } from '../../zoom.ts';
 import type { RemoteStage } from '../../../stage/remote/contract.ts';
 import type { ScenePlane } from '../../../stage/sight.ts';
 import { change } from '../change.ts';
-import { Deferred } from '../deferred.ts';
+import { Deferred, ignoreRejection } from '../deferred.ts';
 import { EmitterSwitch } from './emitterSwitch.ts';
 import { nearest } from './nearest.ts';
 import { colliderValues, curlValues, emitterValues, MAX_FOLLOWED, maxCurled } from './pageValues.ts';
-import { ignoreRejection } from '../ignoreRejection.ts';
 
 interface PageOwner {
   readonly element: HTMLElement;

@@ -15,9 +15,8 @@ import tonesShader from '../../../../shaders/simplify/tones.frag';
 import { FLAT_TILE } from '../../../base/constants.ts';
 import type { FrameView } from '../../gpu/frameView.ts';
 import { FullScreen } from '../../gpu/fullScreen.ts';
-import { pictureTarget } from '../../gpu/pictureTarget.ts';
+import { pictureTarget, type Targets } from '../targets.ts';
 import type { RampTexture } from '../../gpu/ramps.ts';
-import type { Targets } from '../targets.ts';
 import { PlumeForm, type Particles } from './plumeForm.ts';
 
 /** Distance that is averaged, in standard deviations. */

@@ -27,11 +27,10 @@ import { DrawnPoints } from '../../gpu/drawnPoints.ts';
 import type { RowTextures } from '../../gpu/drawnRows.ts';
 import type { FrameView, ViewUniforms } from '../../gpu/frameView.ts';
 import { FullScreen, pictureMaterial } from '../../gpu/fullScreen.ts';
-import { pictureTarget } from '../../gpu/pictureTarget.ts';
+import { pictureTarget, type Targets } from '../targets.ts';
 import type { PuffTextures } from '../../gpu/puffTextures.ts';
 import { DEFORMED } from '../../gpu/programsAhead.ts';
 import type { SurfaceDepth } from '../surfaceDepth.ts';
-import type { Targets } from '../targets.ts';
 import { StrokeArcs } from './strokeArcs.ts';
 
 /** Side of the tile of an arc in the targets of samples, texels. */

@@ -9,3 +9,13 @@ export function download(name: string, content: string | Blob): void {
   // The browser reads the URL after this task.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
+
+/** Copies text. @returns whether the browser allowed it */
+export async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
