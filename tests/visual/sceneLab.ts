@@ -8,6 +8,7 @@ import { sceneNamed } from '../../src/scenes/scenes.ts';
 import { loadSimulators } from '../../src/simulator/load.ts';
 import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
 import type { Simulator } from '../../src/simulator/simulator.ts';
+import { deviationFor } from '../../src/renderer/detail.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/renderer/frameInput.ts';
 import { lightOf } from '../../src/renderer/light.ts';
@@ -129,17 +130,38 @@ export class SceneLab {
     this.simulation.advance(steps);
   }
 
+  /** Draws as a stage of this size, without reading the picture. */
+  redraw(options: FrameOptions = {}): void {
+    const deviation = deviationFor(1 / this.pixelsPerMetre(this.scene.camera.distance));
+    this.render(this.frame({ deviation, ...options }));
+  }
+
   draw(options: FrameOptions = {}): LabPicture {
     const { width, height } = this;
-    fitDevice(this.device, width, height);
     const input = this.frame(options);
-    this.report = drawFrame(this.smoke, input);
-    keepPrograms(this.device.renderer);
+    this.render(input);
     const pixels = new Uint8Array(4 * width * height);
     const gl = this.context;
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     const counts = options.readCounts ? countsOf(this.device, this.smoke, input) : new Uint8Array(0);
     return { width, height, pixels, counts };
+  }
+
+  private render(input: FrameInput): void {
+    fitDevice(this.device, this.width, this.height);
+    this.report = drawFrame(this.smoke, input);
+    keepPrograms(this.device.renderer);
+  }
+
+  /** Milliseconds until the draw calls of `draw` are complete, starting with an idle GPU. Reading a pixel waits for them. */
+  timeDrawing(draw: () => void): number {
+    const pixel = new Uint8Array(4);
+    const wait = () => this.context.readPixels(0, 0, 1, 1, this.context.RGBA, this.context.UNSIGNED_BYTE, pixel);
+    wait();
+    const start = performance.now();
+    draw();
+    wait();
+    return performance.now() - start;
   }
 
   get context(): WebGL2RenderingContext {

@@ -12,7 +12,9 @@ import type { Arranger, FrameInput, FrameReport } from '../../../src/renderer/fr
 import { towardsLight } from '../../../src/renderer/light.ts';
 import { drawnSurfaces } from '../../../src/renderer/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../../src/renderer/smoke.ts';
-import type { Style } from '../../../src/renderer/style.ts';
+import { styleOf, type Style } from '../../../src/renderer/style.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
 import { withParticles } from '../support/snapshot.ts';
 import { countFragments, type Fragments, type Redraw } from './fragments.ts';
@@ -63,16 +65,26 @@ export class RenderBench {
     this.smoke = new SmokeRenderer(this.device, { capacity: particles, ...SURROUNDINGS, surfaces });
   }
 
-  /** A picture with the suite's aspect ratio, smaller where only its rows matter. */
-  static async create(scale = 1, particles = PARTICLES, smoke = seededPlume): Promise<RenderBench> {
+  /**
+   * A picture with the suite's aspect ratio, smaller where only its rows matter.
+   * @param look values of the style and of the puffs; the plain look if absent
+   */
+  static async create(scale = 1, particles = PARTICLES, smoke = seededPlume, look?: Values): Promise<RenderBench> {
+    const style = look ? styleOf(look) : PLAIN_STYLE;
     await fetchExtras({ ...PLAIN_STYLE, strokes: 1, isTiled: true });
+    await fetchExtras(style);
     const factory = await loadSimulators({ physics: false });
     const simulator = factory.create({ capacity: particles, seed: 1 });
     // The paper's equations, with which particles spawn at full size.
     const still = { 'emission.rate': 0, 'turbulence.speed': 0 };
     simulator.set({ ...still, 'emission.growthTime': 0, 'simulation.integrator': 1 });
     simulator.restore(withParticles(simulator, smoke(particles, 9)));
-    return new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
+    // What the look changes about the rows.
+    const rows = Object.entries(look ?? {}).filter(([key]) => /^puff\.(turn|stretch|billow)$/.test(key));
+    simulator.set(simulatorValues(Object.fromEntries(rows)));
+    const bench = new RenderBench(simulator, particles, WIDTH * scale, HEIGHT * scale);
+    bench.style = style;
+    return bench;
   }
 
   get context(): WebGL2RenderingContext {

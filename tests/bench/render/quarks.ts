@@ -15,6 +15,7 @@ import {
   Scene,
   WebGLRenderTarget,
   type Material,
+  type Matrix4,
   type PerspectiveCamera,
   type WebGLRenderer,
 } from 'three';
@@ -30,8 +31,11 @@ export class QuarksScene {
   private readonly system: ParticleSystem;
   private readonly softDisc = softDisc();
 
-  /** @param places x, y, z and radius of each puff, metres: the width of a quad is the diameter of its puff */
-  constructor(places: Float32Array, surfaces: readonly SurfaceDescription[]) {
+  /**
+   * @param places x, y, z and radius of each puff, metres: the width of a quad is the diameter of its puff
+   * @param transforms of the surfaces, if they have any
+   */
+  constructor(places: Float32Array, surfaces: readonly SurfaceDescription[], transforms: readonly Matrix4[] = []) {
     this.system = new ParticleSystem({
       looping: false,
       duration: 1e6,
@@ -45,7 +49,11 @@ export class QuarksScene {
       material: new MeshBasicMaterial({ map: this.softDisc, transparent: true, depthWrite: false }),
     });
     this.batches.addSystem(this.system);
-    this.scene.add(this.system.emitter, this.batches, ...surfaces.map(plainMesh));
+    this.scene.add(
+      this.system.emitter,
+      this.batches,
+      ...surfaces.map((surface, at) => plainMesh(surface, transforms[at])),
+    );
     this.batches.update(1);
     this.system.particles.forEach(({ position, velocity, size }, i) => {
       position.set(places[4 * i], places[4 * i + 1], places[4 * i + 2]);
@@ -117,10 +125,12 @@ function softDisc(): DataTexture {
   return texture;
 }
 
-function plainMesh({ mesh, color }: SurfaceDescription): Mesh {
+function plainMesh({ mesh, color }: SurfaceDescription, transform?: Matrix4): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(mesh.positions, 3));
   geometry.setIndex(new BufferAttribute(mesh.indices, 1));
   const [red, green, blue] = color;
-  return new Mesh(geometry, new MeshBasicMaterial({ color: (red << 16) | (green << 8) | blue }));
+  const plain = new Mesh(geometry, new MeshBasicMaterial({ color: (red << 16) | (green << 8) | blue }));
+  if (transform) plain.applyMatrix4(transform);
+  return plain;
 }

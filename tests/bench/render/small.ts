@@ -4,8 +4,7 @@
  */
 import { SceneLab } from '../../visual/sceneLab.ts';
 import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
-import { deviationFor } from '../../../src/renderer/detail.ts';
-import { demand, figure, say, time, type Figure } from '../support/figures.ts';
+import { demand, figure, say, type Figure } from '../support/figures.ts';
 
 const STEPS = 240;
 
@@ -31,7 +30,7 @@ export async function measureSmall(quick: boolean): Promise<Figure[]> {
 async function measureWidget(ownLook: boolean, frames: number) {
   await say(`render.small, ${ownLook ? 'own' : 'plain'} look`);
   const { lab, calls } = await drawn('wisp', 64, 48, ownLook);
-  const frame = () => time(() => lab.draw({ deviation: deviationIn(lab) }));
+  const frame = () => lab.timeDrawing(() => lab.redraw());
   const times = Array.from({ length: 2 * frames }, frame).slice(frames);
   demand((lab.report?.bodiesDrawn ?? 0) > 20, 'the wisp has no smoke');
   lab.dispose();
@@ -43,11 +42,6 @@ async function drawn(preset: string, width: number, height: number, ownLook: boo
   const lab = await SceneLab.create(preset, { width, height, smoothEdges: true, ownLook });
   await fetchExtras(lab.style);
   lab.step(STEPS);
-  lab.draw({ deviation: deviationIn(lab) });
+  lab.redraw();
   return { lab, ...lab.drawn() };
-}
-
-/** As a stage of this size has it. */
-function deviationIn(lab: SceneLab): number {
-  return deviationFor(1 / lab.pixelsPerMetre(lab.scene.camera.distance));
 }

@@ -2,6 +2,7 @@
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
+import { measureLooks } from './looks.ts';
 import { measureHost } from './host.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
@@ -18,6 +19,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
+    ...(await measureLooks(quick)),
     ...(await measureAgainstSelle(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),

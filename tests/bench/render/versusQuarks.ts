@@ -1,6 +1,12 @@
-/** render.vsQuarks: a full cartoon frame compared with blended quads of three.quarks, with the same puffs, in turns. */
+/**
+ * render.vsQuarks: a frame in the look of the lamp, and in the plain look, compared with blended quads of three.quarks, with
+ * the same puffs, in turns.
+ */
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { HEIGHT, RenderBench, SURROUNDINGS, WIDTH } from './bench.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { seededPlume } from './plume.ts';
 import { QuarksScene } from './quarks.ts';
 
 const PUFFS = 10_000;
@@ -9,11 +15,19 @@ const PUFFS = 10_000;
 const HD = 3;
 
 export async function measureAgainstQuarks(quick: boolean): Promise<Figure[]> {
-  return [...(await measureAt(1, quick ? 5 : 9, '')), ...(await measureAt(HD, 5, '.hd'))];
+  const rounds = quick ? 5 : 9;
+  const lamp = presetValues(findPreset('lamp')!);
+  return [
+    ...(await measureAt(1, rounds, '', lamp)),
+    ...(await measureAt(1, rounds, '.plain')),
+    ...(await measureAt(HD, 5, '.hd', lamp)),
+    ...(await measureAt(HD, 5, '.hd.plain')),
+  ];
 }
 
-async function measureAt(scale: number, rounds: number, suffix: string): Promise<Figure[]> {
-  const bench = await RenderBench.create(scale, PUFFS);
+/** @param look the values of the style; the plain one if absent */
+async function measureAt(scale: number, rounds: number, suffix: string, look?: Values): Promise<Figure[]> {
+  const bench = await RenderBench.create(scale, PUFFS, seededPlume, look);
   const quarks = new QuarksScene(bench.places(), SURROUNDINGS.surfaces);
   const [width, height] = [scale * WIDTH, scale * HEIGHT];
   const note = check(bench, quarks, width, height);

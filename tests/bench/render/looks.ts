@@ -1,0 +1,87 @@
+/**
+ * render.look: a frame of a preset as the page draws it, compared with blended quads of three.quarks and with the same frame
+ * in the plain look, in turns.
+ */
+import { Matrix4, type PerspectiveCamera } from 'three';
+import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import { SceneLab } from '../../visual/sceneLab.ts';
+import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { QuarksScene } from './quarks.ts';
+
+const PRESETS = ['lamp', 'train', 'cloudscape', 'airplane', 'wisp'];
+const SIZES = [
+  { width: 1280, height: 720, suffix: '' },
+  { width: 1920, height: 1080, suffix: '.hd' },
+];
+const STEPS = 360;
+const PLAIN = {
+  'puff.turn': 0,
+  'puff.stretch': 1,
+  'puff.billow': 0,
+  'style.simplify': 0,
+  'style.form': 0,
+  'style.strokes': 0,
+};
+
+export async function measureLooks(quick: boolean): Promise<Figure[]> {
+  const figures: Figure[] = [];
+  for (const { width, height, suffix } of SIZES) {
+    for (const preset of PRESETS) figures.push(...(await measureLook(preset, width, height, suffix, quick ? 3 : 7)));
+  }
+  return figures;
+}
+
+async function measureLook(preset: string, width: number, height: number, suffix: string, rounds: number) {
+  const name = `render.look.${preset}${suffix}`;
+  const choice = { width, height, smoothEdges: true, ownLook: true };
+  const [own, plain] = [await prepared(preset, choice), await prepared(preset, { ...choice, values: PLAIN })];
+  own.redraw({ cull: false });
+  const quarks = new QuarksScene(own.passes.bodies.places.slice(), own.scene.surfaces, transformsOf(own));
+  const camera: PerspectiveCamera = own.camera();
+  const { renderer } = own.passes;
+  const sides = [() => own.redraw(), () => plain.redraw(), () => quarks.draw(renderer, camera)];
+  for (const draw of sides) draw();
+  const [bodies, plainBodies] = [own, plain].map(({ report }) => report!.bodiesDrawn);
+  demand(bodies > 20 && quarks.alive >= bodies, `${bodies} bodies, ${quarks.alive} quads`);
+  demand(
+    own.simulator.alive === plain.simulator.alive,
+    `${own.simulator.alive} and ${plain.simulator.alive} particles`,
+  );
+  const times: number[][] = [[], [], []];
+  for (let round = 0; round < rounds; round++) {
+    await say(`${name}, round ${round + 1} of ${rounds}`);
+    const order = round % 2 === 0 ? [0, 1, 2] : [2, 1, 0];
+    for (const side of order) times[side].push(own.timeDrawing(sides[side]));
+  }
+  quarks.dispose();
+  for (const lab of [own, plain]) lab.dispose();
+  const [look, without, quads] = times;
+  const over = (others: readonly number[]) => look.map((milliseconds, round) => milliseconds / others[round]);
+  const size = `${width} x ${height}`;
+  return [
+    figure(name, 'x', over(quads), `the frame / ${quarks.alive} blended quads of the same places and sizes, ${size}`),
+    figure(
+      `${name}.plain`,
+      'x',
+      over(without),
+      `the frame / the plain look, ${bodies} and ${plainBodies} bodies, ${size}`,
+    ),
+    figure(`${name}.ms`, 'ms', look, `the frame, ${size}; SwiftShader, information`),
+  ];
+}
+
+async function prepared(preset: string, choice: Parameters<typeof SceneLab.create>[1]): Promise<SceneLab> {
+  const lab = await SceneLab.create(preset, choice);
+  await fetchExtras({ ...lab.style, isTiled: true });
+  lab.step(STEPS);
+  return lab;
+}
+
+/** Where the surfaces of the scene are. */
+function transformsOf(lab: SceneLab): Matrix4[] {
+  const { rigids, parts } = lab.frame();
+  return lab.scene.surfaces.map(({ rigid, part }) => {
+    if (part !== undefined) return parts![part];
+    return rigid === undefined ? new Matrix4() : rigids[rigid];
+  });
+}
