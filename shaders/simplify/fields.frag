@@ -4,25 +4,19 @@ precision highp int;
 // Prepares the light of a picture for smoothing. Outputs four numbers, each of which a later pass averages, and which
 // neighbours may be averaged with a pixel.
 uniform sampler2D unlit;
-uniform sampler2D lit;
-uniform sampler2D shading;
 uniform highp sampler2D depth;
 uniform mat4 clipFromView;
 // Least depth between two puffs that separates them, in radii.
 uniform float innerLine;
-// N.L from which lit smoke differs from smoke in shadow.
-uniform float litFrom;
 // Whether bands of colour are separate. Interpolated bands are not.
 uniform bool isBanded;
 
-// Share of light; N.L where there is light; state of the shadow: 0 deep, 1/2 plain, 1 filled; share of rim.
 layout(location = 0) out vec4 field;
 // Bits: linked with the pixel to the right, linked with the pixel above.
 layout(location = 1) out float links;
 
 #include ../lib/depth.glsl
-#include unpackShading.glsl
-#include ../lib/mask.glsl
+#include field.glsl
 
 // Least gap in depth, in radii. Smaller gaps have ink, or belong to one shape.
 const float MIN_GAP = 1.0;
@@ -57,10 +51,7 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(lit, 0) - 1;
   Texel here = texelAt(at);
-  bool isSmoke = here.shading.radius > 0.0;
-  float share = isShadowed(here.lit.a) || (isSmoke && here.shading.facing < litFrom) ? 0.0 : 1.0;
-  float darkness = isDeep(here.lit.a) ? 0.0 : here.shading.isFilled ? 1.0 : 0.5;
-  field = vec4(share, share * here.shading.facing, (1.0 - share) * darkness, float(here.shading.isRim));
+  field = fieldOf(here.shading, here.lit.a);
   bool right = at.x < last.x && isLinked(here, texelAt(at + ivec2(1, 0)));
   bool above = at.y < last.y && isLinked(here, texelAt(at + ivec2(0, 1)));
   links = (float(right) + 2.0 * float(above)) / 255.0;

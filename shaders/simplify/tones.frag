@@ -70,6 +70,8 @@ void main() {
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
   Shading own = unpackShading(texelFetch(shading, at, 0));
+  // A tile at the border of the picture reaches into the next one.
+  if (texelFetch(flatTiles, at / FLAT_TILE, 0).g < 0.5) discard;
   vec4 light = smoothedAt(at, ivec2(0, 1), 2);
   if (own.radius == 0.0 || own.isInk) {
     vec3 shadow = light.b < 0.25 * (1.0 - light.r) ? shadowed.rgb * deepShadow : shadowed.rgb;

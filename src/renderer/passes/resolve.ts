@@ -20,7 +20,7 @@ export interface InkOverlay {
   compose(renderer: WebGLRenderer): void;
 }
 
-/** Draws the tones of all pixels into a target. */
+/** Draws tones that differ from the plain ones into a target. */
 export type ChooseTones = (output: WebGLRenderTarget) => void;
 
 /** The shaders of the pass. */
@@ -60,7 +60,7 @@ export class ResolvePass {
 
   /**
    * @param output render target, or null for the canvas
-   * @param choose chooses the tones instead, not premultiplied
+   * @param choose replaces tones, not premultiplied
    */
   draw(renderer: WebGLRenderer, sources: ResolveSources, output: WebGLRenderTarget | null, choose?: ChooseTones): void {
     this.drawPicture(renderer, sources, output, choose);
@@ -92,12 +92,9 @@ export class ResolvePass {
       return;
     }
     this.chosen.setSize(width, height);
-    if (choose) {
-      choose(this.chosen);
-    } else {
-      renderer.setRenderTarget(this.chosen);
-      this.tones.draw(renderer);
-    }
+    renderer.setRenderTarget(this.chosen);
+    this.tones.draw(renderer);
+    choose?.(this.chosen);
     if (!this.smoothEdges) {
       renderer.setRenderTarget(output);
       this.copy.draw(renderer);

@@ -7,6 +7,7 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
+import activeShader from '../../../../shaders/simplify/active.vert';
 import acrossShader from '../../../../shaders/simplify/across.frag';
 import fieldsShader from '../../../../shaders/simplify/fields.frag';
 import flatShader from '../../../../shaders/simplify/flat.frag';
@@ -14,6 +15,7 @@ import tilesShader from '../../../../shaders/simplify/tiles.frag';
 import tonesShader from '../../../../shaders/simplify/tones.frag';
 import { FLAT_TILE } from '../../../base/constants.ts';
 import type { FrameView } from '../../gpu/frameView.ts';
+import { DrawnPoints } from '../../gpu/drawnPoints.ts';
 import { FullScreen } from '../../gpu/fullScreen.ts';
 import { pictureTarget, type Targets } from '../targets.ts';
 import type { RampTexture } from '../../gpu/ramps.ts';
@@ -28,7 +30,7 @@ const MIN_DEVIATION = 0.1;
  * Chooses tones by smoothed light, so that light and shade become few large shapes. Light is averaged as numbers and then
  * cut into tones, so that regions grow and shrink continuously. The average stops at ink and at gaps in depth: a
  * separable approximation of the cross-bilateral filter of Eisemann and Durand, 'Flash Photography Enhancement via
- * Intrinsic Relighting' (2004). Tiles with the same light everywhere within reach are not averaged.
+ * Intrinsic Relighting' (2004). It runs in tiles of smoke and in those whose light differs within reach.
  */
 export class SimplifyPass {
   private readonly uniforms = {
@@ -47,10 +49,10 @@ export class SimplifyPass {
   private readonly tiles = pictureTarget();
   private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
-  private readonly passes: readonly FullScreen[];
+  private readonly passes: readonly (FullScreen | DrawnPoints)[];
   private readonly toneUniforms;
   /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
-  private leaning: { readonly form: PlumeForm; readonly tones: FullScreen } | undefined;
+  private leaning: { readonly form: PlumeForm; readonly tones: DrawnPoints } | undefined;
   private readonly eye: FrameView;
 
   constructor(eye: FrameView, ramps: RampTexture) {
@@ -59,11 +61,11 @@ export class SimplifyPass {
     const common = { ...eye.uniforms, ...this.uniforms, links, tiles, flatTiles };
     const tones = { ...common, fields: { value: this.across.texture }, ramps: { value: ramps.texture } };
     this.passes = [
-      new FullScreen(fieldsShader, common),
-      new FullScreen(tilesShader, { ...common, fields }),
+      new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),
-      new FullScreen(acrossShader, { ...common, fields }),
-      new FullScreen(tonesShader, tones),
+      new DrawnPoints(activeShader, fieldsShader, common, NEARBY),
+      new DrawnPoints(activeShader, acrossShader, { ...common, fields }, NEARBY),
+      new DrawnPoints(activeShader, tonesShader, tones),
     ];
     this.toneUniforms = tones;
     this.eye = eye;
@@ -83,7 +85,7 @@ export class SimplifyPass {
   }
 
   /**
-   * Draws the tones of the targets, after the mask is drawn.
+   * Replaces the tones of smoke and of where it casts shadow, after the mask is drawn.
    * @param shading the shading that the bodies wrote
    * @param particles all particles, culled or not, if light follows their form
    */
@@ -106,16 +108,18 @@ export class SimplifyPass {
       uniforms[name as keyof typeof uniforms].value = texture;
     });
     for (const target of [fields, across]) target.setSize(width, height);
-    for (const target of [tiles, flatTiles])
-      target.setSize(Math.ceil(width / FLAT_TILE), Math.ceil(height / FLAT_TILE));
-    [fields, tiles, flatTiles, across, output].forEach((target, index) => {
+    const [columns, rows] = [width, height].map((pixels) => Math.ceil(pixels / FLAT_TILE));
+    for (const target of [tiles, flatTiles]) target.setSize(columns, rows);
+    [tiles, flatTiles, fields, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
-      meshes[index].draw(renderer);
+      const pass = meshes[index];
+      if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
+      else pass.draw(renderer);
     });
   }
 
   /** What it draws with. @param hasForm whether light follows the form of the smoke */
-  meshes(hasForm: boolean): readonly FullScreen[] {
+  meshes(hasForm: boolean): readonly (FullScreen | DrawnPoints)[] {
     if (!hasForm) return this.passes;
     this.leaning ??= this.createLeaning();
     return [...this.passes.slice(0, -1), this.leaning.tones];
@@ -136,12 +140,14 @@ export class SimplifyPass {
   private createLeaning() {
     const form = new PlumeForm();
     const uniforms = { ...this.toneUniforms, form: { value: form.texture } };
-    return { form, tones: new FullScreen(tonesShader, uniforms, LEANING) };
+    return { form, tones: new DrawnPoints(activeShader, tonesShader, uniforms, LEANING) };
   }
 }
 
 /** Makes shaders mix in the light of the whole form. */
-const LEANING = { defines: { FORM: '' } };
+const LEANING = { FORM: '' };
+/** Makes points cover what is averaged with active tiles, too. */
+const NEARBY = { NEARBY: '' };
 
 /** Four numbers, and the links between pixels in a channel of its own. */
 function fieldTarget(): WebGLRenderTarget {
