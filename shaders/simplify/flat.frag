@@ -19,7 +19,8 @@ void main() {
   if (kind.r > 0.25 && kind.r < 0.75) return;
   for (int y = -beside; y <= beside; y++) {
     for (int x = -beside; x <= beside; x++) {
-      if (texelFetch(tiles, clamp(at + ivec2(x, y), ivec2(0), last), 0) != kind) return;
+      vec4 other = texelFetch(tiles, clamp(at + ivec2(x, y), ivec2(0), last), 0);
+      if (kind != ANY_LIGHT && other != ANY_LIGHT && other != kind) return;
     }
   }
   tile = vec4(1.0, kind.a > 0.5, 0.0, 1.0);

@@ -110,6 +110,44 @@ export function repeated(): number {
   return differing(first, again);
 }
 
+/**
+ * Pixels that change if every tile is smoothed, not only those of smoke and of its shadow; and those that smoothing changes.
+ * The picture ends within a tile on both sides.
+ */
+export function everyTile(): { differing: number; smoothed: number } {
+  const next = random(5);
+  const puffs = Array.from({ length: 12 }, (): LabPuff => ({
+    place: [0.9 * next() - 0.2, 0.8 * next() - 0.4, 0.3 * next()],
+    radius: 0.08 + 0.1 * next(),
+    variation: 0,
+  }));
+  const surfaces: LabScene['surfaces'] = [
+    { mesh: box([-0.4, 0, -0.6], [0.5, 0.6, 0.1]), color: [230, 160, 90], name: 'wall', casts: false, inked: true },
+    { mesh: box([-0.7, 0.5, 0.6], [0.1, 0.1, 0.1]), color: [90, 160, 230], name: 'block', casts: true, inked: true },
+  ];
+  const style: LabScene['style'] = { tones: 3, fill: 0.4, shadowSteps: 2, shadowDepth: 1, plumeForm: 0.3 };
+  const scene = { ...sceneOf(puffs, puffs, 1, style, surfaces), width: 203, height: 157 };
+  const lab = new Lab({ ...scene, capacity: puffs.length });
+  const front = [0.5, 0.4, 0.8] as const;
+  const draw = (simplify: number, towardsLight: readonly [number, number, number] = front) =>
+    lab.draw({ ...scene, towardsLight, style: { ...style, simplify } });
+  const plain = draw(0);
+  draw(6);
+  const { material } = lab['smoke'].passes.extras.simplify!.meshes(true)[1];
+  const { fragmentShader } = material;
+  const choose = (shader: string) => Object.assign(material, { fragmentShader: shader, needsUpdate: true });
+  const all = fragmentShader.replace(/void main[\s\S]*/, 'void main() { tile = vec4(0, 1, 0, 1); }');
+  choose(all);
+  // What the targets still hold of this frame must not matter.
+  draw(6, [-0.5, -0.4, -0.8]);
+  choose(fragmentShader);
+  const some = draw(6);
+  choose(all);
+  const every = draw(6);
+  lab.dispose();
+  return { differing: differing(some, every), smoothed: differing(plain, some) };
+}
+
 interface Drawing {
   puffs: readonly LabPuff[];
   casters: readonly LabPuff[];

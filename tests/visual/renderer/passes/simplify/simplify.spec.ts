@@ -80,3 +80,10 @@ test('a picture does not depend on the frame before it', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.repeated())).toBe(0);
 });
+
+test('only tiles that keep their pixels are left out', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { differing, smoothed } = await cases.evaluate((module) => module.everyTile());
+  expect.soft(smoothed).toBeGreaterThan(300);
+  expect.soft(differing).toBe(0);
+});
