@@ -78,7 +78,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Gives smoke its place among the blended objects that three.js draws. Tools that look for meshes skip sprites. */
   readonly isSprite = true;
   /** Empty, for tools that read the geometry of every object. */
-  readonly geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(), 3));
+  readonly geometry: BufferGeometry = new BufferGeometry().setAttribute(
+    'position',
+    new BufferAttribute(new Float32Array(), 3),
+  );
   /** What three.js draws {@link geometry} with. It is visible while there is smoke. */
   readonly material: Material;
   /** What its transform does to puffs that exist, as given to `create`. */

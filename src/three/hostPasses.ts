@@ -8,7 +8,7 @@ import { HostDepth } from './hostDepth.ts';
 import { HostVolumes } from './volumes/hostVolumes.ts';
 import { LateStencil } from './target/lateStencil.ts';
 import type { LoadError } from '../base/errors.ts';
-import type { WebGLRenderer } from 'three';
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 
 /** Passes for a frame in the host's scene. */
 export class HostPasses {
@@ -17,7 +17,7 @@ export class HostPasses {
   readonly insert: InsertPass;
   readonly volumes: HostVolumes;
   /** The smoke with its shadow: premultiplied, display-encoded. */
-  readonly picture = pictureTarget();
+  readonly picture: WebGLRenderTarget = pictureTarget();
   readonly depth = new HostDepth();
 
   readonly ownStencil: LateStencil;

@@ -6,7 +6,7 @@ import type { Shaders } from './programsAhead.ts';
 /** What three.js draws as points. Its class for them would bring another material into the package. */
 class PointsWithoutAttributes extends Object3D {
   readonly isPoints = true;
-  readonly geometry = new BufferGeometry();
+  readonly geometry: BufferGeometry = new BufferGeometry();
   readonly material: RawShaderMaterial;
 
   constructor(material: RawShaderMaterial) {

@@ -18,7 +18,7 @@ import { depthCopy } from '../gpu/depthCopy.ts';
  */
 export class Targets {
   /** A texture, so that other passes can read it or attach it. A pass that renders to the target must not sample it. */
-  readonly depth = depthStencil();
+  readonly depth: DepthTexture = depthStencil();
   // three.js disposes of a depth texture with the first target that it was given to. This one is always allocated.
   private readonly target = target(2, this.depth);
   /**

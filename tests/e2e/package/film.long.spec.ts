@@ -13,7 +13,7 @@ interface System {
   aptGet(packages: string[], say: () => void): Promise<{ status: number; output: string }>;
 }
 
-const LINK = '#v=3&preset=lamp&simulation.maxParticles=300';
+const LINK = '#v=1&preset=lamp&simulation.maxParticles=300';
 const FRAMES = 24;
 const SHOT = ['--frames', `0-${FRAMES - 1}`, '--size', '320x180'];
 

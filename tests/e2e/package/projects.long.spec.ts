@@ -13,7 +13,7 @@ const isOne: boolean = smoke instanceof CartoonSmokeElement;
 smoke.addEventListener('error', ({ detail }) => (document.title = detail.error.message));
 smoke.addEventListener('ready', async ({ detail }) => {
   smoke.emissionRate = 20;
-  const { state } = await decode('#v=3&preset=wisp');
+  const { state } = await decode('#v=1&preset=wisp');
   const error: unknown = await smoke.set({ 'emission.rate': -1 }).catch((thrown: unknown) => thrown);
   document.title = [detail.thread, isOne, table.length > 100, state.preset, error instanceof ParameterError].join();
 });

@@ -10,8 +10,12 @@ const CASES = '/tests/visual/renderer/culling.cases.ts';
 const PLACES = ['scene', 'above', 'inside', 'orthographic'] as const;
 /** Denser than the lamp preset, so that many particles are hidden and cast shadows. */
 const DENSE = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
-/** The preset of this scene has fewer particles than are searched for hidden ones. */
-const MORE: Readonly<Record<string, Values>> = { wisp: { 'emission.rate': 80 } };
+/** The presets of these scenes have fewer particles than are searched for hidden ones. */
+const MORE: Readonly<Record<string, Values>> = {
+  air: { 'emission.rate': 250 },
+  lamp: { 'emission.rate': 150 },
+  wisp: { 'emission.rate': 80 },
+};
 const STYLES = {
   plain: {},
   'deep shadow': { shadowSteps: 2, shadowDepth: 3 },

@@ -64,9 +64,9 @@ export class StrokesPass {
   private readonly uniforms;
   readonly arcs = new StrokeArcs();
   /** The separation of the lobe from the smoke behind it at each sample of each arc. */
-  readonly separations = opacityTarget();
+  readonly separations: WebGLRenderTarget = opacityTarget();
   /** The stroke at each sample of each arc: shaders/strokes/strokeRanges.frag. Valid where the arc has samples. */
-  readonly ranges = pictureTarget();
+  readonly ranges: WebGLRenderTarget = pictureTarget();
   private readonly coverage = opacityTarget();
   private readonly kinds: Readonly<Record<'plain' | 'deformed', StrokeShaders>>;
   private readonly ink: FullScreen;
