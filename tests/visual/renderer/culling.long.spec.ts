@@ -12,7 +12,7 @@ const PLACES = ['scene', 'above', 'inside', 'orthographic'] as const;
 const DENSE = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
 /** The presets of these scenes have fewer particles than are searched for hidden ones. */
 const MORE: Readonly<Record<string, Values>> = {
-  air: { 'emission.rate': 250 },
+  air: { 'emission.rate': 80, 'puff.size': 1.5 },
   lamp: { 'emission.rate': 150 },
   wisp: { 'emission.rate': 80 },
 };
