@@ -153,17 +153,6 @@ export class SceneLab {
     keepPrograms(this.device.renderer);
   }
 
-  /** Milliseconds until the draw calls of `draw` are complete, starting with an idle GPU. Reading a pixel waits for them. */
-  timeDrawing(draw: () => void): number {
-    const pixel = new Uint8Array(4);
-    const wait = () => this.context.readPixels(0, 0, 1, 1, this.context.RGBA, this.context.UNSIGNED_BYTE, pixel);
-    wait();
-    const start = performance.now();
-    draw();
-    wait();
-    return performance.now() - start;
-  }
-
   get context(): WebGL2RenderingContext {
     return this.device.renderer.getContext() as WebGL2RenderingContext;
   }

@@ -16,6 +16,7 @@ import { styleOf, type Style } from '../../../src/renderer/style.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { PLAIN_STYLE } from '../../visual/lab.ts';
+import { timeDrawing } from '../support/figures.ts';
 import { withParticles } from '../support/snapshot.ts';
 import { countFragments, type Fragments, type Redraw } from './fragments.ts';
 import { seededPlume } from './plume.ts';
@@ -51,7 +52,6 @@ export class RenderBench {
   style: Style = PLAIN_STYLE;
   private readonly width: number;
   private readonly height: number;
-  private readonly pixel = new Uint8Array(4);
   readonly camera = frontCamera();
   private readonly light = { kind: 'sun', towards: towardsLight(-40, 45) } as const;
   private readonly rigids = [new Matrix4().makeTranslation(-0.9, 1.4, 0.3)];
@@ -148,18 +148,9 @@ export class RenderBench {
     };
   }
 
-  /** Waits until all draw calls are complete. Only reading a pixel blocks; finish() does not. */
-  private sync(): void {
-    this.context.readPixels(0, 0, 1, 1, this.context.RGBA, this.context.UNSIGNED_BYTE, this.pixel);
-  }
-
-  /** Milliseconds until the draw calls of `draw` are complete, starting with an idle GPU. */
+  /** See `timeDrawing` of figures.ts. */
   timeDrawing(draw: () => void): number {
-    this.sync();
-    const start = performance.now();
-    draw();
-    this.sync();
-    return performance.now() - start;
+    return timeDrawing(this.context, draw);
   }
 
   dispose(): void {

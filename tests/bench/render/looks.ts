@@ -4,8 +4,9 @@
  */
 import { Matrix4, type PerspectiveCamera } from 'three';
 import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import { PLAIN_LOOK } from '../../support/plainLook.ts';
 import { SceneLab } from '../../visual/sceneLab.ts';
-import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { demand, figure, say, timeDrawing, type Figure } from '../support/figures.ts';
 import { QuarksScene } from './quarks.ts';
 
 const PRESETS = ['lamp', 'train', 'cloudscape', 'airplane', 'wisp'];
@@ -14,14 +15,8 @@ const SIZES = [
   { width: 1920, height: 1080, suffix: '.hd' },
 ];
 const STEPS = 360;
-const PLAIN = {
-  'puff.turn': 0,
-  'puff.stretch': 1,
-  'puff.billow': 0,
-  'style.simplify': 0,
-  'style.form': 0,
-  'style.strokes': 0,
-};
+/** As PLAIN_LOOK, but with the same smoke. */
+const { 'emission.dissolve': _, ...PLAIN } = PLAIN_LOOK;
 
 export async function measureLooks(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
@@ -51,7 +46,7 @@ async function measureLook(preset: string, width: number, height: number, suffix
   for (let round = 0; round < rounds; round++) {
     await say(`${name}, round ${round + 1} of ${rounds}`);
     const order = round % 2 === 0 ? [0, 1, 2] : [2, 1, 0];
-    for (const side of order) times[side].push(own.timeDrawing(sides[side]));
+    for (const side of order) times[side].push(timeDrawing(own.context, sides[side]));
   }
   quarks.dispose();
   for (const lab of [own, plain]) lab.dispose();

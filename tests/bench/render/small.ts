@@ -4,7 +4,7 @@
  */
 import { SceneLab } from '../../visual/sceneLab.ts';
 import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
-import { demand, figure, say, type Figure } from '../support/figures.ts';
+import { demand, figure, say, timeDrawing, type Figure } from '../support/figures.ts';
 
 const STEPS = 240;
 
@@ -30,7 +30,7 @@ export async function measureSmall(quick: boolean): Promise<Figure[]> {
 async function measureWidget(ownLook: boolean, frames: number) {
   await say(`render.small, ${ownLook ? 'own' : 'plain'} look`);
   const { lab, calls } = await drawn('wisp', 64, 48, ownLook);
-  const frame = () => lab.timeDrawing(() => lab.redraw());
+  const frame = () => timeDrawing(lab.context, () => lab.redraw());
   const times = Array.from({ length: 2 * frames }, frame).slice(frames);
   demand((lab.report?.bodiesDrawn ?? 0) > 20, 'the wisp has no smoke');
   lab.dispose();

@@ -33,6 +33,17 @@ export function time(work: () => void): number {
   return performance.now() - start;
 }
 
+/** Milliseconds until the draw calls of `draw` are complete, starting with an idle GPU. Only reading a pixel waits for them. */
+export function timeDrawing(gl: WebGL2RenderingContext, draw: () => void): number {
+  const pixel = new Uint8Array(4);
+  const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  wait();
+  return time(() => {
+    draw();
+    wait();
+  });
+}
+
 declare global {
   /** Exposed to the page by the suite's runner. */
   var sayProgress: ((line: string) => Promise<void>) | undefined;
