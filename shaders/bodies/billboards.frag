@@ -91,6 +91,8 @@ void main() {
   float depth = windowDepth(clipFromView, viewZ);
   if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - ringDrop * sinking(outside / pixel, linePixels, innerTaper), outside, -outward * (outside / pixel + 0.5));
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+#ifdef CLIPPED
   // With a surface, its line is cut off, which is deeper.
   if (isCutOff(clipFromView, viewport, depth) || isCutOff(clipFromView, viewport, windowDepth(clipFromView, viewZ))) discard;
+#endif
 }

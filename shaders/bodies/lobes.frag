@@ -238,6 +238,8 @@ void main() {
   if (isRing) depth = ringDepth(clipFromView, here, viewZ, viewZ - lineDrop * sinking(outside, linePixels, innerTaper), line.w * radius, inward);
   gl_FragDepth = clamp(depth, DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
 #endif
+#ifdef CLIPPED
   // With a surface, its line is cut off, which is deeper.
   if (isCutOff(clipFromView, viewport, depth) || isCutOff(clipFromView, viewport, windowDepth(clipFromView, viewZ))) discard;
+#endif
 }

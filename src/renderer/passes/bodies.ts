@@ -28,6 +28,8 @@ export interface BodyKind {
   isShaded: boolean;
   /** Whether lobe puffs turn or stretch with the air, or unfold. */
   isDeformed: boolean;
+  /** Whether planes cut off puffs. A loop over them costs a fifth of a body, also without planes. */
+  isClipped?: boolean;
 }
 
 /** Draws the puffs: lit and unlit colour, ink, and depth. Puffs are opaque, so rows can be in any order. */
@@ -40,7 +42,10 @@ export class BodiesPass {
   private readonly materials = new Map<string, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
+  private readonly planeCount: IUniform<number>;
+  private billboards: Shaders | undefined;
   private isShaded = false;
+  private isClipped = false;
   private readonly common: Record<string, IUniform>;
   private readonly uniforms = {
     surfaceDepth: { value: null as Texture | null },
@@ -68,6 +73,7 @@ export class BodiesPass {
    */
   constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, isFlat = false) {
     this.isFlat = isFlat;
+    this.planeCount = eye.uniforms.planeCount;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
@@ -84,9 +90,10 @@ export class BodiesPass {
    * @param isShaded whether puffs also write the shading of `Targets`
    */
   setForm(billboards?: Shaders, isShaded = false): void {
+    this.billboards = this.isFlat ? undefined : billboards;
     this.isShaded = isShaded;
     this.rows.bites = this.puffs.bites?.bodies;
-    this.rows.material = billboards && !this.isFlat ? this.billboardsMaterial(billboards) : this.lobesMaterial();
+    this.selectMaterial();
   }
 
   /** Index of the drawing, for the boil of lines; equal indices give equal lines. */
@@ -136,9 +143,15 @@ export class BodiesPass {
   }
 
   private touch(surfaces: SurfaceDepth | undefined): void {
+    if (this.isClipped !== this.planeCount.value > 0) this.selectMaterial();
     this.uniforms.hasSurfaces.value = surfaces !== undefined;
     this.uniforms.surfaceDepth.value = surfaces?.depth ?? null;
     this.uniforms.surfaceSlack.value = surfaces?.slack ?? 0;
+  }
+
+  private selectMaterial(): void {
+    this.isClipped = this.planeCount.value > 0;
+    this.rows.material = this.billboards ? this.billboardsMaterial(this.billboards) : this.lobesMaterial();
   }
 
   private lobesMaterial(): RawShaderMaterial {
@@ -160,7 +173,8 @@ export class BodiesPass {
   }
 
   private get kind(): BodyKind {
-    return { isFlat: this.isFlat, isShaded: this.isShaded, isDeformed: this.puffs.isDeformed };
+    const { isFlat, isShaded, isClipped, puffs } = this;
+    return { isFlat, isShaded, isClipped, isDeformed: puffs.isDeformed };
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -188,6 +202,11 @@ export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   };
 }
 
-function definesOf({ isFlat, isShaded, isDeformed }: BodyKind): Shaders['defines'] {
-  return { ...(isFlat && { FLAT: '' }), ...(isShaded && { SHADING: '' }), ...(isDeformed && DEFORMED) };
+function definesOf({ isFlat, isShaded, isDeformed, isClipped }: BodyKind): Shaders['defines'] {
+  return {
+    ...(isFlat && { FLAT: '' }),
+    ...(isShaded && { SHADING: '' }),
+    ...(isDeformed && DEFORMED),
+    ...(isClipped && { CLIPPED: '' }),
+  };
 }
