@@ -9,6 +9,7 @@ export {
   type DeviceCanvas,
   type DeviceOptions,
 } from './renderer/gpu/device.ts';
+
 export { setAssetUrls, type AssetUrls } from './base/assetUrls.ts';
 export {
   ContextError,
@@ -20,6 +21,7 @@ export {
   SmokeError,
   UnsupportedError,
 } from './base/errors.ts';
+
 export type { AnyValues, ShareLink, Value, Values } from './parameters/parameter.ts';
 export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './parameters/valueTypes.ts';
 export { presetValues } from './parameters/presets.ts';
@@ -41,6 +43,7 @@ export type {
   PuffOptions,
   VectorComponents,
 } from './simulator/emitterOptions.ts';
+
 export type { EmitterHandle } from './three/emitters.ts';
 export type { SmokeSpace } from './three/smokeSpace.ts';
 export type { SmokeHandle } from './three/handle.ts';
@@ -54,7 +57,7 @@ export type { Vector } from './scenes/scene.ts';
 export type { LoadProgress } from './simulator/load.ts';
 export type { RigidSurface } from './simulator/rigid.ts';
 export type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './stage/contract.ts';
-export type { BlowInput } from './stage/blow.ts';
+export type { BlowInput } from './stage/gestures.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
 export type { StageStats, StatsOptions } from './stage/stats.ts';

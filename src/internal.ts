@@ -3,7 +3,7 @@
  * it. No module of the library imports this file.
  */
 export { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.ts';
-export { linkCapacity, lookOf } from './page/moment.ts';
+export { linkCapacity, lookOf } from './page/element/moment.ts';
 export { sizeOf, watchSize } from './page/size.ts';
 export { pauseWhileHidden } from './page/visibility.ts';
 export { FullScreen } from './renderer/gpu/fullScreen.ts';
@@ -18,7 +18,7 @@ export { isAccepted } from './parameters/values.ts';
 export { itemLabel, listLabel, startValues } from './parameters/words/lists.ts';
 export { channelSheet, lobeSheet, type ChannelPicture } from './renderer/puffs/billboards/channelSheet.ts';
 export { bakePuffs } from './renderer/puffs/billboards/layers.ts';
-export { isOfLook } from './page/puff/ofLook.ts';
+export { isOfLook } from './page/puff/look.ts';
 export { LOBE_SHAPES } from './renderer/puffs/lobeShapes.ts';
 export { billboardShapes } from './renderer/puffs/shapes.ts';
 export { inPieces, nextTask } from './base/work.ts';

@@ -6,18 +6,15 @@ import { followAddress } from './share/address.ts';
 import { BallKeys } from './input/ball.ts';
 import { Editor } from './editor/editor.ts';
 import { enterScene, showSlowProgress } from './ui/progress.ts';
-import { toggleFullScreen } from './playback/fullScreen.ts';
-import { GestureEnd } from './input/gestureEnd.ts';
+import { toggleFullScreen, stepOnce, togglePlaying } from './playback/transport.ts';
+import { GestureEnd, Pointers } from './input/pointer.ts';
 import { Flag } from './ui/flag.ts';
-import { showHint } from './ui/hint.ts';
 import { listenToKeys } from './input/keyboard.ts';
 import { goToMoment, momentOf } from './share/moment.ts';
 import { notifyAll, type Notices } from './ui/notices.ts';
 import { buildPage, type Page } from './page.ts';
-import { Pointers } from './input/pointer.ts';
 import { Scrubber } from './playback/scrubber.ts';
 import { strings } from './strings.ts';
-import { stepOnce, togglePlaying } from './playback/transport.ts';
 
 /** What the controls act on. */
 export interface Controlled {
@@ -125,4 +122,21 @@ function notifyOfSlowMachine(stage: Stage, notices: Notices): void {
     stop();
     notices.whisper(strings.notices.slow);
   });
+}
+
+/** Explains the gestures on the picture at the first visit, until the first one or until it is dismissed. */
+function showHint(stage: Stage, canvas: HTMLElement, notices: Notices): void {
+  const isKnown = new Flag('knowsGestures');
+  if (isKnown.value) return;
+  const used = new AbortController();
+  const learn = () => {
+    isKnown.value = true;
+    used.abort();
+  };
+  const held = strings.scenes[String(stage.get().scene)]?.hand;
+  const remove = notices.explain(strings.hint(held), learn);
+  used.signal.addEventListener('abort', remove);
+  for (const gesture of ['pointerdown', 'wheel', 'keydown']) {
+    canvas.addEventListener(gesture, learn, { signal: used.signal, passive: true });
+  }
 }

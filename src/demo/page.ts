@@ -1,8 +1,8 @@
 import type { Stage } from '../index.ts';
 import { nextTask } from '../internal.ts';
-import { createDebugPanel, Views } from './panel/debugPanel.ts';
+import { createDebugPanel, Views, createStatistics } from './panel/debugPanel.ts';
 import { CaptureButton } from './capture/button.ts';
-import { createDock } from './gallery/dock.ts';
+import { createDock, surprise } from './gallery/dock.ts';
 import { create, iconButton } from './ui/dom.ts';
 import { acceptDrops, SmokeFiles } from './share/files.ts';
 import { DropThings } from './input/dropThings.ts';
@@ -17,9 +17,7 @@ import { OwnShape } from './gallery/ownShape.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
 import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
-import { surprise } from './gallery/surprise.ts';
 import { ShareSheet } from './share/shareSheet.ts';
-import { createStatistics } from './panel/statistics.ts';
 import { strings } from './strings.ts';
 
 /** Actions of the page's controls that shortcut keys use. */

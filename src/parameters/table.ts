@@ -8,7 +8,27 @@ import { listParameters } from './lists.ts';
 import type { Parameter } from './parameter.ts';
 import { airRows, puffRows, sceneRows, simulationRows, smokeRows } from './rows/smoke.ts';
 import { styleRows } from './rows/style.ts';
-import { cameraRows, lightRows } from './rows/view.ts';
+import { choice, ofScene, quantity } from './rows/row.ts';
+
+const TARGET = { min: -50, max: 50, unit: 'm' } as const;
+
+/** Kind and position of the light. */
+export const lightRows = [
+  choice('light.kind', 'light', 'sun', ['sun', 'lamp']),
+  quantity('light.azimuth', 'light', { min: -180, max: 180, default: 40, unit: '\u00b0' }),
+  quantity('light.elevation', 'light', { min: 5, max: 90, default: 50, unit: '\u00b0' }),
+  quantity('light.distance', 'light', { min: 0.5, max: 50, default: 4, unit: 'm' }),
+] as const satisfies readonly Parameter[];
+
+/** Position and target of the camera. Without a value they follow the scene's camera and its animation. */
+export const cameraRows = [
+  ofScene(quantity('camera.azimuth', 'camera', { min: -180, max: 180, default: 8.6, unit: '\u00b0' })),
+  ofScene(quantity('camera.elevation', 'camera', { min: -5, max: 88, default: 9.2, unit: '\u00b0' })),
+  ofScene(quantity('camera.distance', 'camera', { min: 0.3, max: 40, default: 6.3, unit: 'm' })),
+  ofScene(quantity('camera.target.x', 'camera', { ...TARGET, default: 0.15 })),
+  ofScene(quantity('camera.target.y', 'camera', { ...TARGET, default: 1.5 })),
+  ofScene(quantity('camera.target.z', 'camera', { ...TARGET, default: 0 })),
+] as const satisfies readonly Parameter[];
 
 /** All parameters that the panel, links and attributes can set. */
 export const table: readonly Parameter[] = [

@@ -9,14 +9,15 @@ import type { BillboardPuffs } from './gpu/puffTextures.ts';
 import { FIRST_BORDER } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { castersOf } from './puffs/billboards/casters.ts';
-import { findingFront } from './puffs/billboards/fronts.ts';
 import { LruCache } from './puffs/lru.ts';
-import { bakingLayers } from './puffs/billboards/layers.ts';
+import { bakingLayers, samplePuff, type PuffLayers, type PuffSample } from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
 import { billboardShapes, type PuffShape } from './puffs/shapes.ts';
 import { solidsOf } from './puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from './puffs/bake/startCaps.ts';
-import type { Work } from '../base/work.ts';
+import { type Work, finished } from '../base/work.ts';
+import { bounded, type Patch } from './puffs/bake/patches.ts';
+import { dot } from './puffs/vector.ts';
 
 /** The shaders of billboard bodies. */
 export const billboardShaders: Shaders = { vertexShader, fragmentShader };
@@ -58,4 +59,61 @@ function* baking(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
     depth: Math.max(...layers.figures.map(({ depth }) => depth)),
   };
   return { ...data, texturesFor: (context) => new BillboardTextures(context, data) };
+}
+
+/** The visible front surfaces of baked layers, as patches of points. */
+
+/** Texels along each side of a patch. */
+const PATCH_TEXELS = 8;
+/** Minimum cosine between normals of neighbouring texels; below it they span a crease or a rim. */
+const SMOOTH_COSINE = 0.985;
+/** Number of points between four texels, along x and along y, at a crease. */
+const CREASE_POINTS = 3;
+
+/** Front surfaces of all layers. */
+export function frontsOf(layers: PuffLayers): Patch[][] {
+  return Array.from({ length: layers.count }, (_, layer) => finished(findingFront(layers, layer)));
+}
+
+/** The front surface of a layer, in slices. Points are denser where filtering interpolates normals across a crease. */
+function* findingFront(layers: PuffLayers, layer: number): Work<Patch[]> {
+  const patches: Patch[] = [];
+  for (let j = 0; j < layers.size - 1; j += PATCH_TEXELS) {
+    for (let i = 0; i < layers.size - 1; i += PATCH_TEXELS) {
+      const points = pointsIn(layers, layer, i, j);
+      if (points.length > 0) patches.push(bounded(Float32Array.from(points)));
+    }
+    yield;
+  }
+  return patches;
+}
+
+function pointsIn(layers: PuffLayers, layer: number, firstI: number, firstJ: number): number[] {
+  const { size, pad } = layers;
+  const texel = (2 * pad) / size;
+  const points: number[] = [];
+  for (let j = firstJ; j < Math.min(size - 1, firstJ + PATCH_TEXELS); j++) {
+    for (let i = firstI; i < Math.min(size - 1, firstI + PATCH_TEXELS); i++) {
+      addPoints(layers, layer, (i + 0.5) * texel - pad, (j + 0.5) * texel - pad, points);
+    }
+  }
+  return points;
+}
+
+/** Adds points on the puff between the texel centre (x, y) and its right, upper and diagonal neighbours. */
+function addPoints(layers: PuffLayers, layer: number, x: number, y: number, points: number[]): void {
+  const texel = (2 * layers.pad) / layers.size;
+  const corners = [0, 1, 2, 3].map((k) => samplePuff(layers, layer, x + (k & 1) * texel, y + (k >> 1) * texel));
+  if (corners.every(({ distance }) => distance > 0)) return;
+  const steps = isSmooth(corners) ? 1 : CREASE_POINTS;
+  for (let k = 0; k < steps * steps; k++) {
+    const px = x + ((k % steps) + 0.5) * (texel / steps);
+    const py = y + (Math.floor(k / steps) + 0.5) * (texel / steps);
+    const { normal, height, distance } = samplePuff(layers, layer, px, py);
+    if (distance <= texel / 2) points.push(...normal, px, py, height, Math.hypot(px, py, height));
+  }
+}
+
+function isSmooth(corners: readonly PuffSample[]): boolean {
+  return corners.every((a) => corners.every((b) => dot(a.normal, b.normal) > SMOOTH_COSINE));
 }

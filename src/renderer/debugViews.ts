@@ -1,9 +1,8 @@
 import type { FrameView } from './gpu/frameView.ts';
 import { DebugViewsPass } from './passes/debugViews.ts';
 import type { SurfaceDepth } from './passes/surfaceDepth.ts';
-import { countVolumes, MAX_COUNT } from './countVolumes.ts';
+import { countVolumes, MAX_COUNT, type ArrangedFrame, type SmokePasses } from './smokePasses.ts';
 import type { FrameInput } from './frameInput.ts';
-import type { ArrangedFrame, SmokePasses } from './smokePasses.ts';
 
 /** Shows intermediate results of the passes instead of the picture. */
 export class DebugViews {

@@ -13,10 +13,9 @@ import { RampTexture } from './gpu/ramps.ts';
 import { lobeBodyShaders } from './passes/bodies.ts';
 import { volumeShaders } from './passes/volumes.ts';
 import type { Values } from '../parameters/parameter.ts';
-import { coarserSurfaces } from './detail.ts';
+import { coarserSurfaces, SceneSurfaces } from './sceneSurfaces.ts';
 import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
-import { SceneSurfaces } from './sceneSurfaces.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
 /**

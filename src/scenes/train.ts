@@ -1,5 +1,5 @@
 import { cos, sin } from '../simulator/exact/sine.ts';
-import { every, strideWithin } from './models/coarser.ts';
+import { every, strideWithin } from './models/revolve.ts';
 import { island, trees } from './models/island.ts';
 import { AXLES, CHIMNEY, CRANK, CYLINDER, locomotive, locomotiveHull, WHEEL_RADIUS } from './models/locomotive.ts';
 import { merged, placed, placement } from './models/place.ts';

@@ -1,7 +1,6 @@
 /** Descriptions of rigids, and their packing for WASM. */
 import { ParameterError } from '../base/errors.ts';
-import { requireIndices } from './indices.ts';
-import { poseNumbers, type QuaternionLike, type Triple } from './pose.ts';
+import { POSE_FLOATS, RIGID_FLOATS } from './layout.ts';
 
 /** A single shape, centred at its local origin. Capsules and cylinders extend along y. Lengths are in metres. */
 export type SingleShape =
@@ -133,4 +132,59 @@ function dimensionsOf(shape: SingleShape): ArrayLike<number> {
     default:
       return [];
   }
+}
+
+/**
+ * Rejects invalid indices before conversion: a Uint32Array would wrap -1 to a valid number.
+ * @throws ParameterError for an index that is not an unsigned 32-bit integer
+ */
+export function requireIndices(indices: ArrayLike<number>, name: string): void {
+  for (let index = 0; index < indices.length; index++) {
+    const vertex = indices[index];
+    if (!Number.isInteger(vertex) || vertex < 0 || vertex > 0xffffffff) {
+      throw new ParameterError(`${name}.indices.${index}`, vertex, 'a vertex index');
+    }
+  }
+}
+
+/** Poses packed for WASM. */
+
+/** x, y, z. */
+type Triple = ArrayLike<number>;
+/** Unit quaternion x, y, z, w. */
+type QuaternionLike = ArrayLike<number>;
+
+/** Position, then the quaternion x, y, z, w. */
+type PoseNumbers = [x: number, y: number, z: number, i: number, j: number, k: number, w: number];
+
+const NO_ROTATION = [0, 0, 0, 1];
+
+/** Position and rotation as the seven numbers of a pose. */
+export function poseNumbers(position: Triple, rotation: QuaternionLike = NO_ROTATION): PoseNumbers {
+  return [position[0], position[1], position[2], rotation[0], rotation[1], rotation[2], rotation[3]];
+}
+
+/**
+ * Interpolates a pose between two steps: position linearly, rotation by normalised linear interpolation (nlerp) along
+ * the shorter arc.
+ * @param poses of all rigids, {@link RIGID_FLOATS} each
+ * @param index of the rigid
+ * @param blend 0 is the previous step, 1 the latest
+ * @param result receives the pose, {@link POSE_FLOATS} per rigid
+ */
+export function blendPose(poses: Float32Array, index: number, blend: number, result: Float32Array): void {
+  const before = index * RIGID_FLOATS;
+  const now = before + POSE_FLOATS;
+  const to = index * POSE_FLOATS;
+  let cosine = 0;
+  for (let part = 3; part < POSE_FLOATS; part++) cosine += poses[before + part] * poses[now + part];
+  const sign = cosine < 0 ? -1 : 1;
+  let square = 0;
+  for (let part = 0; part < POSE_FLOATS; part++) {
+    const end = part < 3 ? poses[now + part] : sign * poses[now + part];
+    result[to + part] = poses[before + part] + (end - poses[before + part]) * blend;
+    if (part >= 3) square += result[to + part] * result[to + part];
+  }
+  const scale = 1 / Math.sqrt(square);
+  for (let part = 3; part < POSE_FLOATS; part++) result[to + part] *= scale;
 }

@@ -4,10 +4,8 @@ import { requireWhole } from '../parameters/values.ts';
 import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
-import { requireIndices } from './indices.ts';
-import { blendPose, poseNumbers } from './pose.ts';
+import { requireIndices, type rigidArguments, type RigidDescription, blendPose, poseNumbers } from './rigid.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
-import type { rigidArguments, RigidDescription } from './rigid.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
 import { viewLength, writeView, type View } from './view.ts';
 

@@ -14,7 +14,7 @@ import {
   type EmissionChange,
   type EmissionOptions,
 } from '../simulator/emitterOptions.ts';
-import type { BlowInput } from './blow.ts';
+import type { BlowInput } from './gestures.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { openFor, openStage, withDefaults } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';

@@ -9,7 +9,7 @@ import type { View } from '../../src/simulator/view.ts';
 import { ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
 import { spreadOf } from '../../src/renderer/gpu/puffTextures.ts';
 import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
-import { bandsOf } from '../../src/renderer/bands.ts';
+import { bandsOf } from '../../src/renderer/smoke.ts';
 import { DRAWINGS_PER_SECOND } from '../../src/renderer/frame.ts';
 import type { FrameInput } from '../../src/renderer/frameInput.ts';
 import { OUT_OF_SIGHT } from '../../src/renderer/sceneSurfaces.ts';

@@ -1,12 +1,10 @@
 import type { Stage } from '../../index.ts';
-import { create, textButton } from '../ui/dom.ts';
-import { download } from '../ui/output.ts';
+import { create, textButton, download } from '../ui/dom.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
 import { SettingsForm } from './settingsForm.ts';
 import type { CaptureSettings, Format } from './settings.ts';
-import type { Task } from './clip.ts';
-import { openStudio, type Studio } from './studio.ts';
+import { type Task, openStudio, type Studio } from './studio.ts';
 
 /** Dialog that selects what to capture, shows progress and allows cancelling. The smoke is paused meanwhile. */
 export class CaptureDialog {

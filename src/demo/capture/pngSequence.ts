@@ -1,9 +1,8 @@
 import { Zip, ZipPassThrough } from 'fflate';
 import { encodePng } from '../../internal.ts';
-import { shootClip, type Task } from './clip.ts';
+import { shootClip, type Task, type Studio } from './studio.ts';
 import { LayerCamera } from './layers.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
-import type { Studio } from './studio.ts';
 
 /** Encodes numbered PNGs with alpha in a zip; with layers, one folder for each layer. */
 export async function makePngSequence(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {

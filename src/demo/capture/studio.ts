@@ -1,6 +1,7 @@
 import type { Stage } from '../../index.ts';
 import { strings } from '../strings.ts';
-import { pixelSize, type CaptureSettings } from './settings.ts';
+import { pixelSize, type CaptureSettings, frameCount } from './settings.ts';
+import { nextTask } from '../../internal.ts';
 
 /** A stage on an offscreen canvas. */
 export interface Studio {
@@ -34,4 +35,34 @@ export async function openStudio(stage: Stage, settings: CaptureSettings): Promi
 function maxPixels(canvas: HTMLCanvasElement): number {
   const context = canvas.getContext('webgl2')!;
   return context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number;
+}
+
+/** A long-running operation that can be cancelled. */
+export interface Task {
+  readonly signal: AbortSignal;
+  /** Called with the progress, 0 to 1. */
+  readonly onProgress: (share: number) => void;
+}
+
+/**
+ * Renders a clip frame by frame in simulated time, so that no frame is dropped, however long rendering takes.
+ * @param shoot captures a frame; it must read the canvas before its first await
+ * @throws the signal's reason when the task is aborted
+ */
+export async function shootClip(
+  { stage, draw }: Studio,
+  settings: CaptureSettings,
+  { signal, onProgress }: Task,
+  shoot: (frame: number) => Promise<void> | void,
+): Promise<void> {
+  const count = frameCount(settings);
+  const start = stage.stats.time;
+  for (let frame = 0; frame < count; ++frame) {
+    if (frame === 0) draw();
+    else stage.running.showAt(start + frame / settings.rate);
+    await shoot(frame);
+    onProgress((frame + 1) / count);
+    await nextTask();
+    signal.throwIfAborted();
+  }
 }

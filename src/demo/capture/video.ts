@@ -10,9 +10,8 @@ import {
   type VideoCodec,
 } from 'mediabunny';
 import { strings } from '../strings.ts';
-import { shootClip, type Task } from './clip.ts';
+import { shootClip, type Task, type Studio } from './studio.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
-import type { Studio } from './studio.ts';
 
 /** Codecs in order of browser support. */
 const CODECS: Readonly<Record<'webm' | 'mp4', VideoCodec[]>> = {

@@ -10,7 +10,6 @@ import {
   type Value,
   type Values,
 } from '../../preset.ts';
-import { History } from './history.ts';
 
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
@@ -209,4 +208,66 @@ export function differences(before: AnyValues, after: AnyValues): Changes {
 
 function isEmpty(values: Changes): boolean {
   return Object.keys(values).length === 0;
+}
+
+const MAX_ENTRIES = 200;
+
+/**
+ * Undo and redo over complete states. A gesture (dragging a slider, typing a number) counts as one change: it starts
+ * with the first change with its name and ends with `settle` or with a change with another name.
+ */
+class History<Snapshot> {
+  private past: Snapshot[] = [];
+  private current: Snapshot;
+  private future: Snapshot[] = [];
+  private gesture: string | undefined;
+
+  constructor(present: Snapshot) {
+    this.current = present;
+  }
+
+  get present(): Snapshot {
+    return this.current;
+  }
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  record(next: Snapshot, gesture?: string): void {
+    const continues = gesture !== undefined && gesture === this.gesture;
+    if (!continues) {
+      this.past.push(this.current);
+      this.past.splice(0, this.past.length - MAX_ENTRIES);
+      this.future = [];
+    }
+    this.gesture = gesture;
+    this.current = next;
+  }
+
+  /** Ends a gesture. A gesture that returned to its start leaves no undo step. */
+  settle(isSame: (a: Snapshot, b: Snapshot) => boolean): void {
+    if (this.gesture !== undefined && isSame(this.past[this.past.length - 1], this.current)) this.past.pop();
+    this.gesture = undefined;
+  }
+
+  undo(): void {
+    this.move(this.past, this.future);
+  }
+
+  redo(): void {
+    this.move(this.future, this.past);
+  }
+
+  private move(from: Snapshot[], to: Snapshot[]): void {
+    this.gesture = undefined;
+    const state = from.pop();
+    if (state === undefined) return;
+    to.push(this.current);
+    this.current = state;
+  }
 }

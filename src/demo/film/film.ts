@@ -7,12 +7,11 @@ import { LayerCamera, type Layer } from '../capture/layers.ts';
 import { PixelReader } from '../capture/pixels.ts';
 import type { Studio } from '../capture/studio.ts';
 import { strings } from '../strings.ts';
-import { cameraAt } from './cameraPath.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
 import { encodeDepth, encodeExr } from './exr.ts';
 import { messages, type Receiver } from './receiver.ts';
-import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder } from './order.ts';
+import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder, type Keyframe } from './order.ts';
 
 /** Renders the frames that the receiver asks for, in ascending order. */
 export async function film(order: FilmOrder, receiver: Receiver): Promise<void> {
@@ -251,4 +250,31 @@ class Shooting {
 /** The step after which a time can be shown. */
 function stepOf(seconds: number): number {
   return Math.max(0, Math.ceil(seconds / STEP_SECONDS - 1e-6));
+}
+
+/**
+ * Camera values at a time: linear between two keyframes, by the shorter way around for `camera.azimuth`, and constant
+ * before the first and after the last one. A key that a keyframe omits keeps the value between its neighbours.
+ * @param keyframes in the order of their times
+ */
+export function cameraAt(keyframes: readonly Keyframe[], seconds: number): Record<string, number> {
+  const keys = new Set(keyframes.flatMap(({ values }) => Object.keys(values)));
+  return Object.fromEntries([...keys].map((key) => [key, valueAt(keyframes, key, seconds)]));
+}
+
+function valueAt(keyframes: readonly Keyframe[], key: string, seconds: number): number {
+  const own = keyframes.filter(({ values }) => key in values);
+  const after = own.findIndex((keyframe) => keyframe.seconds > seconds);
+  if (after === 0) return own[0].values[key];
+  if (after < 0) return own.at(-1)!.values[key];
+  const [from, to] = [own[after - 1], own[after]];
+  const share = (seconds - from.seconds) / (to.seconds - from.seconds);
+  const [start, way] = [from.values[key], to.values[key] - from.values[key]];
+  if (key !== 'camera.azimuth') return start + share * way;
+  return wrapped(start + share * wrapped(way));
+}
+
+/** To degrees from -180 to 180. */
+function wrapped(degrees: number): number {
+  return degrees - 360 * Math.round(degrees / 360);
 }

@@ -1,9 +1,9 @@
-import { fitPuff, type Stage } from '../../index.ts';
+import { fitPuff, type Stage, ShapeError, type PlainMesh } from '../../index.ts';
 import { create, textButton } from '../ui/dom.ts';
-import { MESH_TYPES, readMesh } from './meshFile.ts';
 import type { Notices } from '../ui/notices.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
+import { LoadingManager, Mesh, type BufferGeometry, type Matrix4, type Object3D } from 'three';
 
 /** A mesh from the user as puff shape: chosen in the panel or dropped onto the page, and removable. */
 export class OwnShape {
@@ -71,5 +71,76 @@ export class OwnShape {
   private notify(overlap = 0): void {
     this.caption.textContent = this.shown === undefined ? '' : strings.ownShape.shown(this.shown, overlap);
     this.caption.hidden = this.back.hidden = this.shown === undefined;
+  }
+}
+
+/** Loads mesh files as plain triangles. The loaders are fetched with the first file. */
+
+/** File types for the file picker. */
+const MESH_TYPES = '.glb,.gltf,.obj';
+/** Maximum file size in bytes. A puff keeps little detail, so larger files bring no benefit. */
+const MAX_BYTES = 16 * 1024 * 1024;
+
+/** @throws ShapeError when the file is too large, has an unsupported type, or cannot be read */
+async function readMesh(file: File): Promise<PlainMesh> {
+  if (file.size > MAX_BYTES) {
+    const size = (file.size / 1024 / 1024).toFixed(0);
+    throw new ShapeError(
+      `${file.name} has ${size} MB. The limit is ${MAX_BYTES / 1024 / 1024} MB. Simplify the mesh first.`,
+    );
+  }
+  return trianglesOf(await objectIn(file));
+}
+
+async function objectIn(file: File): Promise<Object3D> {
+  const kind = file.name.toLowerCase().split('.').at(-1);
+  try {
+    if (kind === 'obj') {
+      const { OBJLoader } = await import('three/examples/jsm/loaders/OBJLoader.js');
+      return new OBJLoader().parse(await file.text());
+    }
+    if (kind === 'glb' || kind === 'gltf') {
+      const { GLTFLoader } = await import('three/examples/jsm/loaders/GLTFLoader.js');
+      const { scene } = await new GLTFLoader(embeddedOnly()).parseAsync(await file.arrayBuffer(), '');
+      return scene;
+    }
+  } catch (error) {
+    throw new ShapeError(`${file.name} could not be read: ${(error as Error).message}`, { cause: error });
+  }
+  throw new ShapeError(`${file.name} is not a supported mesh. Use .glb, .gltf with embedded data, or .obj.`);
+}
+
+/** Rejects references to other files, local or on the web. */
+function embeddedOnly(): LoadingManager {
+  const manager = new LoadingManager();
+  manager.setURLModifier((address) => {
+    if (/^(data|blob):/.test(address)) return address;
+    throw new Error('it refers to other files. Save it with embedded data, as .glb.');
+  });
+  return manager;
+}
+
+/** The triangles of all meshes in world space. */
+function trianglesOf(root: Object3D): PlainMesh {
+  const positions: number[] = [];
+  const indices: number[] = [];
+  root.updateMatrixWorld(true);
+  root.traverse((object) => {
+    if (object instanceof Mesh) addTriangles(object.geometry as BufferGeometry, object.matrixWorld, positions, indices);
+  });
+  return { positions, indices };
+}
+
+function addTriangles(geometry: BufferGeometry, world: Matrix4, positions: number[], indices: number[]): void {
+  const first = positions.length / 3;
+  const places = geometry.getAttribute('position').clone().applyMatrix4(world);
+  for (let vertex = 0; vertex < places.count; vertex++) {
+    positions.push(places.getX(vertex), places.getY(vertex), places.getZ(vertex));
+  }
+  const corners = geometry.index?.array ?? Uint32Array.from({ length: places.count }, (_, vertex) => vertex);
+  // A mirroring transform reverses the winding.
+  const [second, third] = world.determinant() < 0 ? [2, 1] : [1, 2];
+  for (let at = 0; at + 2 < corners.length; at += 3) {
+    indices.push(first + corners[at], first + corners[at + second], first + corners[at + third]);
   }
 }

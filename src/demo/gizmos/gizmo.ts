@@ -1,5 +1,5 @@
 import { type Values, findParameter } from '../../preset.ts';
-import { DIRECTIONS, type Direction } from '../input/directions.ts';
+import { DIRECTIONS, type Direction } from '../input/keyboard.ts';
 import { create } from '../ui/dom.ts';
 import type { Changes, Editor } from '../editor/editor.ts';
 import { icon, type IconName } from '../ui/icons.ts';

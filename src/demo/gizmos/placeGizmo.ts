@@ -3,7 +3,7 @@ import { itemLabel } from '../../internal.ts';
 import { findParameter, type AnyValues, type Values } from '../../preset.ts';
 import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
-import type { Direction } from '../input/directions.ts';
+import type { Direction } from '../input/keyboard.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 type List = 'emitters' | 'vortices';

@@ -1,7 +1,7 @@
 import { findParameter, type Values } from '../../preset.ts';
 import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
-import type { Direction } from '../input/directions.ts';
+import type { Direction } from '../input/keyboard.ts';
 import { strings } from '../strings.ts';
 
 /** The sky over the overlay, as fractions of its size: half width, horizon, height and the sag of its arcs. */

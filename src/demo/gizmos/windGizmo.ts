@@ -2,7 +2,7 @@ import type { Stage } from '../../index.ts';
 import type { Values } from '../../preset.ts';
 import { clampTo, type Gizmo } from './gizmo.ts';
 import type { Changes } from '../editor/editor.ts';
-import type { Direction } from '../input/directions.ts';
+import type { Direction } from '../input/keyboard.ts';
 import { strings } from '../strings.ts';
 
 type Vector = readonly [x: number, y: number, z: number];

@@ -1,6 +1,5 @@
 import type { Stage } from '../../index.ts';
 import { ORBIT_PER_PIXEL, spread } from '../../internal.ts';
-import type { GestureEnd } from './gestureEnd.ts';
 
 const ZOOM_PER_PIXEL = 0.0015;
 // CSS pixels per line, for wheels that report lines.
@@ -112,5 +111,32 @@ export class Pointers {
   private placeOf(event: PointerEvent): { x: number; y: number } {
     const box = this.canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+}
+
+/** Wheels and keys have no end event. Their gesture ends after this time without input, in milliseconds. */
+export const QUIET_MS = 300;
+
+/** Detects the end of a camera gesture, so that the whole gesture is one undo step. */
+export class GestureEnd {
+  private readonly notify: () => void;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param notify called at the end of each gesture */
+  constructor(notify: () => void) {
+    this.notify = notify;
+  }
+
+  /** Restarts the timeout, for input without an end event. */
+  postpone(): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.now(), QUIET_MS);
+  }
+
+  /** Ends the gesture now. */
+  now(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    this.notify();
   }
 }

@@ -1,4 +1,4 @@
-import { listLabel, listNames, startValues } from '../../internal.ts';
+import { listLabel, listNames, startValues, FIRST_PART } from '../../internal.ts';
 import {
   findParameter,
   itemGroups,
@@ -10,7 +10,6 @@ import {
   type Value,
   type Values,
 } from '../../preset.ts';
-import { areSame, carrierChoices, type CarrierNames } from './carriers.ts';
 import { create, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createRow, type Row } from './row.ts';
@@ -139,4 +138,30 @@ function canBeRemoved(group: string, editor: Editor, scene: SceneLists): boolean
 function removal(group: string, editor: Editor): Record<string, Value | undefined> {
   const keys = Object.keys(editor.state.values).filter((key) => findParameter(key)?.group === group);
   return Object.fromEntries(keys.map((key) => [key, undefined]));
+}
+
+/** Names of a scene's carriers, by index. */
+interface CarrierNames {
+  readonly rigidNames: readonly string[];
+  readonly partNames: readonly string[];
+}
+
+/** A carrier as an option for parameters such as `vortices.0.rigid`. */
+export interface CarrierChoice {
+  readonly value: number;
+  readonly label: string;
+}
+
+/** The world first, then the rigids, then the parts. */
+export function carrierChoices({ rigidNames, partNames }: CarrierNames): readonly CarrierChoice[] {
+  return [
+    { value: -1, label: strings.items.world },
+    ...rigidNames.map((label, rigid) => ({ value: rigid, label })),
+    ...partNames.map((label, part) => ({ value: FIRST_PART + part, label })),
+  ];
+}
+
+/** Whether both lists are equal. Scenes differ in their carriers. */
+export function areSame(some: readonly CarrierChoice[], others: readonly CarrierChoice[]): boolean {
+  return JSON.stringify(some) === JSON.stringify(others);
 }

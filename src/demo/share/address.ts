@@ -1,7 +1,7 @@
 import { decode, encode, type Decoded } from '../../preset.ts';
 import type { Editor } from '../editor/editor.ts';
 import { linkOf } from '../poster.ts';
-import { QUIET_MS } from '../input/gestureEnd.ts';
+import { QUIET_MS } from '../input/pointer.ts';
 
 /** The share link of the current state. The smoke starts from the beginning where it is opened. */
 export async function linkTo(editor: Editor): Promise<string> {

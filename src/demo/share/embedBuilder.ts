@@ -1,14 +1,42 @@
 import type { Stage } from '../../index.ts';
 import type { Editor } from '../editor/editor.ts';
 import { strings as page } from '../strings.ts';
+
 // oxlint-disable-next-line import/no-unassigned-import -- its rules arrive with this module
 import '../styles/embed.css';
-import { create, textButton } from '../ui/dom.ts';
-import { download, copyText } from '../ui/output.ts';
+import { create, textButton, download, copyText } from '../ui/dom.ts';
 import { elementCode, FRAME, frameCode, heightOf, POSTER, type ElementScript, type EmbedOptions } from './embed.ts';
-import { strings } from './embedStrings.ts';
-import { puffCall } from './puffCall.ts';
+import { puffCall } from '../effects/code.ts';
 import { fiberCode, ridingKeys, sceneOf, threeCode } from './sceneCode.ts';
+
+/** Text of the embed builder, which is fetched with it. */
+const strings = {
+  what: 'Code for',
+  kinds: {
+    element: 'Custom element',
+    frame: 'Iframe',
+    three: 'three.js',
+    fiber: 'React Three Fiber',
+    puff: 'A puff by one call',
+  },
+  width: 'Width, px',
+  full: 'Full width',
+  ratio: 'Ratio',
+  transparent: 'Transparent',
+  interactive: 'Interactive',
+  poster: 'Poster',
+  alt: 'Description for screen readers',
+  altHint: 'Empty for decoration',
+  code: 'Code',
+  copy: 'Copy code',
+  copied: 'Code copied.',
+  byHand: 'The browser blocked copying. Press Ctrl + C, or \u2318 C on a Mac.',
+  leftOut: 'The code has only the smoke. The objects of this scene are not in it.',
+  riding: 'Emitters and forces that move with an object stay where it is now.',
+  download: 'Download poster',
+  saved: (name: string) => `Saved as ${name}. Put it beside the page.`,
+  failed: (reason: string) => `The poster could not be drawn. ${reason}`,
+} as const;
 
 const KINDS = ['element', 'frame', 'three', 'fiber', 'puff'] as const;
 type Kind = (typeof KINDS)[number];

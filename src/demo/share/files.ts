@@ -2,8 +2,7 @@
 import type { Stage } from '../../index.ts';
 import { nameOf } from '../../internal.ts';
 import { FileError, findPreset, readFile, writeFile, type SmokeFile, type State } from '../../preset.ts';
-import { create, textButton } from '../ui/dom.ts';
-import { download } from '../ui/output.ts';
+import { create, textButton, download } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { goToMoment } from './moment.ts';
 import type { Notices } from '../ui/notices.ts';

@@ -1,14 +1,13 @@
 import type { Stage } from '../../index.ts';
 import { LONGEST_LINK } from '../../internal.ts';
 import { linkTo } from './address.ts';
-import { create, iconButton, textButton, createSvg } from '../ui/dom.ts';
+import { create, iconButton, textButton, createSvg, copyText } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { SmokeFiles } from './files.ts';
 import { icon } from '../ui/icons.ts';
 import { linkToMoment } from './moment.ts';
 import { createShareKind, type ShareKind } from './shareKind.ts';
 import { strings } from '../strings.ts';
-import { copyText } from '../ui/output.ts';
 import type { EmbedBuilder } from './embedBuilder.ts';
 import type { Bitmap2D } from 'lean-qr';
 

@@ -1,9 +1,9 @@
 import { notice, type Notice } from '../../parameters/notice.ts';
 import type { Values } from '../../parameters/parameter.ts';
-import { linkCapacity, lookOf } from '../moment.ts';
 import type { RemoteStage } from '../../stage/remote/contract.ts';
 import { STEP_SECONDS } from '../../simulator/clock.ts';
 import type { Take } from '../../stage/take.ts';
+import { findParameter } from '../../parameters/table.ts';
 
 /** Limit for pages on which smoke is a side feature. */
 const LONGEST_SECONDS = 600;
@@ -39,4 +39,18 @@ function checkCapacity({ isFresh, mostParticles }: Take): void {
   const max = linkCapacity();
   if (!isFresh) throw new Error('it starts from a saved state.');
   if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles. The limit is ${max}.`);
+}
+
+/** Limits for share links that contain a take, and the values that takes do not record. */
+
+/** Maximum particle capacity that a take from a link may request. */
+export function linkCapacity(): number {
+  const row = findParameter('simulation.maxParticles');
+  return row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
+}
+
+/** Values for style, light and camera. The simulator does not read them, so takes do not record them per step. */
+export function lookOf(values: Values): Values {
+  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
+  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
 }

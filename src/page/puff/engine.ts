@@ -14,11 +14,10 @@ import { follow } from './follow.ts';
 import { hexOf, lookOf, Tints } from './look.ts';
 import { Obstacles } from './obstacles.ts';
 import type { Effect, PuffOptions } from './options.ts';
-import { Overlay, OwnCanvas, type Sheet } from './overlay.ts';
+import { Overlay, OwnCanvas, type Sheet, topLayerOf } from './overlay.ts';
 import { Placement } from './placement.ts';
 import { Scrolling } from './scrolling.ts';
 import { sourceOf, type Source } from './target.ts';
-import { topLayerOf } from './topLayer.ts';
 
 /** Time until a waiting call tries again, milliseconds. */
 const RETRY_MS = 80;

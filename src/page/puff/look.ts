@@ -1,7 +1,6 @@
 /** Colours, ink and light of the smoke. */
 import { fetchValues } from '../../parameters/byScene/fetchValues.ts';
 import type { Value, Values } from '../../parameters/parameter.ts';
-import { isOfLook } from './ofLook.ts';
 import { defaults } from '../../parameters/values.ts';
 
 const USUAL = 'air';
@@ -82,4 +81,12 @@ export function hexOf(color: string, element: Element = document.documentElement
     return byte.toString(16).padStart(2, '0');
   };
   return `#${hex(channels[0])}${hex(channels[1])}${hex(channels[2])}`;
+}
+
+/** What calls take from a preset. The rest of it is motion, which the effects have. */
+const PARTS = ['style.', 'light.', 'puff.'];
+
+/** Whether a parameter is part of the look. */
+export function isOfLook(key: string): boolean {
+  return PARTS.some((part) => key.startsWith(part));
 }

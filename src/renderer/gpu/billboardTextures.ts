@@ -11,8 +11,7 @@ import {
 import type { PuffLayers } from '../puffs/billboards/layers.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
-import { capRange, capTexture } from './capTexture.ts';
-import type { BillboardData, FormTextures } from './formTextures.ts';
+import { capRange, capTexture, type BillboardData, type FormTextures } from './formTextures.ts';
 
 /** Baked billboards as array textures, with a layer for each variation. */
 export class BillboardTextures implements FormTextures {

@@ -9,9 +9,12 @@ import {
   RawShaderMaterial,
   type IUniform,
   type ShaderMaterialParameters,
+  Object3D,
+  Scene,
+  type WebGLRenderer,
 } from 'three';
-import vertexShader from '../../../shaders/lib/fullScreen.vert';
-import { DrawnMesh } from './drawnMesh.ts';
+import coveringShader from '../../../shaders/lib/fullScreen.vert';
+import { DrawnMesh, PassCamera } from './drawnMesh.ts';
 
 /** Additive blending. */
 export const ADDS = {
@@ -31,7 +34,7 @@ export class FullScreen extends DrawnMesh {
     uniforms: Record<string, IUniform>,
     parameters: Omit<ShaderMaterialParameters, 'vertexShader' | 'fragmentShader' | 'uniforms'> = {},
   ) {
-    super(pictureMaterial({ vertexShader, fragmentShader, uniforms, ...parameters }), triangle());
+    super(pictureMaterial({ vertexShader: coveringShader, fragmentShader, uniforms, ...parameters }), triangle());
   }
 
   dispose(): void {
@@ -57,4 +60,48 @@ export function triangle(): BufferGeometry {
   geometry.setAttribute('corner', new BufferAttribute(new Float32Array([-1, -1, 3, -1, -1, 3]), 2));
   geometry.setDrawRange(0, 3);
   return geometry;
+}
+
+/** What three.js draws as points. Its class for them would bring another material into the package. */
+class PointsWithoutAttributes extends Object3D {
+  readonly isPoints = true;
+  readonly geometry: BufferGeometry = new BufferGeometry();
+  readonly material: RawShaderMaterial;
+
+  constructor(material: RawShaderMaterial) {
+    super();
+    this.material = material;
+    this.frustumCulled = false;
+  }
+}
+
+/** Points without attributes: the vertex shader places each by `gl_VertexID`. They neither test nor write depth. */
+export class DrawnPoints {
+  private readonly points: PointsWithoutAttributes;
+  private readonly scene = new Scene();
+  private readonly camera = new PassCamera();
+
+  constructor(
+    vertexShader: string,
+    fragmentShader: string,
+    uniforms: Record<string, IUniform>,
+    defines: Record<string, string> = {},
+  ) {
+    this.points = new PointsWithoutAttributes(pictureMaterial({ vertexShader, fragmentShader, uniforms, defines }));
+    this.scene.add(this.points);
+  }
+
+  get material(): RawShaderMaterial {
+    return this.points.material;
+  }
+
+  draw(renderer: WebGLRenderer, count: number): void {
+    this.points.geometry.setDrawRange(0, count);
+    renderer.render(this.scene, this.camera);
+  }
+
+  dispose(): void {
+    this.points.geometry.dispose();
+    this.points.material.dispose();
+  }
 }

@@ -4,10 +4,8 @@ import type { LobeCaps } from '../puffs/bake/lobeCaps.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { BillboardTextures } from './billboardTextures.ts';
-import { capRange, capTexture } from './capTexture.ts';
+import { capRange, capTexture, type BillboardData, type FormTextures } from './formTextures.ts';
 import type { BiteDrawing } from './drawnRows.ts';
-import { Shared } from './shared.ts';
-import type { BillboardData, FormTextures } from './formTextures.ts';
 
 /** How a puff is drawn: as lobes that are intersected per pixel, or as the paper's billboards, baked from one side. */
 export type PuffForm = 'lobes' | 'billboards';
@@ -194,5 +192,46 @@ class LobeTextures implements FormTextures {
   dispose(): void {
     this.lobeTable.dispose();
     this.caps.texture?.dispose();
+  }
+}
+
+interface Held<Item> {
+  readonly item: Item;
+  holders: number;
+}
+
+/** Reference-counted resources of a device: created on first use, disposed of after the last release. */
+class Shared<Key extends object, Item extends { dispose(): void }> {
+  private readonly make: (key: Key) => Item;
+  private readonly held = new Map<Key, Held<Item>>();
+
+  constructor(make: (key: Key) => Item) {
+    this.make = make;
+  }
+
+  /** Number of distinct resources. */
+  get size(): number {
+    return this.held.size;
+  }
+
+  /** Returns the item of a key. Each call needs a matching `release`. */
+  acquire(key: Key): Item {
+    const held = this.held.get(key) ?? { item: this.make(key), holders: 0 };
+    held.holders += 1;
+    this.held.set(key, held);
+    return held.item;
+  }
+
+  release(key: Key): void {
+    const held = this.held.get(key)!;
+    held.holders -= 1;
+    if (held.holders > 0) return;
+    held.item.dispose();
+    this.held.delete(key);
+  }
+
+  /** Disposes of all items but keeps the references: items recreate their GPU resources when they are next drawn. */
+  dispose(): void {
+    for (const { item } of this.held.values()) item.dispose();
   }
 }

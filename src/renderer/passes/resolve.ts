@@ -7,8 +7,7 @@ import tonesShader from '../../../shaders/resolve/tones.frag';
 import vertexShader from '../../../shaders/lib/fullScreen.vert';
 import { EDGE_TILE } from '../../base/constants.ts';
 import type { FrameView } from '../gpu/frameView.ts';
-import { DrawnPoints } from '../gpu/drawnPoints.ts';
-import { FullScreen } from '../gpu/fullScreen.ts';
+import { DrawnPoints, FullScreen } from '../gpu/fullScreen.ts';
 import { pictureTarget, type Targets } from './targets.ts';
 import type { Shaders } from '../gpu/programsAhead.ts';
 

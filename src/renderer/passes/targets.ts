@@ -10,7 +10,6 @@ import {
   type Texture,
   type WebGLRenderer,
 } from 'three';
-import { depthCopy } from '../gpu/depthCopy.ts';
 
 /**
  * The render target of the passes: two display-encoded colours with one depth and stencil buffer. Colour 0 is unlit (in
@@ -152,5 +151,19 @@ export function pictureTarget(): WebGLRenderTarget {
     magFilter: NearestFilter,
     generateMipmaps: false,
     depthBuffer: false,
+  });
+}
+
+/** A render target with a 24-bit depth and stencil texture, the destination for copies of a depth buffer in use. */
+export function depthCopy(): WebGLRenderTarget {
+  const depthTexture = new DepthTexture(1, 1, UnsignedInt248Type);
+  depthTexture.format = DepthStencilFormat;
+  // A render target needs a colour attachment; this one is never written.
+  return new WebGLRenderTarget(1, 1, {
+    format: RedFormat,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    stencilBuffer: true,
+    depthTexture,
   });
 }

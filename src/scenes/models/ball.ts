@@ -1,6 +1,6 @@
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { cos, sin } from '../../simulator/exact/sine.ts';
-import { every, strideWithin } from './coarser.ts';
+import { every, strideWithin } from './revolve.ts';
 
 /** A closed sphere about the origin: `rings` bands from pole to pole, and twice as many segments around. */
 export function ballMesh(radius: number, rings = 20): TriangleMesh {

@@ -3,8 +3,7 @@
  * (spout, handle, curl). Metres; positions along a curve are fractions of its length.
  */
 import { cos } from '../../simulator/exact/sine.ts';
-import { planarAxis, uprightAxis, type Stretch, type SurfaceOfRevolution } from './revolve.ts';
-import { spline } from './spline.ts';
+import { planarAxis, uprightAxis, type Stretch, type SurfaceOfRevolution, spline } from './revolve.ts';
 
 /** Points [x, y]: out of the belly, low, up in a long curve, and outwards at the opening. */
 export const SPOUT_PATH = spline([

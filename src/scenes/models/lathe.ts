@@ -1,7 +1,6 @@
 /** Surfaces of revolution about a vertical axis, defined by a few outline points. */
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
-import { planarAxis, revolve, uprightAxis, type Stretch } from './revolve.ts';
-import { spline } from './spline.ts';
+import { planarAxis, revolve, uprightAxis, type Stretch, spline } from './revolve.ts';
 
 /** Points [radius, height] of a smooth curve. */
 export type Outline = readonly (readonly [radius: number, height: number])[];

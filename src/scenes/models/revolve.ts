@@ -10,8 +10,6 @@
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { cos, hypot, sin } from '../../simulator/exact/sine.ts';
 import { cross } from '../../simulator/exact/rotation.ts';
-import { every, largest, strideWithin } from './coarser.ts';
-import type { Curve } from './spline.ts';
 
 type Vector = readonly [x: number, y: number, z: number];
 
@@ -200,4 +198,54 @@ export function normalized(vector: readonly number[]): number[] {
 
 function dot(a: readonly number[], b: readonly number[]): number {
   return a.reduce((sum, along, axis) => sum + along * b[axis], 0);
+}
+
+/** A smooth curve for parameters 0 to 1, with the dimension of its control points. */
+type Curve = (parameter: number) => number[];
+
+/**
+ * A Catmull-Rom spline through control points that are evenly spaced in its parameter. It ends exactly at the first and
+ * the last point, so that curves with a common end meet bit-exactly.
+ */
+export function spline(points: readonly (readonly number[])[]): Curve {
+  const last = points.length - 1;
+  const before = (i: number): readonly number[] => points[i - 1] ?? mirrored(points[0], points[1]);
+  const after = (i: number): readonly number[] => points[i + 1] ?? mirrored(points[last], points[last - 1]);
+  return (parameter) => {
+    const at = Math.min(1, Math.max(0, parameter)) * last;
+    const i = Math.min(last - 1, Math.floor(at));
+    const t = at - i;
+    if (t === 1) return [...points[i + 1]];
+    const [a, b, c, d] = [before(i), points[i], points[i + 1], after(i + 1)];
+    return b.map((from, axis) => {
+      const slope = (c[axis] - a[axis]) / 2;
+      const endSlope = (d[axis] - from) / 2;
+      const rise = c[axis] - from;
+      return from + t * (slope + t * (3 * rise - 2 * slope - endSlope + t * (slope + endSlope - 2 * rise)));
+    });
+  };
+}
+
+/** A virtual control point beyond an end, the neighbour mirrored about it. */
+function mirrored(end: readonly number[], neighbour: readonly number[]): number[] {
+  return end.map((value, axis) => 2 * value - neighbour[axis]);
+}
+
+/** How much coarser the grid of a mesh can be. Deviations are in metres. */
+
+/** Every n-th number from 0, and the last one. */
+export function every(stride: number, last: number): number[] {
+  return [...Array.from({ length: Math.ceil(last / stride) }, (_, index) => stride * index), last];
+}
+
+/** The largest stride along the segments of a circle whose chords deviate from it by at most this. At least four stay. */
+export function strideWithin(deviation: number, radius: number, segments: number): number {
+  return largest(segments / 4, (stride) => radius * (1 - cos((Math.PI * stride) / segments)) <= deviation);
+}
+
+/** The largest whole number above 1 for which this and all smaller ones hold, up to a limit; else 1. */
+function largest(limit: number, holds: (number: number) => boolean): number {
+  let number = 1;
+  while (number + 1 <= limit && holds(number + 1)) number++;
+  return number;
 }

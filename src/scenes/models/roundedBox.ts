@@ -1,8 +1,7 @@
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { tan } from '../../simulator/exact/arc.ts';
 import type { Vector } from '../scene.ts';
-import { every, strideWithin } from './coarser.ts';
-import { normalized } from './revolve.ts';
+import { every, strideWithin, normalized } from './revolve.ts';
 
 /** Distance of a chamfered corner from a round one, in radii. */
 const CHAMFER = 0.4;

@@ -1,6 +1,6 @@
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import { cos, sin } from '../../simulator/exact/sine.ts';
-import { every, strideWithin } from './coarser.ts';
+import { every, strideWithin } from './revolve.ts';
 
 const SEGMENTS = 96;
 

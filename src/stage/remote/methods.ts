@@ -1,13 +1,13 @@
 /**
  * The methods of a stage that can be called from another thread or page, in one list. `portStage.ts` and `protocol.ts`
- * make the messages of it, `localStage.ts` the stage of this thread, `src/page/iframe` that of a frame and `src/page/element` the
+ * make the messages of it, `openHere.ts` the stage of this thread, `src/page/iframe` that of a frame and `src/page/element` the
  * methods of the element. Pages import it without a stage, so it imports only types of `src/stage`.
  */
 import { requireFinite, requireWhole } from '../../parameters/values.ts';
 import type { Values } from '../../parameters/parameter.ts';
 import type { Vector } from '../../scenes/scene.ts';
 import type { EmissionChange, EmissionOptions } from '../../simulator/emitterOptions.ts';
-import type { BlowInput } from '../blow.ts';
+import type { BlowInput } from '../gestures.ts';
 import type { PointerInput } from '../contract.ts';
 import type { Stage } from '../stage.ts';
 import type { StatsOptions } from '../stats.ts';

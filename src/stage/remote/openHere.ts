@@ -1,10 +1,75 @@
-import type { DeviceCanvas } from '../../renderer/gpu/device.ts';
-import { UnsupportedError } from '../../base/errors.ts';
+import { type DeviceCanvas, createDevice, type Device } from '../../renderer/gpu/device.ts';
+import { UnsupportedError, SimulatorError } from '../../base/errors.ts';
 import type { StageOptions } from '../contract.ts';
-import { createStage } from '../stage.ts';
+import { createStage, type Stage } from '../stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
-import { localStage } from './localStage.ts';
-import { threadDevice } from './sharedDevice.ts';
+import { makeMethods, methodNames, methods, type MethodEntry, type MethodName } from './methods.ts';
+
+/**
+ * Keeps the device for stages that are soon reopened, for example when a page moves its widgets: programs stay compiled
+ * and puffs stay uploaded.
+ */
+const GRACE_MS = 2_000;
+
+/**
+ * One device for all stages of a thread, because browsers limit the number of WebGL contexts. After its context is
+ * given up, the next stage gets a new device; existing stages keep the old one, which may still be restored.
+ */
+export class SharedDevice {
+  private device: Device | undefined;
+  private readonly holders = new Map<Device, number>();
+  private shutdownTimer: ReturnType<typeof setTimeout> | undefined;
+
+  /**
+   * Returns the device. It must be released once for each call.
+   * @returns undefined if the browser cannot draw on an OffscreenCanvas: each stage then needs its own device
+   */
+  acquire(): Device | undefined {
+    clearTimeout(this.shutdownTimer);
+    this.dropLostDevice();
+    this.device ??= createOffPage();
+    if (this.device) this.holders.set(this.device, this.countOf(this.device) + 1);
+    return this.device;
+  }
+
+  release(device: Device): void {
+    const left = this.countOf(device) - 1;
+    if (left > 0) return void this.holders.set(device, left);
+    this.holders.delete(device);
+    if (device === this.device) this.shutdownTimer = setTimeout(() => this.end(), GRACE_MS);
+    else device.dispose();
+  }
+
+  /** Drops a device that new stages cannot use. */
+  private dropLostDevice(): void {
+    const { device } = this;
+    if (!device) return;
+    if (this.countOf(device) === 0 && !device.isUsable) this.end();
+    else if (!device.hasHope) this.device = undefined;
+  }
+
+  private countOf(device: Device): number {
+    return this.holders.get(device) ?? 0;
+  }
+
+  private end(): void {
+    this.device?.dispose();
+    this.device = undefined;
+  }
+}
+
+function createOffPage(): Device | undefined {
+  if (typeof OffscreenCanvas === 'undefined' || !new OffscreenCanvas(1, 1).getContext('bitmaprenderer'))
+    return undefined;
+  try {
+    return createDevice(new OffscreenCanvas(1, 1));
+  } catch {
+    return undefined;
+  }
+}
+
+/** The shared device of this thread. */
+export const threadDevice = new SharedDevice();
 
 const FRAME_RATE = 60;
 
@@ -35,4 +100,29 @@ export async function openHere(
   if (!signal?.aborted) return opened;
   await opened.dispose();
   throw signal.reason;
+}
+
+/**
+ * Wraps a stage of this thread as a RemoteStage.
+ * @param release called once, after disposal
+ */
+export function localStage(stage: Stage, thread: Thread = 'main', release?: () => void): RemoteStage {
+  let isDisposed = false;
+  const call = async (name: MethodName, args: unknown[]) => {
+    if (isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
+    const entry: MethodEntry = methods[name];
+    return entry.run(stage, ...args.slice(0, entry.takes.length));
+  };
+  return {
+    ...makeMethods(methodNames, call),
+    ready: stage.ready,
+    thread,
+    on: (event, listener) => stage.on(event, listener),
+    async dispose() {
+      if (isDisposed) return;
+      isDisposed = true;
+      stage.dispose();
+      release?.();
+    },
+  };
 }

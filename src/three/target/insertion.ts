@@ -1,7 +1,6 @@
 import type { Camera, DepthTexture, Plane, Scene, Vector2, WebGLRenderer } from 'three';
 import type { InsertPass } from '../../renderer/passes/insert.ts';
-import { limitOf } from '../../renderer/countVolumes.ts';
-import type { SmokePasses } from '../../renderer/smokePasses.ts';
+import { limitOf, type SmokePasses } from '../../renderer/smokePasses.ts';
 import type { Style } from '../../renderer/style.ts';
 import type { HostCasters } from '../casters.ts';
 import type { HostVolumes } from '../volumes/hostVolumes.ts';

@@ -2,7 +2,7 @@
 import { puff, type Effect } from '../../../src/puff.ts';
 import { hexOf } from '../../../src/page/puff/look.ts';
 import { sourceOf } from '../../../src/page/puff/target.ts';
-import { visibilityChange } from '../../../src/page/puff/visibility.ts';
+import { visibilityChange } from '../../../src/page/puff/puff.ts';
 
 interface Played {
   /** Largest number of opaque pixels of a small copy of the canvas during the call. */

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
-import { indexFrame } from '../../../src/demo/capture/gifPalette.ts';
+import { indexFrame } from '../../../src/demo/capture/gif.ts';
 import { labelColors, type Labels } from '../../../src/demo/capture/labels.ts';
 import type { Point } from '../../../src/demo/capture/simplify.ts';
-import { traceRegion } from '../../../src/demo/capture/trace.ts';
+import { traceRegion } from '../../../src/demo/capture/svg.ts';
 
 const [RED, GREEN, BLUE] = [0xff2030c0, 0xff30c020, 0xffc03020];
 

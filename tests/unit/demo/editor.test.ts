@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { Editor, type Changes } from '../../../src/demo/editor/editor.ts';
-import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../../src/demo/panel/slider.ts';
+import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../../src/demo/panel/control.ts';
 import { defaultState } from '../../../src/parameters/codec.ts';
 import type { Value, Values } from '../../../src/parameters/parameter.ts';
 import { isAccepted } from '../../../src/parameters/values.ts';

@@ -1,8 +1,8 @@
 /** Motion vectors of flipbooks, against the projection of moving puffs. */
 import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { drawMotion, MOTION_RANGE } from '../../../src/demo/capture/motion.ts';
-import { joined, stillOf } from '../../../src/demo/capture/still.ts';
+import { drawMotion, MOTION_RANGE } from '../../../src/demo/capture/flipbook.ts';
+import { joined, stillOf } from '../../../src/demo/capture/loop.ts';
 import type { Rows } from '../../../src/simulator/rows.ts';
 import type { View } from '../../../src/simulator/view.ts';
 import type { Arranger, FrameInput } from '../../../src/renderer/frameInput.ts';

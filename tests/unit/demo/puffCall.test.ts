@@ -1,6 +1,5 @@
 import { expect, it } from 'vitest';
-import { puffCode } from '../../../src/demo/effects/code.ts';
-import { puffCall } from '../../../src/demo/share/puffCall.ts';
+import { puffCode, puffCall } from '../../../src/demo/effects/code.ts';
 import { decode, findPreset, presetValues } from '../../../src/preset.ts';
 
 const IMPORT = "import { puff } from 'cartoon-smoke/puff';\n";

@@ -1,7 +1,6 @@
 /** The search of the panel. */
 import { expect, test } from 'vitest';
-import { rankOf } from '../../../src/demo/panel/search.ts';
-import { synonyms } from '../../../src/demo/panel/synonyms.ts';
+import { rankOf, synonyms } from '../../../src/demo/panel/search.ts';
 import { findParameter, groups, table } from '../../../src/preset.ts';
 
 /** Keys of the matches in the order of the panel: the group with the best match first. */

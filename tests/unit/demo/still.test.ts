@@ -1,6 +1,6 @@
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
-import { joined, stillOf } from '../../../src/demo/capture/still.ts';
+import { joined, stillOf } from '../../../src/demo/capture/loop.ts';
 import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../src/simulator/layout.ts';
 import type { Rows } from '../../../src/simulator/rows.ts';
 import type { View } from '../../../src/simulator/view.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { extrude, type TriangleMesh } from '../../../src/renderer/passes/extrusion.ts';
 import { lampModel } from '../../../src/scenes/models/lamp.ts';
-import { spline } from '../../../src/scenes/models/spline.ts';
+import { spline } from '../../../src/scenes/models/revolve.ts';
 import { finished } from '../../../src/base/work.ts';
 
 type Vector = readonly [x: number, y: number, z: number];

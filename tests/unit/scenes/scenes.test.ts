@@ -8,7 +8,7 @@ import { extrude, type TriangleMesh } from '../../../src/renderer/passes/extrusi
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries, sceneNamed } from '../../../src/scenes/scenes.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
-import { coarserSurfaces } from '../../../src/renderer/detail.ts';
+import { coarserSurfaces } from '../../../src/renderer/sceneSurfaces.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { finished } from '../../../src/base/work.ts';

@@ -3,17 +3,22 @@ import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSyn
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { cameraAt } from '../../../src/demo/film/cameraPath.ts';
+import { cameraAt } from '../../../src/demo/film/film.ts';
 import { nameOf, type Keyframe } from '../../../src/demo/film/order.ts';
 import { decode } from '../../../src/parameters/codec.ts';
+
 // @ts-expect-error -- a script without declarations
 import * as options from '../../../scripts/film/options.mjs';
+
 // @ts-expect-error -- a script without declarations
 import * as files from '../../../scripts/film/files.mjs';
+
 // @ts-expect-error -- a script without declarations
 import * as frames from '../../../scripts/film/frames.mjs';
+
 // @ts-expect-error -- a script without declarations
 import * as browser from '../../../scripts/film/browser.mjs';
+
 // @ts-expect-error -- a script without declarations
 import * as states from '../../../scripts/film/states.mjs';
 

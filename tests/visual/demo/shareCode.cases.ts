@@ -5,13 +5,13 @@ import { createRoot } from 'react-dom/client';
 import * as three from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { elementCode, type EmbedOptions } from '../../../src/demo/share/embed.ts';
-import { puffCall } from '../../../src/demo/share/puffCall.ts';
+import { puffCall } from '../../../src/demo/effects/code.ts';
 import { fiberCode, sceneOf, threeCode } from '../../../src/demo/share/sceneCode.ts';
 import * as smokeInReact from '../../../src/fiber.ts';
 import * as library from '../../../src/index.ts';
 import { encode, findPreset, presetValues, type PresetName, type Values } from '../../../src/preset.ts';
 import * as puffs from '../../../src/puff.ts';
-import { threadDevice } from '../../../src/stage/remote/sharedDevice.ts';
+import { threadDevice } from '../../../src/stage/remote/openHere.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { keepPrograms } from '../pageDevice.ts';
 

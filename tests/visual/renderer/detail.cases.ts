@@ -1,5 +1,5 @@
 /** Models with coarser triangles in small pictures. */
-import { coarserSurfaces, deviationFor } from '../../../src/renderer/detail.ts';
+import { coarserSurfaces, deviationFor } from '../../../src/renderer/sceneSurfaces.ts';
 import type { LabPicture } from '../lab.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { SMALL } from '../stage/stage.cases.ts';

@@ -1,13 +1,13 @@
 import type { Page, Worker } from '@playwright/test';
 
-type Shared = typeof import('../../../../src/stage/remote/sharedDevice.ts');
+type Shared = typeof import('../../../../src/stage/remote/openHere.ts');
 
 /** A page or a worker. */
 type Thread = Pick<Worker, 'evaluate' | 'evaluateHandle'>;
 
 /** Loses or restores the context of a thread, and waits for the event. */
 export async function changeContext(thread: Thread, way: 'loseContext' | 'restoreContext'): Promise<void> {
-  const shared = await thread.evaluateHandle(`import('/src/stage/remote/sharedDevice.ts')`);
+  const shared = await thread.evaluateHandle(`import('/src/stage/remote/openHere.ts')`);
   await thread.evaluate(
     async ([module, method]) => {
       const { threadDevice } = module as Shared;

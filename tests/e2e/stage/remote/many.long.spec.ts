@@ -5,9 +5,9 @@ import { expectBack, expectMany } from './many.ts';
 
 type ManyCases = typeof import('./many.cases.ts');
 type ProvokedCases = typeof import('../../page/element/provoked.cases.ts');
-type Shared = typeof import('../../../../src/stage/remote/sharedDevice.ts');
+type Shared = typeof import('../../../../src/stage/remote/openHere.ts');
 type Load = typeof import('../../../../src/simulator/load.ts');
-const SHARED = '/src/stage/remote/sharedDevice.ts';
+const SHARED = '/src/stage/remote/openHere.ts';
 const LOAD = '/src/simulator/load.ts';
 const [FIRST, MORE] = [20, 180];
 /** The engine keeps some code and feedback; leaked stages would need twice as much. */

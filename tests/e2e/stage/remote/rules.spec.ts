@@ -5,7 +5,7 @@ import { loadModule } from '../../../support/modules.ts';
 import { setTimeouts } from './context.ts';
 
 type Cases = typeof import('./stage.cases.ts');
-type Shared = typeof import('../../../../src/stage/remote/sharedDevice.ts');
+type Shared = typeof import('../../../../src/stage/remote/openHere.ts');
 
 // Source modules on separate pages. The browser logs what it blocks itself.
 test.use({ allowed: /Content Security|TrustedScriptURL|Trusted Type|404|WebAssembly|context lost/i });
@@ -85,7 +85,7 @@ test('WASM forbidden by the page is a LoadError on the main thread', async ({ pa
 test('a context that is not restored emits one ContextError, and can still be restored', async ({ page }) => {
   await openUnder(page);
   const cases = await loadModule<Cases>(page, '/tests/e2e/stage/remote/stage.cases.ts');
-  const shared = await loadModule<Shared>(page, '/src/stage/remote/sharedDevice.ts');
+  const shared = await loadModule<Shared>(page, '/src/stage/remote/openHere.ts');
   const notified = await cases.evaluateHandle(async (module) => {
     const errors: string[] = [];
     const { stage } = await module.open({ thread: 'main' });
@@ -147,7 +147,7 @@ test('a context lost during the start shows smoke when it is restored', async ({
   await openUnder(page);
   await setTimeouts(page, 'endless');
   const cases = await loadModule<Cases>(page, '/tests/e2e/stage/remote/stage.cases.ts');
-  const shared = await loadModule<Shared>(page, '/src/stage/remote/sharedDevice.ts');
+  const shared = await loadModule<Shared>(page, '/src/stage/remote/openHere.ts');
   const differing = await cases.evaluate(async (module, { threadDevice }) => {
     const device = threadDevice.acquire()!;
     const losing = device.renderer.getContext().getExtension('WEBGL_lose_context')!;

@@ -1,6 +1,6 @@
 /** Which boxes of a page the simulator uses if there are too many. */
 import { expect, test } from 'vitest';
-import { nearest } from '../../../../src/page/element/layout/nearest.ts';
+import { nearest } from '../../../../src/page/element/layout/onPage.ts';
 
 const FRAME = { left: 0, top: 0, width: 600, height: 400 };
 /** Twelve boxes in a column, 100 pixels apart; four of them are in the frame. */

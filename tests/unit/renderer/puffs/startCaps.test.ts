@@ -2,11 +2,15 @@ import { expect, test } from 'vitest';
 import { bakePuffs, samplePuff } from '../../../../src/renderer/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
 import { middleOf, softNormal } from '../../../../src/renderer/puffs/normals.ts';
-import { frontsOf } from '../../../../src/renderer/puffs/billboards/fronts.ts';
+import { frontsOf } from '../../../../src/renderer/billboards.ts';
 import { POINT_STRIDE, surfaceOf } from '../../../../src/renderer/puffs/bake/patches.ts';
 import type { Lobe } from '../../../../src/renderer/puffs/shapes.ts';
-import { NOTHING_LIT } from '../../../../src/renderer/puffs/bake/patchBounds.ts';
-import { bakeStartCaps, startCapAt, type StartCaps } from '../../../../src/renderer/puffs/bake/startCaps.ts';
+import {
+  NOTHING_LIT,
+  bakeStartCaps,
+  startCapAt,
+  type StartCaps,
+} from '../../../../src/renderer/puffs/bake/startCaps.ts';
 import { minus } from '../../../../src/renderer/puffs/vector.ts';
 
 type Vector = [number, number, number];

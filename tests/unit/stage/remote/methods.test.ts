@@ -3,7 +3,7 @@ import { expect, test } from 'vitest';
 import { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 import { elementStage } from '../../../../src/page/iframe/answerPage.ts';
 import type { RemoteStage } from '../../../../src/stage/remote/contract.ts';
-import { localStage } from '../../../../src/stage/remote/localStage.ts';
+import { localStage } from '../../../../src/stage/remote/openHere.ts';
 import { methodNames, type MethodName, type RemoteMethods } from '../../../../src/stage/remote/methods.ts';
 import { PortStage } from '../../../../src/stage/remote/portStage.ts';
 import { serveStage } from '../../../../src/stage/remote/serveStage.ts';

@@ -12,7 +12,7 @@ async function startedFrom(url?: string): Promise<string> {
   vi.stubGlobal('Worker', started);
   vi.stubGlobal('location', new URL('https://page.example/app/'));
   if (url) (await import('../../../../src/base/assetUrls.ts')).setAssetUrls({ worker: url });
-  (await import('../../../../src/stage/remote/startWorker.ts')).startWorker();
+  (await import('../../../../src/stage/remote/pageWorker.ts')).startWorker();
   expect(started).toHaveBeenCalledTimes(1);
   return String(started.mock.calls[0][0]);
 }
@@ -39,7 +39,7 @@ it('starts a script of another host from a blob, and leaves the global Worker al
   vi.stubGlobal('location', new URL('https://page.example/app/'));
   vi.stubGlobal('Worker', undefined);
   Object.defineProperty(globalThis, 'Worker', { get: () => Worker, set, configurable: true });
-  const { startWorker } = await import('../../../../src/stage/remote/startWorker.ts');
+  const { startWorker } = await import('../../../../src/stage/remote/pageWorker.ts');
   expect(startWorker()).toBeInstanceOf(Worker);
   const addresses = Worker.mock.calls.map(([address]) => String(address));
   expect(addresses).toEqual([expect.stringMatching(/\/remote\/worker\.ts$/), expect.stringMatching(/^blob:/)]);
