@@ -45,7 +45,7 @@ function opaque(): number {
 // After the stage's own callback of the frame: WebKitGTK draws on the canvas itself, which is empty after the frame.
 const nextFrame = () => new Promise((resolve) => setTimeout(() => requestAnimationFrame(resolve)));
 /** Smoke that stays about where it starts. */
-const STILL = { count: 120, speed: 0.05, duration: 12 } as const;
+const STILL = { count: 120, speed: 0.05, duration: 12, seed: 5 } as const;
 const html = document.documentElement;
 
 /** Body and style attributes by selector. */
@@ -63,8 +63,10 @@ function build({ body = '', styles = {} }: Scenery): void {
     document.querySelector<HTMLElement>(selector)!.style.cssText += css;
 }
 
+type Box = Pick<DOMRect, 'left' | 'top' | 'width' | 'height'>;
+
 /** What is hit, because browsers disagree on the rectangles of zoomed elements. */
-function clientRect(element: Element): { left: number; top: number; width: number; height: number } {
+function clientRect(element: Element): Box {
   let [left, top, right, bottom] = [Infinity, Infinity, 0, 0];
   for (let y = 0; y < innerHeight; y += 4) {
     for (let x = 0; x < innerWidth; x += 4) {
@@ -123,6 +125,12 @@ async function clear(call: Promise<void>): Promise<void> {
   while (opaque() > 0);
 }
 
+/** Offset of smoke from a box, relative to the box and its surroundings, in which the puffs are anywhere. */
+const offset = ({ x, y }: { x: number; y: number }, box: Box) => [
+  (x - box.left - box.width / 2) / (60 + box.width / 3),
+  (y - box.top - box.height / 2) / (60 + box.height / 3),
+];
+
 /** Where the smoke and the canvas of a call on `#target` are. */
 export async function placeOfSmoke(scenery: Scenery, scrolled = 0) {
   build(scenery);
@@ -135,11 +143,7 @@ export async function placeOfSmoke(scenery: Scenery, scrolled = 0) {
   const isOver = fillsWindow(canvas);
   await clear(call);
   return {
-    // Relative to the box and its surroundings, in which the puffs are anywhere.
-    off: [
-      (smoke.x - box.left - box.width / 2) / (60 + box.width / 3),
-      (smoke.y - box.top - box.height / 2) / (60 + box.height / 3),
-    ],
+    off: offset(smoke, box),
     isOver,
     pixels: canvas.width / html.clientWidth / Math.min(devicePixelRatio, 2),
   };
@@ -175,7 +179,7 @@ const isInTopLayer = () => {
 export async function topLayer(name: keyof typeof topLayers) {
   build({ body: '<button id="outside">Outside</button><p style="height: 3000px">Text</p>' });
   const style = Object.assign(document.createElement('style'), {
-    textContent: '::backdrop { backdrop-filter: blur(4px); background: linear-gradient(red, blue) }',
+    textContent: '::backdrop { backdrop-filter: blur(0px); background: linear-gradient(red, blue) }',
   });
   document.body.append(style);
   const { target, focused, isOpen = () => true, act = () => undefined } = topLayers[name]();
@@ -186,13 +190,13 @@ export async function topLayer(name: keyof typeof topLayers) {
     keepsFocus: !focused || document.activeElement === focused,
   });
   const call = puff(target, STILL);
-  const { x, y } = await middleOfSmoke(call);
-  const during = states();
+  const smoke = await middleOfSmoke(call);
   const canvas = document.querySelector('canvas')!;
+  const { left, top, width, height } = canvas.getBoundingClientRect();
+  const during = { ...states(), rectangle: [left, top, width - html.clientWidth, height - html.clientHeight] };
   const frame = canvas.assignedSlot?.parentElement ?? canvas;
   const backdrop = getComputedStyle(frame, '::backdrop').backdropFilter ?? 'none';
-  const box = target instanceof Element ? target.getBoundingClientRect() : undefined;
-  const off = box && [x - box.left - box.width / 2, y - box.top - box.height / 2];
+  const off = target instanceof Element ? offset(smoke, target.getBoundingClientRect()) : [];
   act();
   await nextFrame();
   const { isIn } = states();
