@@ -46,7 +46,9 @@ export type SingleValues = {
   /** Dissolving: How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the renderer selle have no holes. */ 'emission.dissolve':
     'shrink' | 'erode';
   /** Entrainment: How much puffs grow with the distance they travel through the air. */ 'emission.entrainment': number;
+  /** Company: How much sooner puffs without other smoke around them end, and how much later those inside a group. */ 'emission.company': number;
   /** Puff size: Makes every puff larger or smaller. */ 'puff.size': number;
+  /** Size spread: Few large and many small puffs instead of even ones: the smoke swells and thins, and large puffs live longer. */ 'emission.sizeSpread': number;
   /** Puff shapes: Number of different shapes. A puff keeps its shape for life. */ 'puff.variations': number;
   /** Turn: How much puffs turn with the rotation of the air around them; 1 is as fast as the air. Billboards do not. */ 'puff.turn': number;
   /** Stretch: How long fast puffs get along their motion relative to the wind, at most; 1 keeps their shape. Billboards keep it too. */ 'puff.stretch': number;

@@ -28,7 +28,9 @@ export const smokeRows = [
   { kind: 'curve', key: 'emission.density', reader: 'simulator', default: '0:1,1:0' },
   simulatedChoice('emission.dissolve'),
   ofScene(simulated('emission.entrainment')),
+  simulated('emission.company'),
   simulated('puff.size'),
+  simulated('emission.sizeSpread'),
 ] as const satisfies readonly Parameter[];
 
 /** Shape of the puffs. */

@@ -50,6 +50,11 @@ export const smokeWords: WordsOf<Rows> = {
     text: 'How much puffs grow with the distance they travel through the air.',
     step: 0.01,
   },
+  'emission.company': {
+    label: 'Company',
+    text: 'How much sooner puffs without other smoke around them end, and how much later those inside a group.',
+    step: 0.05,
+  },
   'puff.size': {
     group: 'emission',
     label: 'Puff size',
@@ -57,6 +62,11 @@ export const smokeWords: WordsOf<Rows> = {
     step: 0.05,
     slider: 'fine',
     unit: '\u00d7',
+  },
+  'emission.sizeSpread': {
+    label: 'Size spread',
+    text: 'Few large and many small puffs instead of even ones: the smoke swells and thins, and large puffs live longer.',
+    step: 0.05,
   },
   'puff.variations': {
     label: 'Puff shapes',

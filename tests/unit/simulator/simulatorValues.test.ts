@@ -16,7 +16,7 @@ const WASM = new URL('../../../src/simulator/wasm/core/bindings_bg.wasm', import
 const rows = table.filter(
   (row): row is NumberParameter => row.reader === 'simulator' && 'min' in row && !/^\w+\.[1-7]\./.test(row.key),
 );
-/** With these values nothing spawns within half a second. */
+/** With these values nothing spawns within 45 steps. */
 const BARREN = new Set([
   'emission.rate = 0',
   'emitters.0.share = 0',
@@ -37,7 +37,7 @@ describe('the simulator', () => {
     const simulator = factory.create({ capacity: 256, seed: 1 });
     simulator.set({ ...simulatorValues(lamp), 'emitters.0.share': 1, 'emission.rate': 400 });
     simulator.set(values);
-    simulator.step(30);
+    simulator.step(45);
     return simulator;
   }
 
@@ -74,8 +74,8 @@ describe('the simulator', () => {
   });
 
   it('changes the rows for every parameter that it reads', () => {
-    // A diagonal axis, so that a shift in any direction has an effect.
-    const axis = { 'vortices.0.axis.x': 0.5, 'vortices.0.axis.y': 0.5 };
+    // A diagonal axis, so that a shift in any direction has an effect. Short lives, so that company matters.
+    const axis = { 'vortices.0.axis.x': 0.5, 'vortices.0.axis.y': 0.5, 'emission.lifetime': 1 };
     const wind = { 'forces.wind.x': 0.5, 'wind.gusts': 0.5, 'wind.shear': 0.1 };
     const base = { ...axis, ...wind, 'vortices.0.circulation': 2, 'turbulence.speed': 1, 'gravity.acceleration': 1 };
     const shown = (values: Record<string, number>) => {

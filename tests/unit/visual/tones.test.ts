@@ -2,6 +2,7 @@ import { expect, test } from 'vitest';
 import {
   birthsBetween,
   borderOf,
+  countCrumbs,
   countSmall,
   flipsBetween,
   NO_SMOKE,
@@ -28,6 +29,17 @@ test('regions are connected by sides, and end at other tones and where there is 
 test('regions of 4 to 59 pixels are small', () => {
   const sized = (area: number) => ({ tone: 1, pixels: Array.from({ length: area }, (_, pixel) => pixel) });
   expect(countSmall([3, 4, 59, 60].map(sized))).toBe(2);
+});
+
+test('pieces of the silhouette of 4 to 499 pixels are crumbs, except for the largest piece', () => {
+  const whole = ['12211111.', '1221111..', '.........', '11.......', '21...111.'];
+  // The square of two tones is one piece; three pixels are too few.
+  expect(countCrumbs(picture(...whole))).toBe(1);
+  expect(countCrumbs(picture('1111.2222', '1111.2222'))).toBe(1);
+  expect(countCrumbs(picture('1111', '1111'))).toBe(0);
+  const line = (area: number) => `${'1'.repeat(600)}.${'1'.repeat(area)}.${'1'.repeat(area)}`;
+  expect(countCrumbs(picture(line(499)))).toBe(2);
+  expect(countCrumbs(picture(line(500)))).toBe(0);
 });
 
 test('the border counts sides between tones, not sides of the smoke', () => {

@@ -2,7 +2,16 @@
 import type { Values } from '../../../src/parameters/parameter.ts';
 import { base64, upright, type LabPicture } from '../lab.ts';
 import { SceneLab } from '../sceneLab.ts';
-import { birthsBetween, borderOf, countSmall, flipsBetween, NO_SMOKE, regionsOf, type Tones } from './tones.ts';
+import {
+  birthsBetween,
+  borderOf,
+  countCrumbs,
+  countSmall,
+  flipsBetween,
+  NO_SMOKE,
+  regionsOf,
+  type Tones,
+} from './tones.ts';
 
 const [WIDTH, HEIGHT] = [800, 450];
 /** Simulated steps of the moments of a sheet, and of a strip's first frame. */
@@ -12,9 +21,9 @@ const AZIMUTHS = [0, 2, -2];
 const FRAMES = 12;
 /** Steps between the frames of a strip, and between pictures that are compared: 1/30 and 1/20 s are the nearest to 1/24. */
 const STEPS_PER_FRAME = 2;
-/** Moments that measures are the mean of. */
+/** Moments that measures are the mean of, two seconds apart. Crumbs are counted between them, too. */
 const MEASURED = 8;
-const MEASURED_STEPS = 120;
+const SECOND = 60;
 /** Distance within which a region of the frame before is the same region, pixels. */
 const REACH = 0;
 /** Size of a cell of a sheet, pixels. */
@@ -35,6 +44,8 @@ export interface ToneMeasures {
   lit: number;
   /** Length of the border between tones, pixels. */
   border: number;
+  /** Pieces of the silhouette of 4 to 499 pixels, without the largest piece. */
+  crumbs: number;
 }
 
 /** Pictures as PNG in base64: moments by cameras, and neighbouring frames. */
@@ -70,10 +81,13 @@ export async function measureTones(preset: string, values: Values = {}): Promise
   const plain: Values = { 'style.outlines': 0, 'style.gradient': 'none' };
   const choice = { width: WIDTH, height: HEIGHT, ownLook: true, values: { ...FULL, ...plain, ...values } };
   const lab = await SceneLab.create(preset, choice);
-  const sums: ToneMeasures = { regions: 0, small: 0, flips: 0, births: 0, lit: 0, border: 0 };
+  const sums: ToneMeasures = { regions: 0, small: 0, flips: 0, births: 0, lit: 0, border: 0, crumbs: 0 };
   for (let moment = 0; moment < MEASURED; moment++) {
-    lab.step(MEASURED_STEPS);
+    lab.step(SECOND);
+    sums.crumbs += countCrumbs(tonesOf(lab)) / 2;
+    lab.step(SECOND);
     const before = tonesOf(lab);
+    sums.crumbs += countCrumbs(before) / 2;
     lab.step(STEPS_PER_FRAME);
     const now = tonesOf(lab);
     const regions = regionsOf(now);

@@ -4,6 +4,8 @@
 const SMALL = [4, 59] as const;
 /** Area from which a region that appears at once is noticed, pixels. */
 const NOTICED = 13;
+/** Areas of crumbs, pixels: from, to. */
+const CRUMB = [4, 499] as const;
 
 /** The tone of each pixel of smoke, any numbers; {@link NO_SMOKE} elsewhere. */
 export interface Tones {
@@ -43,6 +45,14 @@ export function regionsOf({ width, height, tones }: Tones): Region[] {
 /** Number of regions with an area of 4 to 59 pixels. */
 export function countSmall(regions: readonly Region[]): number {
   return regions.filter(({ pixels }) => pixels.length >= SMALL[0] && pixels.length <= SMALL[1]).length;
+}
+
+/** Number of crumbs: pieces of the smoke's silhouette of 4 to 499 pixels, without the largest piece. */
+export function countCrumbs({ width, height, tones }: Tones): number {
+  const silhouette = tones.map((tone) => (tone === NO_SMOKE ? NO_SMOKE : 0));
+  const sizes = regionsOf({ width, height, tones: silhouette }).map(({ pixels }) => pixels.length);
+  const [, ...apart] = sizes.toSorted((a, b) => b - a);
+  return apart.filter((size) => size >= CRUMB[0] && size <= CRUMB[1]).length;
 }
 
 /** Pairs of neighbouring pixels of smoke with different tones: the length of the border between tones. */

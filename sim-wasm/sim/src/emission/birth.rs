@@ -2,6 +2,7 @@
 
 use crate::emission::shapes::Nozzle;
 use crate::emission::surface::Surfaces;
+use crate::emission::swelling;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::item::Scope;
 use crate::layout::parameters::table::Parameters;
@@ -21,6 +22,8 @@ pub struct EmissionContext<'s> {
     /// Motion of the rigid with this number in the step; none if there is no such rigid.
     #[cfg(feature = "rigids")]
     pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
+    /// Seed of the simulation: selects the swelling of emitters.
+    pub seed: u32,
     /// Index of the step: selects the first emitter.
     pub step: u64,
     /// Simulated time at the middle of the step (s).
@@ -75,6 +78,7 @@ impl Ride {
 /// An emitter in one step, and the destination of its births.
 pub struct EmitterSource<'s> {
     emitter: &'s Emitter,
+    number: usize,
     nozzle: Nozzle<'s>,
     /// The carrier; none in world space.
     ride: Option<Ride>,
@@ -85,13 +89,14 @@ pub struct EmitterSource<'s> {
 
 impl<'s> EmitterSource<'s> {
     pub fn new(
-        emitter: &'s Emitter,
+        (number, emitter): (usize, &'s Emitter),
         around: &'s EmissionContext<'s>,
         random: &'s mut Random,
         particles: &'s mut Particles,
     ) -> Self {
         Self {
             emitter,
+            number,
             nozzle: Nozzle::new(emitter, around.surfaces),
             ride: around.ride(&emitter.scope),
             around,
@@ -119,7 +124,7 @@ impl<'s> EmitterSource<'s> {
         let heading = self.nozzle.heading(&point, self.random);
         let (position, slip) = self.carried(point.place, heading, speed, delay);
         let lifetime = emission.lifetime * emitter.lifetime;
-        let newborn = Newborn {
+        let mut newborn = Newborn {
             position,
             slip,
             age: -delay as f32,
@@ -128,6 +133,13 @@ impl<'s> EmitterSource<'s> {
             temperature: emitter.temperature as f32,
             attributes: attributes(puff.variations as u32, emitter.tint as u32, self.random),
         };
+        if emission.size_spread > 0.0 {
+            let time = self.around.step as f64 * self.around.dt + delay;
+            let level = swelling::level(self.around.seed, self.number, time);
+            let factor = swelling::factor(emission.size_spread as f32, level, self.random.unit());
+            newborn.size *= factor;
+            newborn.lifetime = swelling::lifetime(newborn.lifetime, factor);
+        }
         self.particles.push(&newborn);
     }
 

@@ -13,6 +13,7 @@ pub(crate) mod birth;
 pub mod pool;
 pub(crate) mod shapes;
 pub mod surface;
+pub mod swelling;
 
 use crate::emission::birth::{EmissionContext, EmitterSource};
 use crate::layout::limits::POOL_LIMIT;
@@ -84,7 +85,11 @@ impl Births {
             };
             let rate = rate * envelope::level(&emitter.scope, around.time);
             if rate > 0.0 {
-                emit(debt, rate, &mut EmitterSource::new(emitter, around, random, particles));
+                emit(
+                    debt,
+                    rate,
+                    &mut EmitterSource::new((number, emitter), around, random, particles),
+                );
             }
         }
     }
@@ -111,7 +116,7 @@ impl Births {
             if waiting == 0 {
                 continue;
             }
-            let mut source = EmitterSource::new(emitter, around, random, particles);
+            let mut source = EmitterSource::new((number, emitter), around, random, particles);
             // Rounded up: the first emitter gets at least one, and every emitter is first in some steps.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);

@@ -1,5 +1,6 @@
 //! Ageing, cooling and death.
 
+pub mod company;
 pub mod hold;
 
 use wide::f32x4;
@@ -66,6 +67,7 @@ fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> 
         age,
         lifetime,
         temperature,
+        company,
         ..
     } = particles;
     let column = |column| &blocks(column, first + len)[first..];
@@ -86,6 +88,12 @@ fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> 
         dead |= u128::from(leaving) << (block * LANES);
         *age = (old + ageing.dt).to_array();
         *temperature = (f32x4::new(*temperature) * ageing.cooling).to_array();
+    }
+    if let Some(company) = company {
+        let haste = &blocks(&company.haste, first + len)[first..];
+        for (age, haste) in blocks_mut(age, first + len)[first..].iter_mut().zip(haste) {
+            *age = (f32x4::new(*age) + f32x4::new(*haste)).to_array();
+        }
     }
     dead
 }

@@ -3,8 +3,9 @@
 //! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
 //! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
 //! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle, 24 more while puffs
-//! turn or stretch with the air.
+//! turn or stretch with the air, 4 more while they age by company.
 
+pub mod company;
 pub mod density;
 pub mod entrainment;
 pub mod flow;
@@ -15,6 +16,7 @@ pub mod tile;
 
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::LANES;
+use crate::particles::company::Company;
 use crate::particles::flow::Flow;
 use crate::particles::held::Held;
 
@@ -48,6 +50,8 @@ pub struct Particles {
     pub held: Option<Box<Held>>,
     /// Turning and stretching; none while no parameter needs it.
     pub flow: Option<Box<Flow>>,
+    /// Ageing by company; none without it.
+    pub company: Option<Box<Company>>,
     alive: usize,
     capacity: usize,
 }
@@ -87,6 +91,7 @@ impl Particles {
             attributes: vec![0; padded],
             held: None,
             flow: None,
+            company: None,
             alive: 0,
             capacity,
         }
@@ -127,6 +132,9 @@ impl Particles {
         if let Some(flow) = &mut self.flow {
             flow.reset(i);
         }
+        if let Some(company) = &mut self.company {
+            company.haste[i] = 0.0;
+        }
         self.alive += 1;
         true
     }
@@ -144,6 +152,9 @@ impl Particles {
         }
         if let Some(flow) = &mut self.flow {
             flow.columns.iter_mut().for_each(|column| column.swap(i, last));
+        }
+        if let Some(company) = &mut self.company {
+            company.haste.swap(i, last);
         }
         self.alive = last;
     }
@@ -235,7 +246,23 @@ impl Particles {
                 kept.iter().zip(to).for_each(|(i, value)| *value = from[*i]);
             }
         }
+        if let Some(company) = &self.company {
+            let mut copy = Box::new(Company::new(resized.x.len()));
+            kept.iter()
+                .zip(&mut copy.haste)
+                .for_each(|(i, haste)| *haste = company.haste[*i]);
+            resized.company = Some(copy);
+        }
         resized
+    }
+
+    /// Starts or stops ageing by company.
+    pub fn keep_company(&mut self, keeps: bool) {
+        if !keeps {
+            self.company = None;
+        } else if self.company.is_none() {
+            self.company = Some(Box::new(Company::new(self.x.len())));
+        }
     }
 
     /// Starts or stops holding. Starting holds the current state; no change if already in that mode.

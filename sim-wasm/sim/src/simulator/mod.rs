@@ -31,7 +31,7 @@ use crate::layout::parameters::table::Parameters;
 use crate::layout::scope::StepTime;
 use crate::layout::scope::parts::Parts;
 use crate::life;
-use crate::life::{Ageing, hold};
+use crate::life::{Ageing, company, hold};
 use crate::math::hash::Hash;
 use crate::math::random::Random;
 #[cfg(feature = "rigids")]
@@ -126,6 +126,7 @@ impl Simulator {
         }
         self.particles.hold(self.parameters.style.hold > 1.0);
         self.particles.follow(FlowLaw::new(&self.parameters).is_some());
+        self.particles.keep_company(self.parameters.emission.company > 0.0);
         Ok(())
     }
 
@@ -212,6 +213,9 @@ impl Simulator {
         turbulence::advance(&mut self.turbulence, &self.parameters, STEP);
         self.active_inputs.advance();
         self.steps += 1;
+        if self.steps.is_multiple_of(company::PERIOD) {
+            company::survey(&mut self.particles, &self.parameters);
+        }
         hold::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
         self.parts.end();
         self.apply_due_inputs();
@@ -356,6 +360,9 @@ impl Simulator {
         self.particles.attributes[..self.particles.alive()]
             .iter()
             .for_each(|attributes| hash.word(*attributes));
+        if let Some(company) = &self.particles.company {
+            hash.floats(&company.haste[..self.particles.alive()]);
+        }
         let debts = self.births.debts();
         debts.iter().for_each(|debt| hash.long(debt.owed.to_bits()));
         for TurbulenceState { drift, phase } in &self.turbulence {
@@ -447,6 +454,7 @@ impl Simulator {
             parts: &self.parts,
             #[cfg(feature = "rigids")]
             rigid: &|number| self.rigids.ride(number),
+            seed: self.seed,
             step: self.steps,
             time: (self.steps as f64 + 0.5) * STEP,
             dt: STEP,

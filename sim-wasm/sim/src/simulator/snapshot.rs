@@ -25,6 +25,7 @@ const NAME: &str = "saved simulation";
 /// Bits of the word that says which columns follow the others.
 const HOLDS: u32 = 1;
 const FOLLOWS: u32 = 2;
+const AGES_BY_COMPANY: u32 = 4;
 
 /// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
 macro_rules! sections {
@@ -116,6 +117,9 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
     simulator
         .particles
         .follow(FlowLaw::new(&simulator.parameters).is_some());
+    simulator
+        .particles
+        .keep_company(simulator.parameters.emission.company > 0.0);
     Ok(())
 }
 
@@ -200,13 +204,20 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
     particles.attributes[..alive]
         .iter()
         .for_each(|attributes| body.word(*attributes));
-    let [holds, follows] = [particles.held.is_some(), particles.flow.is_some()].map(u32::from);
-    body.word((holds * HOLDS) | (follows * FOLLOWS));
+    let optional = [
+        (particles.held.is_some(), HOLDS),
+        (particles.flow.is_some(), FOLLOWS),
+        (particles.company.is_some(), AGES_BY_COMPANY),
+    ];
+    body.word(optional.iter().map(|(is_there, bit)| u32::from(*is_there) * bit).sum());
     for column in particles.held.iter().flat_map(|held| held.columns()) {
         write_column(body, &column[..alive]);
     }
     for column in particles.flow.iter().flat_map(|flow| &flow.columns) {
         column[..alive].iter().for_each(|word| body.word(*word));
+    }
+    if let Some(company) = &particles.company {
+        write_column(body, &company.haste[..alive]);
     }
 }
 
@@ -229,11 +240,15 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     let columns = reader.word()?;
     particles.hold(columns & HOLDS != 0);
     particles.follow(columns & FOLLOWS != 0);
+    particles.keep_company(columns & AGES_BY_COMPANY != 0);
     for column in particles.held_columns_mut() {
         read_column(reader, &mut column[..alive])?;
     }
     for column in particles.flow.iter_mut().flat_map(|flow| &mut flow.columns) {
         read_words(reader, &mut column[..alive])?;
+    }
+    if let Some(company) = &mut particles.company {
+        read_column(reader, &mut company.haste[..alive])?;
     }
     particles.set_alive(alive);
     Ok(particles)

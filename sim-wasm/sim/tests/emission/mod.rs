@@ -7,3 +7,4 @@ mod pool;
 mod riding;
 mod shapes;
 mod surface;
+mod swelling;

@@ -13,6 +13,8 @@ pub struct Emission {
     pub growth_time: f64,
     pub entrainment: f64,
     pub dissolve: f64,
+    pub company: f64,
+    pub size_spread: f64,
 }
 
 impl Item for Emission {
@@ -22,6 +24,8 @@ impl Item for Emission {
         number("growthTime", "s", [0.0, 30.0], 2.6, |e: &mut Self| &mut e.growth_time),
         number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
         number("dissolve", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.dissolve).named(&["shrink", "erode"]),
+        number("company", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.company),
+        number("sizeSpread", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.size_spread),
     ];
 }
 
