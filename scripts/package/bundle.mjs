@@ -11,12 +11,10 @@ import { smallThree } from '../patches/three.mjs';
 const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
-/** The scripts for CDNs, each with its entry. Those with warnings are not minified. */
+/** The script for CDNs, without and with warnings, by its entry. With warnings it is not minified. */
 const SCRIPTS = {
-  'cartoon-smoke.min': 'src/elementScript.ts',
-  'cartoon-smoke.development': 'src/elementScript.development.ts',
-  'puff.min': 'src/puffScript.ts',
-  'puff.development': 'src/puffScript.development.ts',
+  'cartoon-smoke.min': 'src/script.ts',
+  'cartoon-smoke.development': 'src/script.development.ts',
 };
 /**
  * A single file.
@@ -50,7 +48,7 @@ const TOGETHER = [
   { name: 'stage', test: /src\/stage\/remote\/openHere\.ts$/, priority: 1 },
   {
     name: 'models',
-    test: /src\/(simulator\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve|spline))\.ts$/,
+    test: /src\/(simulator\/exact\/(sine|rotation)|scenes\/models\/(lathe|place|ball|revolve))\.ts$/,
   },
 ];
 /** @type {import('rolldown').OutputOptions} */
@@ -69,7 +67,7 @@ const WRAPPED = {
 };
 
 /**
- * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the scripts for
+ * Writes the modules of the package, with separate chunks for deferred code and without three.js, and the script for
  * CDNs. Copies the simulator beside them.
  *
  * `CartoonSmoke` is a build of its own, because a page has either it or, on its main thread, the element. Shared chunks would
@@ -117,7 +115,7 @@ async function bundleWarnings(folder) {
 }
 
 /**
- * Writes only a script for CDNs, with the simulator beside it.
+ * Writes only the script for CDNs, with the simulator beside it.
  *
  * @param {keyof typeof SCRIPTS} name
  * @param {string} folder
@@ -216,11 +214,18 @@ function entries(input) {
  * @returns {import('rolldown').Plugin}
  */
 function workerAt(address) {
+  let isReplaced = false;
   return {
     name: 'worker-at',
     transform: {
-      filter: { id: /startWorker\.ts$/ },
-      handler: (code) => code.replaceAll("'./worker.ts'", JSON.stringify(address)),
+      filter: { id: /src\/stage\/remote\/pageWorker\.ts$/ },
+      handler(code) {
+        isReplaced = code.includes("'./worker.ts'");
+        return code.replaceAll("'./worker.ts'", JSON.stringify(address));
+      },
+    },
+    buildEnd() {
+      if (!isReplaced) throw new Error('pageWorker.ts is not in the bundle, or has no URL of the worker.');
     },
   };
 }

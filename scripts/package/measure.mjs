@@ -1,4 +1,4 @@
-/** Transfer sizes of the package, and the integrity hashes of the scripts for CDNs. */
+/** Transfer sizes of the package, and the integrity hash of the script for CDNs. */
 
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
@@ -22,10 +22,10 @@ export function integrity(path) {
 }
 
 /**
- * The files that are loaded from a CDN, the scripts first.
+ * The files that are loaded from a CDN, the script first.
  * @param {string} folder that contains them
  */
 export function hashes(folder) {
-  const files = ['cartoon-smoke.min.js', 'puff.min.js', 'wasm/core/bindings_bg.wasm', 'wasm/physics/bindings_bg.wasm'];
+  const files = ['cartoon-smoke.min.js', 'wasm/core/bindings_bg.wasm', 'wasm/physics/bindings_bg.wasm'];
   return files.map((file) => ({ file, integrity: integrity(join(folder, file)), kB: kilobytes(join(folder, file)) }));
 }

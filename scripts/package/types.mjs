@@ -7,7 +7,7 @@ import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
 
-const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/puffScript.ts'];
+const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/script.ts'];
 /** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['simulator/wasm/core/bindings.d.ts', 'simulator/wasm/physics/bindings.d.ts'];
 

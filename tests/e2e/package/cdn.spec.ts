@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import type {} from '../../../src/puffScript.ts';
+import type {} from '../../../src/script.ts';
 import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, stands, test as base, type Server } from '../../support/embed.ts';
 import { script } from '../../support/server.ts';
@@ -72,11 +72,14 @@ for (const [kind, warnings] of [
   ['min', []],
   ['development', [/no attribute .presett.. Did you mean .preset.\?$/, /^puff\(\): The target is null/]],
 ] as const) {
-  test(`the scripts ${kind}.js write ${warnings.length} warnings and run smoke`, async ({ page, cdn, visit }) => {
+  test(`the script ${kind}.js writes ${warnings.length} warnings, and runs smoke and puff()`, async ({
+    page,
+    cdn,
+    visit,
+  }) => {
     const lines = watchConsole(page);
-    const load = (name: string) =>
-      `<script type="module" src="${cdn.address}package/dist/${name}.${kind}.js"></script>`;
-    await visit(`${load('cartoon-smoke')}${load('puff')}<cartoon-smoke presett="lamp"></cartoon-smoke>`);
+    const url = `${cdn.address}package/dist/cartoon-smoke.${kind}.js`;
+    await visit(`<script type="module" src="${url}"></script><cartoon-smoke presett="lamp"></cartoon-smoke>`);
     expect(await thread(page)).toBe('worker');
     await page.evaluate(async () => {
       await document.querySelectorAll('cartoon-smoke')[1].ready;

@@ -482,12 +482,21 @@ for (const target of ['button', 'dialog button']) {
   });
 }
 
-test('the script for CDNs sets window.puff', async ({ page, host, server }) => {
-  await host({ script: '<script type="module" src="/package/dist/puff.min.js"></script>' });
-  await page.evaluate(() => puff(undefined, { count: 3 }));
-  const scripts = new Set(server.sent.map(({ file }) => file).filter((file) => file.endsWith('.js')));
-  expect([...scripts]).toEqual(['package/dist/puff.min.js']);
-});
+for (const [kind, options, isOurs] of [
+  ['a plain page', {}, true],
+  ['a page with an element of this ID', { body: '<p id="puff">Text</p>' }, true],
+  ['a page with a global of its own', { body: '<script>window.puff = () => "own"</script>' }, false],
+] as const) {
+  test(`the script for CDNs sets window.puff: ${kind}`, async ({ page, host, server }) => {
+    const url = '/package/dist/cartoon-smoke.min.js';
+    await host({ ...options, script: `<script type="module" src="${url}"></script>` });
+    await page.waitForFunction(() => customElements.get('cartoon-smoke'));
+    expect(await page.evaluate(() => 'preload' in puff)).toBe(isOurs);
+    if (isOurs) await page.evaluate(() => puff(undefined, { count: 3 }));
+    const scripts = new Set(server.sent.map(({ file }) => `/${file}`).filter((file) => file.endsWith('.js')));
+    expect([...scripts]).toEqual([url]);
+  });
+}
 
 test('downloads at most 6 kB before the first call', async ({ page, host, server }) => {
   await host();
