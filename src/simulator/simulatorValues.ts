@@ -63,8 +63,16 @@ function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
 }
 
 /** Converts the simulator's number to the value of a parameter. */
-export function valueOf(parameter: Parameter, number: number): Value {
+function valueOf(parameter: Parameter, number: number): Value {
   return parameter.kind === 'choice' ? parameter.options[number].value : number;
+}
+
+/** The numbers that a scene sets as parameter values: optional parameters only, choices by name. */
+export function rigValues(rig: Readonly<Record<string, number>>): Values {
+  const entries = Object.entries(rig).map(([key, number]) => [key, findParameter(key), number] as const);
+  return Object.fromEntries(
+    entries.flatMap(([key, parameter, number]) => (parameter?.isOptional ? [[key, valueOf(parameter, number)]] : [])),
+  );
 }
 
 /** A choice maps to the index of its option. */

@@ -13,6 +13,28 @@ type Shot = Pick<Scene, 'camera' | 'portrait' | 'cameraMove'>;
 
 const rows = table.filter((row): row is NumberParameter => row.reader === 'camera');
 
+/** What moves the camera of a running scene. */
+interface Viewer {
+  readonly picture: { readonly eye: OrbitCamera; readonly size: readonly [width: number, height: number] };
+  readonly values: { unset(keys: readonly string[]): void };
+  look(move: (eye: OrbitCamera) => void): void;
+}
+
+/**
+ * Moves the camera and sets the matching `camera.*` values. Redraws while paused.
+ * Angles are in radians, lengths in CSS pixels. `reset` returns all camera parameters to the scene.
+ */
+export function cameraControls(viewer: () => Viewer) {
+  return {
+    orbit: (azimuth: number, elevation: number) => viewer().look((eye) => eye.orbit(azimuth, elevation)),
+    zoom: (factor: number) => viewer().look((eye) => eye.zoom(factor)),
+    pan: (x: number, y: number) => viewer().look((eye) => eye.pan(x, y, viewer().picture.size[1])),
+    reset: () => viewer().values.unset(Object.keys(viewer().picture.eye.held)),
+    /** Angle about the vertical axis; 0 looks from +z. */
+    azimuth: () => viewer().picture.eye.azimuth,
+  };
+}
+
 /**
  * An orbit camera. It takes plain numbers, so it works in a worker. Each camera parameter follows the scene's own
  * camera and movement until the user overrides it by orbiting, panning, zooming, or setting its value.

@@ -1,21 +1,23 @@
-import { Matrix4, Quaternion, Vector3 } from 'three';
-import { ParameterError } from '../base/errors.ts';
+import { Matrix4, type Vector3 } from 'three';
+import { ParameterError, SimulatorError } from '../base/errors.ts';
 import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import type { Dropped } from '../scenes/dropped.ts';
-import type { MovingSceneState, MovingPart, Placement, Scene } from '../scenes/scene.ts';
+import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
-import { EMISSION_LIMIT } from '../simulator/emitterOptions.ts';
+import {
+  changeNumbers,
+  EMISSION_LIMIT,
+  emissionNumbers,
+  type EmissionChange,
+  type EmissionOptions,
+} from '../simulator/emitterOptions.ts';
 import type { SimulatorFactory } from '../simulator/load.ts';
-import { POSE_FLOATS } from '../simulator/layout.ts';
 import type { Simulator } from '../simulator/simulator.ts';
-import { simulatorValues, valueOf, valuesIn } from '../simulator/simulatorValues.ts';
+import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
+import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
-
-const HISTORY_BYTES = 64 * 1024 * 1024;
-const UNSCALED = new Vector3(1, 1, 1);
-/** A state is saved once per second: saving one takes about as long as two steps. */
-const STEPS_BETWEEN_STATES = 60;
+import { noteOf, takeOf, type Take } from './take.ts';
 
 /** What moves a rigid between steps. */
 export interface Mover {
@@ -44,11 +46,11 @@ export class Simulation {
   private inputsSeen = 0;
   private readonly dropped: Dropped | undefined;
 
-  /** @param historyBytes memory budget for saved states */
-  constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes = HISTORY_BYTES) {
+  /** @param historyBytes memory budget for saved states, 64 MiB by default */
+  constructor(factory: SimulatorFactory, scene: Scene, values: Values, historyBytes?: number) {
     this.factory = factory;
     this.scene = scene;
-    this.rig = rigValues(scene);
+    this.rig = rigValues(scene.rig);
     this.matrices = scene.rigids.map(() => new Matrix4());
     this.dropped = scene.createDropped?.();
     this.states = new SavedStates(historyBytes);
@@ -66,10 +68,30 @@ export class Simulation {
     this.replace(this.create(values), values);
   }
 
+  /** The inputs since the start, with the values at the start as the note. */
+  take(): Uint8Array {
+    return this.simulator.take(noteOf(this.startValues));
+  }
+
+  /** @throws SimulatorError for bytes that are damaged or no take */
+  readTake(bytes: Uint8Array): Take {
+    return takeOf(bytes, this.factory.readTake(bytes));
+  }
+
   /**
-   * Goes to the start of a take of this scene.
-   * @throws SimulatorError when the take is damaged; the simulation is unchanged then
+   * Goes to the start of a take.
+   * @returns the values there
+   * @throws SimulatorError when the take is damaged or of another scene; the simulation is unchanged then
    */
+  playTake(take: Uint8Array): Values {
+    const { values } = this.readTake(take);
+    const { name } = this.scene;
+    if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
+    this.replay(take, values);
+    return this.valuesIn(values);
+  }
+
+  /** Goes to the start of a take of this scene. @throws SimulatorError when it is damaged; nothing changes then */
   replay(take: Uint8Array, values: Values): void {
     const next = this.create(values);
     try {
@@ -134,28 +156,29 @@ export class Simulation {
   }
 
   /** Applies a user input. If a take is being replayed, the rest of it is discarded. */
-  input(act: (simulator: Simulator) => void): void {
-    act(this.simulator);
+  input<Result>(act: (simulator: Simulator) => Result): Result {
+    const result = act(this.simulator);
     this.states.dropFrom(this.simulator.steps);
     this.inputsSeen = this.simulator.inputsDone;
+    return result;
   }
 
   /**
-   * Starts an emission with these numbers.
+   * Starts an emission.
    * @returns its number
-   * @throws ParameterError when there are too many
+   * @throws ParameterError for an invalid option, or when there are too many
    */
-  emit(numbers: Float64Array): number {
-    const emission = this.changeEmission(-1, numbers);
+  emit(options: EmissionOptions): number {
+    const numbers = emissionNumbers(options);
+    const emission = this.input((simulator) => simulator.inputEmission(numbers));
     if (emission >= 0) return emission;
     throw new ParameterError('emit', EMISSION_LIMIT + 1, `at most ${EMISSION_LIMIT} emissions at a time`);
   }
 
-  /** Changes an emission unless it is over. */
-  changeEmission(emission: number, numbers: Float64Array): number {
-    let changed = -1;
-    this.input((simulator) => (changed = simulator.inputEmission(numbers, emission)));
-    return changed;
+  /** Changes an emission unless it is over. @throws ParameterError for an invalid option */
+  changeEmission(emission: number, options: EmissionChange): void {
+    const numbers = changeNumbers(options);
+    this.input((simulator) => simulator.inputEmission(numbers, emission));
   }
 
   /** Whether the log of a take has applied or undone inputs since the last call. */
@@ -176,7 +199,7 @@ export class Simulation {
       this.guide();
       this.sendParts();
       this.simulator.step();
-      this.keepState();
+      this.states.keep(this.simulator);
       onStep?.();
     }
     this.stepMs = (performance.now() - started) / steps;
@@ -213,7 +236,7 @@ export class Simulation {
 
   /** World transforms of the scene's parts by index, at the time of `rigids`. */
   parts(blend: number, rigids: readonly Matrix4[]): readonly Matrix4[] {
-    return this.placedParts(secondsAt(this.simulator.steps, blend)).map(({ rigid, ...own }) => {
+    return placedParts(this.scene, secondsAt(this.simulator.steps, blend)).map(({ rigid, ...own }) => {
       const matrix = put(new Matrix4(), own);
       return rigid === undefined ? matrix : matrix.premultiply(rigids[rigid]);
     });
@@ -245,7 +268,7 @@ export class Simulation {
   private guide(): void {
     const { guide, rule } = this.scene;
     if (!guide && !rule) return;
-    const sceneState = this.sceneState();
+    const sceneState = sceneStateOf(this.simulator);
     for (const { rigid, position, rotation } of guide?.(sceneState) ?? []) {
       this.simulator.moveRigid(rigid, position, rotation);
     }
@@ -260,7 +283,7 @@ export class Simulation {
     if (!this.scene.parts) return;
     const { steps } = this.simulator;
     const numbers = [steps, steps + 1].flatMap((step) =>
-      this.placedParts(step * STEP_SECONDS).flatMap(({ rigid = -1, position, rotation }) => [
+      placedParts(this.scene, step * STEP_SECONDS).flatMap(({ rigid = -1, position, rotation }) => [
         rigid,
         ...position,
         ...rotation,
@@ -269,48 +292,8 @@ export class Simulation {
     this.simulator.placeParts(numbers);
   }
 
-  /** In the local space of the rigids that carry the parts. */
-  private placedParts(seconds: number): readonly (Placement & Pick<MovingPart, 'rigid'>)[] {
-    return (this.scene.parts ?? []).map(({ rigid, pose }) => ({ rigid, ...pose(seconds) }));
-  }
-
-  private sceneState(): MovingSceneState {
-    const { simulator } = this;
-    const [then, now] = [simulator.rigidPoses(0), simulator.rigidPoses(1)];
-    return {
-      seconds: (simulator.steps + 1) * STEP_SECONDS,
-      dt: STEP_SECONDS,
-      control: (channel) => simulator.control(channel),
-      pose: (rigid) => placementIn(now, rigid),
-      before: (rigid) => placementIn(then, rigid),
-    };
-  }
-
   private reset(): void {
     this.dropped?.clear();
     this.mover?.reset();
   }
-
-  private keepState(): void {
-    const { steps } = this.simulator;
-    if (steps % STEPS_BETWEEN_STATES !== 0 || this.states.has(steps)) return;
-    this.states.add({ step: steps, bytes: this.simulator.save() });
-  }
-}
-
-function put(matrix: Matrix4, { position, rotation }: Placement): Matrix4 {
-  return matrix.compose(new Vector3(...position), new Quaternion(...rotation), UNSCALED);
-}
-
-function placementIn(poses: Float32Array, rigid: number): Placement {
-  const [x, y, z, i, j, k, w] = poses.subarray(POSE_FLOATS * rigid);
-  return { position: [x, y, z], rotation: [i, j, k, w] };
-}
-
-/** The scene's rig as parameter values: optional parameters only, choices by name. */
-function rigValues(scene: Scene): Values {
-  const entries = Object.entries(scene.rig).map(([key, number]) => [key, findParameter(key), number] as const);
-  return Object.fromEntries(
-    entries.flatMap(([key, parameter, number]) => (parameter?.isOptional ? [[key, valueOf(parameter, number)]] : [])),
-  );
 }

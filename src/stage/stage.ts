@@ -8,41 +8,25 @@ import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { STEP_SECONDS } from '../simulator/clock.ts';
-import {
-  changeNumbers,
-  emissionNumbers,
-  type EmissionChange,
-  type EmissionOptions,
-} from '../simulator/emitterOptions.ts';
+import type { EmissionChange, EmissionOptions } from '../simulator/emitterOptions.ts';
 import type { BlowInput } from './gestures.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
+import { cameraControls } from './orbit.ts';
 import { openFor, openStage, withDefaults } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
 import type { Sight } from './sight.ts';
 import { statsOf, type StageStats } from './stats.ts';
-import { noteOf, takeOf, type Take } from './take.ts';
+import type { Take } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
- * runs in a worker. The page
- * docs/three.md groups the members.
+ * runs in a worker. The page docs/three.md groups the members.
  */
 export class Stage {
   /** Resolves when the first picture is drawn. */
   readonly ready = Promise.resolve();
   readonly canvas: DeviceCanvas;
-  /**
-   * Moves the camera and sets the matching `camera.*` values. Redraws while paused.
-   * Angles are in radians, lengths in CSS pixels. `reset` returns all camera parameters to the scene.
-   */
-  readonly camera = {
-    orbit: (azimuth: number, elevation: number) => this.#running.look((eye) => eye.orbit(azimuth, elevation)),
-    zoom: (factor: number) => this.#running.look((eye) => eye.zoom(factor)),
-    pan: (x: number, y: number) => this.#running.look((eye) => eye.pan(x, y, this.#running.picture.size[1])),
-    reset: () => this.#running.values.unset(Object.keys(this.#running.picture.eye.held)),
-    /** Angle about the vertical axis; 0 looks from +z. */
-    azimuth: () => this.#running.picture.eye.azimuth,
-  };
+  readonly camera = cameraControls(() => this.#running);
   readonly #running: RunningScene;
   /** Identifies the latest call of enter; earlier calls are superseded. */
   #entering: object | undefined;
@@ -96,8 +80,7 @@ export class Stage {
   /** @throws ParameterError for an unknown view */
   set view(view: DebugView | undefined) {
     this.#running.show(() => (this.#running.picture.view = view));
-    this.#running.completion.begin();
-    this.#running.notifyState();
+    this.#running.announce();
   }
 
   /** Whether to draw the background. Without it, the canvas is transparent where the background would be. */
@@ -177,8 +160,7 @@ export class Stage {
 
   /** Removes all puffs. Emitters, objects and values stay. Takes record it. */
   clear(): void {
-    const { simulation } = this.running;
-    this.#running.show(() => simulation.input((simulator) => simulator.inputClear()));
+    this.running.show(() => this.#running.simulation.input((simulator) => simulator.inputClear()));
   }
 
   /** Restarts from the first step with the current values and starts a new take. */
@@ -306,13 +288,12 @@ export class Stage {
    * unrecorded.
    */
   take(): Take {
-    const { simulator, startValues } = this.running.simulation;
-    return this.readTake(simulator.take(noteOf(startValues)));
+    return this.readTake(this.running.simulation.take());
   }
 
   /** Reads the metadata of a take without playing it. @throws SimulatorError for bytes that are damaged or no take */
   readTake(bytes: Uint8Array): Take {
-    return takeOf(bytes, this.#running.opened.factory.readTake(bytes));
+    return this.#running.simulation.readTake(bytes);
   }
 
   /**
@@ -322,13 +303,8 @@ export class Stage {
    * @throws SimulatorError when the bytes are damaged or the take was made in another scene; nothing changes then
    */
   playTake(take: Take | Uint8Array): void {
-    const { simulation, opened } = this.running;
-    const bytes = ArrayBuffer.isView(take) ? take : take.toBytes();
-    const { values } = this.readTake(bytes);
-    const { name } = opened.scene;
-    if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
-    simulation.replay(bytes, values);
-    this.#running.showJump(simulation.valuesIn(values));
+    const { simulation } = this.running;
+    this.#running.showJump(simulation.playTake(ArrayBuffer.isView(take) ? take : take.toBytes()));
   }
 
   /** Blows into the smoke at a position in the picture. @throws ParameterError naming the value out of range */
@@ -363,7 +339,7 @@ export class Stage {
    * @throws ParameterError naming the option that is unknown or invalid, or when 384 emissions are not over
    */
   emit(options: EmissionOptions): number {
-    return this.running.simulation.emit(emissionNumbers(options));
+    return this.running.simulation.emit(options);
   }
 
   /**
@@ -373,7 +349,7 @@ export class Stage {
    */
   changeEmission(emission: number, options: EmissionChange): void {
     requireWhole('emission', emission);
-    this.running.simulation.changeEmission(emission, changeNumbers(options));
+    this.running.simulation.changeEmission(emission, options);
   }
 
   /** Hash of the simulator's state as 16 hexadecimal digits. Equal states have equal hashes on all platforms. */

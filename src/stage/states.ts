@@ -1,3 +1,8 @@
+import type { Simulator } from '../simulator/simulator.ts';
+
+/** A state is saved once per second: saving one takes about as long as two steps. */
+const STEPS_BETWEEN_STATES = 60;
+
 /** A simulation state saved after `step` steps. */
 export interface SavedState {
   readonly step: number;
@@ -14,7 +19,7 @@ export class SavedStates {
   private size = 0;
 
   /** @param budget in bytes */
-  constructor(budget: number) {
+  constructor(budget = 64 * 1024 * 1024) {
     this.budget = budget;
   }
 
@@ -29,6 +34,12 @@ export class SavedStates {
 
   has(step: number): boolean {
     return this.states.some((state) => state.step === step);
+  }
+
+  /** Saves the state of a simulator if it is due. */
+  keep(simulator: Simulator): void {
+    const { steps } = simulator;
+    if (steps % STEPS_BETWEEN_STATES === 0 && !this.has(steps)) this.add({ step: steps, bytes: simulator.save() });
   }
 
   /** Adds a state at a step that has none yet. */

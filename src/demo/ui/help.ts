@@ -4,6 +4,52 @@ import type { Flag } from './flag.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
+/** Text of the dialog. */
+const text = {
+  title: 'Play with smoke',
+  paper: 'Comparison with the 2006 paper',
+  puff: 'Smoke by one call: puff()',
+  examples: 'Examples with their code',
+  licenses: 'Third-party licences',
+  hand: (thing: string) => `Drag ${thing}`,
+  arrows: (thing: string) => ['\u2190 \u2192 \u2191 \u2193', `move ${thing}`] as const,
+  depth: (thing: string) => ['Page Up, Page Down', `move ${thing} away or towards you`] as const,
+  drops: [['Double click or double tap', 'drop a ball or a crate there']],
+  dropKey: [['D', 'drop a ball or a crate where the pointer is']],
+  pointer: [
+    ['Drag elsewhere', 'turn the view'],
+    ['Alt + drag elsewhere', 'blow into the smoke; with the wind button on, without Alt'],
+    ['Wheel or pinch', 'zoom'],
+    ['Right button or two fingers', 'pan the view'],
+  ],
+  keyboard: 'Keyboard',
+  shortcuts: 'Shortcuts of a single character',
+  keys: [
+    ['Space', 'play or pause'],
+    ['B', 'blow at the pointer, or in the middle'],
+    [', and .', 'one step back, one step forward'],
+    ['[ and ]', 'one second back, one second forward'],
+    ['Esc', 'stop a long seek'],
+    ['R', 'start over'],
+    ['Shift + \u2190 \u2192 \u2191 \u2193', 'turn the view'],
+    ['+ \u2212', 'zoom in, zoom out'],
+    ['0', 'reset the view'],
+    ['P', 'show or hide the parameters'],
+    ['/', 'find a parameter'],
+    ['G', 'show or hide the presets'],
+    ['X', 'surprise me: a random scene in a random style'],
+    ['H', 'show or hide the handles for light, wind, emitters and vortices'],
+    ['Arrows on a handle', 'move it, with Shift in larger steps'],
+    ['F', 'enter or leave full screen'],
+    ['I', 'show or hide statistics'],
+    ['V', 'next debug view'],
+    ['S', 'share this smoke'],
+    ['C', 'capture a picture or a clip'],
+    ['Ctrl + Z, Ctrl + Shift + Z', 'undo, redo'],
+    ['?', 'show this help'],
+  ],
+} as const;
+
 /** Dialog that lists all pointer gestures and keys of the current scene. */
 export class Help {
   readonly element: HTMLDialogElement;
@@ -13,7 +59,8 @@ export class Help {
 
   /** @param noShortcuts whether shortcuts of a single character are turned off */
   constructor(stage: Stage, noShortcuts: Flag) {
-    const { title, keyboard, shortcuts, paper, puff, examples, licenses, close } = strings.help;
+    const { title, keyboard, shortcuts, paper, puff, examples, licenses } = text;
+    const { close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
     // On a phone the other close button is far below.
@@ -60,7 +107,7 @@ export class Help {
 type Row = readonly [what: string, does: string];
 
 function rows(stage: Stage): { hand: readonly Row[]; keys: readonly Row[] } {
-  const { hand, arrows, depth, drops, dropKey, pointer, keys } = strings.help;
+  const { hand, arrows, depth, drops, dropKey, pointer, keys } = text;
   const held = strings.scenes[String(stage.get().scene)]?.hand;
   const drag: Row[] = held ? [[hand(held.thing), held.does]] : [];
   const move: Row[] = held ? [arrows(held.thing), depth(held.thing)] : [];

@@ -1,5 +1,4 @@
 import { ContextError, type SmokeError } from '../../base/errors.ts';
-import type { PresetName } from '../../parameters/valueTypes.ts';
 import type { Fault } from '../../renderer/gpu/faults.ts';
 import { runOnSelf } from '../../base/onSelf.ts';
 import { asSmokeError } from '../asSmokeError.ts';
@@ -11,7 +10,7 @@ import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from '../visibility.ts';
 import { fetchAhead } from './parts.ts';
 import { fetched } from '../../base/timeout.ts';
-import { defineProperties, FLAGS, upgradeProperties, TEXTS } from './attributes/properties.ts';
+import { defineProperties, FLAGS, upgradeProperties, TEXTS, type OwnProperties } from './attributes/properties.ts';
 import type { Session } from './session.ts';
 import { isInert, Shell } from './shell/shell.ts';
 
@@ -22,23 +21,7 @@ const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement)
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
-export interface CartoonSmokeElement extends StageMethods {
-  paused: boolean;
-  transparent: boolean;
-  interactive: boolean;
-  get preset(): string | undefined;
-  set preset(name: PresetName | null | undefined);
-  src: string | undefined;
-  start: string | undefined;
-  alt: string | undefined;
-  labelPlay: string | undefined;
-  labelPause: string | undefined;
-  labelRestart: string | undefined;
-  thread: string | undefined;
-  loading: string | undefined;
-  collide: string | undefined;
-  emitFrom: string | undefined;
-  emitOn: string | undefined;
+export interface CartoonSmokeElement extends StageMethods, OwnProperties {
   addEventListener<Name extends keyof SmokeEvents>(
     type: Name,
     listener: (this: CartoonSmokeElement, event: CustomEvent<SmokeEvents[Name]>) => unknown,

@@ -1,35 +1,6 @@
 /** The effects: emitters in a vertical plane, in metres and seconds. One metre is 150 CSS pixels. */
+import { DRAG, type Emission } from './emission.ts';
 import { RANGES, type Effect, type PuffOptions } from './options.ts';
-
-/** An emitter for a while. Directions are in degrees: 0 is right, 90 up. */
-export interface Emission {
-  /** A box; or a disc that faces the viewer, or lies flat, from whose centre puffs leave to all sides. */
-  readonly shape: 'box' | 'front' | 'ground';
-  /** Offset from the middle of the target, and half sides. */
-  readonly x: number;
-  readonly y: number;
-  readonly halfWidth: number;
-  readonly halfHeight: number;
-  /** Undefined for discs. */
-  readonly direction?: number;
-  /** Half angle of the cone in which puffs leave, degrees. */
-  readonly spread: number;
-  readonly speed: number;
-  readonly speedVariation: number;
-  /** Radius of the puffs. */
-  readonly size: number;
-  readonly sizeVariation: number;
-  /** Lifetime of the puffs, and its largest random change as a fraction. */
-  readonly life: number;
-  readonly lifeVariation: number;
-  /** Puffs rise above 1 and fall below, see `AIR`. */
-  readonly temperature: number;
-  /** Start after that of the effect. */
-  readonly delay: number;
-  /** 0 for a burst. */
-  readonly duration: number;
-  readonly count: number;
-}
 
 /** Half sides of the target, metres; 0 for a point. */
 export interface Extent {
@@ -47,8 +18,6 @@ interface EffectDesign {
 
 /** Half angle of a cone of all directions, degrees. */
 const ALL_AROUND = 180;
-/** Drag of the air, 1/s: a puff of speed v comes to rest after v / DRAG metres. */
-export const DRAG = 2.4;
 /** Seconds in which a burst's number of puffs appears when it is asked to last. */
 const BURST_SECONDS = 0.5;
 /** A shorter emission is a burst, seconds. */

@@ -2,8 +2,39 @@
 import { rounded, type Triple } from '../plane.ts';
 import type { Values } from '../../parameters/parameter.ts';
 import type { VectorComponents, EmissionChange, EmissionOptions, PuffOptions } from '../../simulator/emitterOptions.ts';
-import { DRAG, type Emission } from './effects.ts';
 
+/** An emitter for a while. Directions are in degrees: 0 is right, 90 up. */
+export interface Emission {
+  /** A box; or a disc that faces the viewer, or lies flat, from whose centre puffs leave to all sides. */
+  readonly shape: 'box' | 'front' | 'ground';
+  /** Offset from the middle of the target, and half sides. */
+  readonly x: number;
+  readonly y: number;
+  readonly halfWidth: number;
+  readonly halfHeight: number;
+  /** Undefined for discs. */
+  readonly direction?: number;
+  /** Half angle of the cone in which puffs leave, degrees. */
+  readonly spread: number;
+  readonly speed: number;
+  readonly speedVariation: number;
+  /** Radius of the puffs. */
+  readonly size: number;
+  readonly sizeVariation: number;
+  /** Lifetime of the puffs, and its largest random change as a fraction. */
+  readonly life: number;
+  readonly lifeVariation: number;
+  /** Puffs rise above 1 and fall below, see `AIR`. */
+  readonly temperature: number;
+  /** Start after that of the effect. */
+  readonly delay: number;
+  /** 0 for a burst. */
+  readonly duration: number;
+  readonly count: number;
+}
+
+/** Drag of the air, 1/s: a puff of speed v comes to rest after v / DRAG metres. */
+export const DRAG = 2.4;
 /** Air in which a puff neither rises nor falls at temperature 1, and keeps its temperature. */
 const PULL = 6;
 export const AIR: Values = {

@@ -18,7 +18,7 @@ beforeAll(async () => {
 
 const open = () => new Simulation(factory, air(), VALUES, 0);
 const emit = (simulation: Simulation, options: Omit<EmissionOptions, 'position'>) =>
-  simulation.emit(emissionNumbers({ ...AT, ...options }));
+  simulation.emit({ ...AT, ...options });
 
 /** Emissions of all kinds, of which one moves. */
 function live(simulation: Simulation): void {
@@ -27,7 +27,7 @@ function live(simulation: Simulation): void {
   emit(simulation, { count: 20 });
   emit(simulation, { count: 33, duration: 0.5, delay: 0.2, shape: 'box', speed: 3, direction: { x: 0, y: 3, z: 4 } });
   simulation.advance(20);
-  simulation.changeEmission(moving, changeNumbers({ position: { x: 2, y: 1, z: 0 }, tint: 2 }));
+  simulation.changeEmission(moving, { position: { x: 2, y: 1, z: 0 }, tint: 2 });
   simulation.advance(10);
 }
 
@@ -54,7 +54,7 @@ describe('counts', () => {
     const simulation = open();
     const emission = emit(simulation, { rate: 60 });
     simulation.advance(200);
-    simulation.changeEmission(emission, changeNumbers({ duration: 0 }));
+    simulation.changeEmission(emission, { duration: 0 });
     simulation.advance(50);
     expect(simulation.simulator.alive).toBe(200);
     simulation.dispose();

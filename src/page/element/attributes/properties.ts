@@ -1,3 +1,4 @@
+import type { PresetName } from '../../../parameters/valueTypes.ts';
 import { names } from './names.ts';
 
 /** Boolean attributes besides the parameters. */
@@ -9,6 +10,26 @@ export const EMIT_ON = ['always', 'hover', 'click'] as const;
 /** Accessible names of the button. */
 export const LABELS: readonly string[] = ['label-play', 'label-pause', 'label-restart'];
 export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];
+
+/** The properties besides the parameters. */
+export interface OwnProperties {
+  paused: boolean;
+  transparent: boolean;
+  interactive: boolean;
+  get preset(): string | undefined;
+  set preset(name: PresetName | null | undefined);
+  src: string | undefined;
+  start: string | undefined;
+  alt: string | undefined;
+  labelPlay: string | undefined;
+  labelPause: string | undefined;
+  labelRestart: string | undefined;
+  thread: string | undefined;
+  loading: string | undefined;
+  collide: string | undefined;
+  emitFrom: string | undefined;
+  emitOn: string | undefined;
+}
 
 /** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
 type Given = number | string | boolean | null | undefined;

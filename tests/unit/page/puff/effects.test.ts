@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { emissionsOf, type Emission, type Extent } from '../../../../src/page/puff/effects.ts';
+import { emissionsOf, type Extent } from '../../../../src/page/puff/effects.ts';
+import type { Emission } from '../../../../src/page/puff/emission.ts';
 import { EFFECTS } from '../../../../src/page/puff/options.ts';
 import { AIR, alongLine, emissionOptions } from '../../../../src/page/puff/emission.ts';
 import { Obstacles } from '../../../../src/page/puff/obstacles.ts';
