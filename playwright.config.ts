@@ -1,6 +1,6 @@
 import { defineConfig } from '@playwright/test';
 import type { WorkerOptions } from './tests/support/fixtures.ts';
-import { demandTestServer } from './tests/support/server.ts';
+import { requireTestServer } from './tests/support/server.ts';
 
 const isLong = Boolean(process.env.TEST_LONG);
 const FOLDERS = '**/tests/{site,visual,e2e}';
@@ -22,7 +22,7 @@ const unoptimised = `--no-opt --single-threaded ${unoptimisedWasm}`;
 // Otherwise each worker would build a missing site or package.
 const builtFirst = { dependencies: ['built'] };
 
-const { port, browser, flags } = await demandTestServer();
+const { port, browser, flags } = await requireTestServer();
 const launched = (scriptFlags: string) => ({
   launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases, `--js-flags=${scriptFlags}`] },
 });

@@ -2,9 +2,9 @@
 
 import { readArguments, readPort } from './lib/arguments.mjs';
 import { root } from './lib/paths.mjs';
-import { demandFreePort, HOST } from './lib/port.mjs';
+import { requireFreePort, HOST } from './lib/port.mjs';
 import { conclude } from './lib/userError.mjs';
-import { demandNode } from './setup/node.mjs';
+import { requireNode } from './setup/node.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
 import * as site from './setup/site.mjs';
 
@@ -14,8 +14,8 @@ const DEFAULT_PORT = 4173;
 await conclude(async () => {
   const { values } = readArguments({ port: { type: 'string' } }, `${COMMAND} [--port N]`);
   const port = readPort(values.port, DEFAULT_PORT);
-  demandNode();
-  await demandFreePort(port, COMMAND);
+  requireNode();
+  await requireFreePort(port, COMMAND);
   await setUp([...PAGE, site]);
   const { preview } = await import('vite');
   await preview({ root, preview: { host: HOST, port, strictPort: true } });

@@ -11,12 +11,12 @@ await conclude(async () => {
   const { positionals } = readArguments({}, USAGE);
   if (positionals.length !== 1) throw new UserError(`Name one tag. Usage: ${USAGE}`);
   const { version } = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
-  demandTag(positionals[0], version);
-  demandNotes(version);
+  requireTag(positionals[0], version);
+  requireNotes(version);
   console.log(`Version ${version} can be released.`);
 });
 
-function demandTag(/** @type {string} */ tag, /** @type {string} */ version) {
+function requireTag(/** @type {string} */ tag, /** @type {string} */ version) {
   if (tag === `v${version}`) return;
   throw new UserError(
     `The tag is ${tag}, but package.json has version ${version}: tag v${version}, or change the version.`,
@@ -24,7 +24,7 @@ function demandTag(/** @type {string} */ tag, /** @type {string} */ version) {
 }
 
 /** A release must have changelog entries. */
-function demandNotes(/** @type {string} */ version) {
+function requireNotes(/** @type {string} */ version) {
   const sections = readFileSync(inRoot('CHANGELOG.md'), 'utf8').split(/^## /m).slice(1);
   const notes = sections.find((section) => section.split(/\s/, 1)[0] === version);
   if (notes && /^- /m.test(notes)) return;

@@ -4,9 +4,9 @@
 
 import { conclude } from './lib/userError.mjs';
 import { readArguments, readPort } from './lib/arguments.mjs';
-import { demandFreePort, HOST } from './lib/port.mjs';
+import { requireFreePort, HOST } from './lib/port.mjs';
 import { PAGE, setUp } from './setup/setup.mjs';
-import { demandNode } from './setup/node.mjs';
+import { requireNode } from './setup/node.mjs';
 import { root } from './lib/paths.mjs';
 
 const COMMAND = 'npm start --';
@@ -15,8 +15,8 @@ const DEFAULT_PORT = 5173;
 await conclude(async () => {
   const { values } = readArguments({ port: { type: 'string' } }, `${COMMAND} [--port N]`);
   const port = readPort(values.port, DEFAULT_PORT);
-  demandNode();
-  await demandFreePort(port, COMMAND);
+  requireNode();
+  await requireFreePort(port, COMMAND);
   await setUp(PAGE);
   const { createServer } = await import('vite');
   const server = await createServer({ root, server: { host: HOST, port, strictPort: true } });

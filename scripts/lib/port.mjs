@@ -14,7 +14,7 @@ export const HOST = '127.0.0.1';
  * @param {number} port
  * @param {string} command how to run the same command with another port
  */
-export async function demandFreePort(port, command) {
+export async function requireFreePort(port, command) {
   for (const address of [HOST, '::1']) {
     const code = await listenOnce(port, address);
     if (code === 'EADDRINUSE') {

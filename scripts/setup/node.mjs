@@ -5,7 +5,7 @@ import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 
 /** Throws if Node is older than the version in package.json. */
-export function demandNode() {
+export function requireNode() {
   const wanted = JSON.parse(readFileSync(inRoot('package.json'), 'utf8')).engines.node.replace('>=', '');
   const found = process.versions.node;
   if (isAtLeast(found, wanted)) return;

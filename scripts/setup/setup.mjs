@@ -3,7 +3,7 @@
 import { withProgress } from '../lib/progress.mjs';
 import { UserError } from '../lib/userError.mjs';
 import * as browser from './browser.mjs';
-import { demandNode } from './node.mjs';
+import { requireNode } from './node.mjs';
 import * as packages from './packages.mjs';
 import * as toolchain from './toolchain.mjs';
 import * as wasm from './wasm.mjs';
@@ -45,7 +45,7 @@ export const PICTURES = [packages, browser];
  * @throws {UserError} when a component is unavailable
  */
 export async function setUp(components) {
-  demandNode();
+  requireNode();
   const fresh = [];
   for (const component of components) {
     if (await component.isFresh()) {

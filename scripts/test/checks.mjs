@@ -43,11 +43,11 @@ const TSC = 'typescript/bin/tsc';
 
 /** @type {Runner[]} */
 export const CHECKS = [
-  check('lint', 'Lint (oxlint)', (say) => demandFiles(tool(OXLINT, ['--type-aware', '--deny-warnings'], say))),
+  check('lint', 'Lint (oxlint)', (say) => requireFiles(tool(OXLINT, ['--type-aware', '--deny-warnings'], say))),
   check('format', 'Format (prettier)', (say) => tool('prettier/bin/prettier.cjs', ['--check', '.'], say)),
   check('rustfmt', 'Format (cargo fmt)', (say) => cargo(['fmt', '--all', '--check'], say)),
   checkOfCargo('clippy', 'Build and lint (clippy)', (say) =>
-    demandNoWarning(cargoNative('build', ['--all-targets'], say)),
+    requireNoWarning(cargoNative('build', ['--all-targets'], say)),
   ),
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
@@ -80,13 +80,13 @@ function fuzz(choice, say) {
 }
 
 /** Fails if the compiler warned. Cargo repeats the warnings of crates that it does not compile again. */
-async function demandNoWarning(/** @type {Promise<Outcome>} */ pending) {
+async function requireNoWarning(/** @type {Promise<Outcome>} */ pending) {
   const { status, output } = await pending;
   return { status: /^warning:/m.test(output) ? 1 : status, output };
 }
 
 /** Fails if the linter checked no files. */
-async function demandFiles(/** @type {Promise<Outcome>} */ pending) {
+async function requireFiles(/** @type {Promise<Outcome>} */ pending) {
   const { status, output } = await pending;
   const looked = /Finished in .* on (\d+) files?/.exec(output);
   if (status === 0 && !Number(looked?.[1])) return { status: 1, output: `${output}\nNo file was looked at.` };

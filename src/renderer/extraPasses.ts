@@ -1,8 +1,7 @@
 /** Code that few smokes need. It is loaded on first use and shared by all smokes of the thread. */
-import type { FrameView } from './gpu/frameView.ts';
-import type { PuffForm, PuffTextures } from './gpu/puffTextures.ts';
+import type { PassSources } from './frameInput.ts';
+import type { PuffForm } from './gpu/puffTextures.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
-import type { RampTexture } from './gpu/ramps.ts';
 import type { DebugView } from '../parameters/quality.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
@@ -115,22 +114,15 @@ function missing(kind: PictureKind): [Name, string][] {
   return (Object.entries(needsOf(kind)) as [Name, string][]).filter(([name]) => !loaded[name]);
 }
 
-/** What the optional passes of one smoke share with its other passes. */
-interface Sources {
-  readonly eye: FrameView;
-  readonly puffs: PuffTextures;
-  readonly ramps: RampTexture;
-}
-
 type PassName = Exclude<keyof FrameExtras, 'billboardsOf' | 'releaseTargets' | 'dispose'>;
 
 /** The optional passes of one smoke. Each is created on first use and is undefined while its module is not loaded. */
 export class ExtraPasses implements FrameExtras {
-  private readonly sources: Sources;
+  private readonly sources: PassSources;
   private readonly made: { -readonly [Each in PassName]?: FrameExtras[Each] } = {};
   private requested: Promise<unknown> | undefined;
 
-  constructor(sources: Sources) {
+  constructor(sources: PassSources) {
     this.sources = sources;
   }
 
@@ -178,7 +170,7 @@ export class ExtraPasses implements FrameExtras {
 
   private pass<Each extends PassName>(
     name: Each,
-    make: (code: NonNullable<(typeof loaded)[Each]>, sources: Sources) => FrameExtras[Each],
+    make: (code: NonNullable<(typeof loaded)[Each]>, sources: PassSources) => FrameExtras[Each],
   ): FrameExtras[Each] | undefined {
     const code = loaded[name];
     if (code) this.made[name] ??= make(code, this.sources);

@@ -3,6 +3,9 @@ import type { DebugView } from '../parameters/quality.ts';
 import type { Arranged } from '../simulator/arranged.ts';
 import type { Rows } from '../simulator/rows.ts';
 import type { View } from '../simulator/view.ts';
+import type { FrameView } from './gpu/frameView.ts';
+import type { PuffTextures } from './gpu/puffTextures.ts';
+import type { RampTexture } from './gpu/ramps.ts';
 import type { Light } from './light.ts';
 import type { Style } from './style.ts';
 
@@ -13,6 +16,13 @@ export interface Arranger {
   arrange(view: View): Arranged;
   /** Displacement in the latest step of each row of the last `arrange`, metres: x, y, z. */
   moves(): Float32Array;
+}
+
+/** What all passes of one smoke share. */
+export interface PassSources {
+  readonly eye: FrameView;
+  readonly puffs: PuffTextures;
+  readonly ramps: RampTexture;
 }
 
 /** Everything that one frame is drawn from. */

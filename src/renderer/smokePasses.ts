@@ -3,7 +3,6 @@ import type { PuffExtents } from './gpu/formTextures.ts';
 import type { FrameView } from './gpu/frameView.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import type { PuffForm, PuffTextures } from './gpu/puffTextures.ts';
-import type { RampTexture } from './gpu/ramps.ts';
 import type { Device } from './gpu/device.ts';
 import { ONE_QUAD, TWO_QUADS, type RowGeometry } from './gpu/drawnRows.ts';
 import { CasterRows, PuffRows } from './gpu/puffRows.ts';
@@ -20,17 +19,14 @@ import { SurfaceDepthPass, type SurfaceDepth } from './passes/surfaceDepth.ts';
 import { Targets } from './passes/targets.ts';
 import { VolumesPass } from './passes/volumes.ts';
 import type { CoverageGrid } from '../simulator/view.ts';
-import type { FrameInput } from './frameInput.ts';
+import type { FrameInput, PassSources } from './frameInput.ts';
 import type { SceneSurfaces } from './sceneSurfaces.ts';
 import { createShadowEnds, type FindEnds } from './shadowEnds.ts';
 import { litThresholdOf } from './palette.ts';
 import type { Style } from './style.ts';
 
-interface Sources {
+interface Sources extends PassSources {
   readonly device: Device;
-  readonly eye: FrameView;
-  readonly puffs: PuffTextures;
-  readonly ramps: RampTexture;
   /** Maximum number of particles. */
   readonly capacity: number;
   /** Undefined without surfaces. */

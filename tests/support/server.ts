@@ -21,7 +21,7 @@ export interface TestServer {
  * Chooses a free port and a browser. Environment variables pass the choice to the workers, which load the configuration
  * again and need the same result.
  */
-export async function demandTestServer(): Promise<TestServer> {
+export async function requireTestServer(): Promise<TestServer> {
   const { findBrowser, findShell, CHROMIUM_FLAGS } = await script<BrowserScript>('setup/browser.mjs');
   process.env.TEST_PORT ||= String(await findFreePort());
   const browser = await findBrowser();

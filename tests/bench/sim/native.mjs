@@ -20,14 +20,14 @@ const FEATURES = process.arch === 'x64' ? '-C target-feature=+sse4.1' : '';
 export async function buildContestants(say) {
   mkdirSync(inRoot(FOLDER), { recursive: true });
   const native = ['build', '--release', '--locked', '--package', 'sim-tests', '--example', 'contest'];
-  demandBuilt('contest', await cargo([...native, '--target-dir', inRoot(FOLDER)], say, { RUSTFLAGS: FEATURES }));
+  requireBuilt('contest', await cargo([...native, '--target-dir', inRoot(FOLDER)], say, { RUSTFLAGS: FEATURES }));
   const wasm = ['--edition', '2024', '--crate-type', 'cdylib', '--target', 'wasm32-unknown-unknown'];
   const tuned = ['-C', 'opt-level=3', '-C', 'target-feature=+simd128', '-C', 'strip=symbols'];
   const source = inRoot('sim-wasm/sim/examples/memory/wasm.rs');
-  demandBuilt('memory', await rustc([...wasm, ...tuned, source, '-o', inRoot(`${FOLDER}/memory.wasm`)], say));
+  requireBuilt('memory', await rustc([...wasm, ...tuned, source, '-o', inRoot(`${FOLDER}/memory.wasm`)], say));
 }
 
-function demandBuilt(
+function requireBuilt(
   /** @type {string} */ example,
   /** @type {import('../../../scripts/lib/command.mjs').Outcome} */ { status, output },
 ) {

@@ -40,7 +40,7 @@ export async function measureVortexParticles(quick: boolean): Promise<Figure[]> 
     advance: (steps) => withVortices.advance(steps),
     dispose: () => withVortices.dispose(),
   };
-  await demandMotion(without, withVortices, withThem);
+  await requireMotion(without, withVortices, withThem);
   const plan: Plan = {
     rounds: quick ? 5 : 11,
     share: quick ? 60 : 150,
@@ -76,7 +76,7 @@ function shed({ simulator }: Wasm): Uint8Array {
 }
 
 /** Requires an effect: vortex particles without one would also have no cost. */
-async function demandMotion(without: Wasm, withVortices: Wasm, withThem: Contestant): Promise<void> {
+async function requireMotion(without: Wasm, withVortices: Wasm, withThem: Contestant): Promise<void> {
   await withThem.restart();
   without.restart();
   demand(readParticles(withVortices.simulator).x.length === COUNT, 'the cloud has another size');

@@ -51,7 +51,7 @@ export function compareWork(make: (capacity: number) => MeasuredSimulator, limit
     demand(isPushed || gap > -0.02 * free.size[i], `particle ${i} overlaps a rigid by ${-gap} m`);
     demand(gap >= 0 || near.has(i), `particle ${i} overlaps a rigid by ${-gap} m and is not among those asked`);
   }
-  demandSameDistances(rapier, near, distances, limit);
+  requireSameDistances(rapier, near, distances, limit);
   demand(work.pushed > 0.01 * COUNT, `${work.pushed} particles were pushed`);
   demand(work.overlapping > 0.5 * work.pushed, `${work.overlapping} overlap, ${work.pushed} were pushed`);
   scene.dispose();
@@ -60,7 +60,7 @@ export function compareWork(make: (capacity: number) => MeasuredSimulator, limit
 }
 
 /** The limited queries must give the same results as the unlimited ones where it matters. */
-function demandSameDistances(
+function requireSameDistances(
   rapier: MeasuredSimulator['rapier'],
   near: ReadonlySet<number>,
   distances: Float32Array,

@@ -87,11 +87,11 @@ function playRound(near: Scene, withFar: Scene, tenths: readonly Uint32Array[], 
       minOfTenths[tenth] = Math.min(minOfTenths[tenth], rapier.projectionTime(asked, EVERYWHERE));
     });
   }
-  demandAlike(near, withFar);
+  requireAlike(near, withFar);
   return { ...min, naive: minOfTenths.reduce((sum, cost) => sum + cost, 0) };
 }
 
-function demandAlike(near: Scene, withFar: Scene): void {
+function requireAlike(near: Scene, withFar: Scene): void {
   const [one, other] = [near.particles, withFar.particles];
   for (const axis of ['x', 'y', 'z'] as const) {
     const alike = one[axis].every((value, i) => value === other[axis][i]);

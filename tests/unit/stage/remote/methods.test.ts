@@ -9,6 +9,7 @@ import { PortStage } from '../../../../src/stage/remote/portStage.ts';
 import { serveStage } from '../../../../src/stage/remote/serveStage.ts';
 import type { Stage } from '../../../../src/stage/stage.ts';
 import type { StageStats } from '../../../../src/stage/stats.ts';
+import { EXAMPLE_TAKE } from '../../../support/exampleTake.ts';
 
 /** Arguments of a method, and a result of it. */
 type Call<Name extends MethodName> =
@@ -17,17 +18,6 @@ type Call<Name extends MethodName> =
     : never;
 
 const BYTES = Uint8Array.of(1, 2, 3);
-const TAKE = {
-  values: { scene: 'wisp' },
-  seed: 3,
-  inputs: 2,
-  start: 0,
-  steps: 60,
-  mostParticles: 300,
-  isFresh: true,
-  isTruncated: false,
-  toBytes: () => BYTES.slice(),
-} as const;
 
 /** A method without a line here does not compile. */
 const calls: { readonly [Name in MethodName]: Call<Name> } = {
@@ -45,9 +35,9 @@ const calls: { readonly [Name in MethodName]: Call<Name> } = {
   picture: { given: [], result: new Blob(['png']) },
   save: { given: [], result: BYTES },
   restore: { given: [BYTES] },
-  take: { given: [], result: TAKE },
-  readTake: { given: [BYTES], result: TAKE },
-  playTake: { given: [TAKE] },
+  take: { given: [], result: EXAMPLE_TAKE },
+  readTake: { given: [BYTES], result: EXAMPLE_TAKE },
+  playTake: { given: [EXAMPLE_TAKE] },
   hash: { given: [], result: '0123456789abcdef' },
   stats: { given: [{ gpu: true }], result: { steps: 3, writesDepth: true } as StageStats },
   resize: { given: [30, 20, 2] },

@@ -21,18 +21,7 @@ import {
   notificationOf,
 } from '../../../../src/stage/remote/protocol.ts';
 import { hostileMessages } from '../../../support/hostileMessages.ts';
-
-const TAKE = {
-  values: { scene: 'wisp' },
-  seed: 3,
-  inputs: 2,
-  start: 0,
-  steps: 60,
-  mostParticles: 300,
-  isFresh: true,
-  isTruncated: false,
-  toBytes: () => Uint8Array.of(1, 2, 3),
-};
+import { EXAMPLE_TAKE } from '../../../support/exampleTake.ts';
 
 test.each([
   [{ id: 1, method: 'play', args: [] }],
@@ -117,14 +106,14 @@ test('an error of an unknown class keeps only its name and its message', () => {
 });
 
 test('a take crosses as its bytes', () => {
-  const { value, moved } = packValue('take', TAKE);
+  const { value, moved } = packValue('take', EXAMPLE_TAKE);
   const reply = readReply(structuredClone({ id: 9, value }, { transfer: moved }), () => 'take');
   expect(reply).toMatchObject({ id: 9, value: { seed: 3, steps: 60, values: { scene: 'wisp' } } });
-  expect((reply as { value: typeof TAKE }).value.toBytes()).toEqual(Uint8Array.of(1, 2, 3));
+  expect((reply as { value: typeof EXAMPLE_TAKE }).value.toBytes()).toEqual(Uint8Array.of(1, 2, 3));
 });
 
 test('a take is sent as its bytes', () => {
-  expect(packArgument(TAKE)).toEqual(Uint8Array.of(1, 2, 3));
+  expect(packArgument(EXAMPLE_TAKE)).toEqual(Uint8Array.of(1, 2, 3));
   for (const argument of [Uint8Array.of(4), 'toBytes', { toBytes: 1 }, 0, null, undefined])
     expect(packArgument(argument)).toEqual(argument);
 });
