@@ -3,13 +3,12 @@ import type { WorkerOptions } from './tests/support/fixtures.ts';
 import { requireTestServer } from './tests/support/server.ts';
 
 const isLong = Boolean(process.env.TEST_LONG);
-const FOLDERS = '**/tests/{site,visual,e2e}';
-const LONG = `${FOLDERS}/**/*.long.spec.ts`;
+// Playwright compares it with the path of the file and the titles.
+const LONG = /\.long\.spec\.ts|@long/;
 
-const EMBED = `**/tests/e2e/{package,page,stage}/**/${isLong ? '*.long.spec.ts' : '*.spec.ts'}`;
-const SITE = isLong ? '**/tests/site/*.long.spec.ts' : '**/tests/site/*.spec.ts';
+const EMBED = '**/tests/e2e/{package,page,stage}/**/*.spec.ts';
+const SITE = '**/tests/site/*.spec.ts';
 
-const ignored = isLong ? [] : [LONG];
 // These tests check the page. Where the picture matters, they request the full resolution.
 const fewPixels = { deviceScaleFactor: 0.25 };
 const halfThePixels = { deviceScaleFactor: 0.5 };
@@ -24,18 +23,20 @@ const builtFirst = { dependencies: ['built'] };
 
 const { port, browser, flags } = await requireTestServer();
 const launched = (scriptFlags: string) => ({
-  launchOptions: { executablePath: browser, args: [...flags, ...plainCanvases, `--js-flags=${scriptFlags}`] },
+  launchOptions: {
+    executablePath: browser,
+    args: [...flags, ...plainCanvases, `--js-flags=${scriptFlags}`],
+  },
 });
 const brief = launched(unoptimised);
 
 /**
  * Tests in a browser: source modules on a separate development server, and pages as published, all rendered by
- * SwiftShader. Files named *.long.spec.ts run only in `npm run test:long`.
+ * SwiftShader. Files named *.long.spec.ts and tests with @long in their title run only in `npm run test:long`.
  */
 export default defineConfig<object, WorkerOptions>({
   testDir: 'tests',
-  testMatch: isLong ? LONG : `${FOLDERS}/**/*.spec.ts`,
-  testIgnore: ignored,
+  ...(isLong ? { grep: LONG } : { grepInvert: LONG }),
   forbidOnly: true,
   retries: 0,
   // Tests mostly wait for the page, so four workers fit on two cores. The long tests run alone.
@@ -45,17 +46,17 @@ export default defineConfig<object, WorkerOptions>({
   expect: { timeout: 120_000 },
   outputDir: 'test-results',
   projects: [
-    { name: 'built', testMatch: '**/tests/support/built.setup.ts', testIgnore: [] },
+    { name: 'built', testMatch: '**/tests/support/built.setup.ts', grep: /./ },
     // Needs no build, but without this dependency all others would wait for its last test.
-    { name: 'modules', testIgnore: [...ignored, '**/tests/e2e/**', SITE], ...builtFirst },
+    { name: 'modules', testMatch: '**/tests/visual/**/*.spec.ts', ...builtFirst },
     // Third-party pages, with the files that npm and CDNs would deliver.
-    { name: 'embed', testMatch: EMBED, testIgnore: ignored, ...builtFirst, use: { ...halfThePixels, ...brief } },
-    { name: 'site', testMatch: SITE, testIgnore: ignored, ...builtFirst, use: fewPixels },
+    { name: 'embed', testMatch: EMBED, ...builtFirst, use: { ...halfThePixels, ...brief } },
+    { name: 'site', testMatch: SITE, ...builtFirst, use: fewPixels },
     {
       name: 'pages',
       ...builtFirst,
-      testMatch: isLong ? '**/tests/e2e/**/*.long.spec.ts' : '**/tests/e2e/**/*.spec.ts',
-      testIgnore: [...ignored, EMBED],
+      testMatch: '**/tests/e2e/**/*.spec.ts',
+      testIgnore: EMBED,
       // Each test is a first visit to the page; the service worker has separate tests, with those of the site.
       use: { ...fewPixels, ...brief, showsBuiltSite: true, serviceWorkers: 'block' },
     },

@@ -27,7 +27,7 @@ test('the same seed has the same hash natively and in Chromium', async ({ load }
   expect(hashes).toEqual([without, without, linesOf(text, 'hash with rigids')[0]]);
 });
 
-test('takes over the whole parameter table have the same hashes natively and in Chromium', async ({ load }) => {
+test('takes over the whole parameter table have the same hashes natively and in Chromium @long', async ({ load }) => {
   test.setTimeout(1_200_000);
   const takes = await nativeTakes();
   expect(takes.length).toBe(40);

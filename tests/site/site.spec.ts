@@ -115,7 +115,7 @@ test('a new version is offered, takes over on request, and removes the old one',
   await expect(page.getByRole('button', { name: 'Reload' })).toBeHidden();
 });
 
-test('a new version that the browser found before the page is offered', async ({ page }) => {
+test('a new version that the browser found before the page is offered @long', async ({ page }) => {
   await page.goto(`${server.address}${WISP}`);
   await isCached(page, 'main-');
   renameMain(folder);

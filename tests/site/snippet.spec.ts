@@ -65,7 +65,7 @@ async function paste(page: Page, code: string): Promise<void> {
   await page.goto(`${elsewhere.address}?${++pages}`);
 }
 
-test('pasted into an empty page of another origin it shows the smoke', async ({ page }) => {
+test('pasted into an empty page of another origin it shows the smoke @long', async ({ page }) => {
   const code = await snippet(page);
   const [, address, integrity] = /^<script type="module" src="([^"]+)" integrity="([^"]+)" crossorigin/.exec(code)!;
   expect(address).toMatch(/^http:.+\/some\/where\/element\/\w{12}\/cartoon-smoke\.min\.js$/);
@@ -132,7 +132,7 @@ test('element and iframe show the same moment as the page, with the chosen optio
   await expect(page.locator('iframe')).toHaveAttribute('title', '"Steam" & <b>more</b>');
 });
 
-test('the code for three.js has the same smoke after as many steps', async ({ page, context }) => {
+test('the code for three.js has the same smoke after as many steps @long', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openBuilder(page, 0.5);
   const hash = await page.evaluate(() => window.cartoonSmoke!.hash());

@@ -102,6 +102,11 @@ export const test = base.extend<TestFixtures, WorkerFixtures>({
 
 export { expect };
 
+/** The tag in the title of a row of a table: a row with a true condition runs only in `npm run test:long`. */
+export function longIf(condition: boolean): string {
+  return condition ? ' @long' : '';
+}
+
 function expectNone(consoleErrors: string[], allowed: RegExp): void {
   const unexpected = consoleErrors.filter((text) => !allowed.test(text));
   expect(unexpected, 'errors on the console of the page').toEqual([]);

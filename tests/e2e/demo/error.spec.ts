@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { keepContexts, loseForGood, restoreLate } from '../stage/remote/context.ts';
 import { ask, isComplete, LIGHT, open } from './page.ts';
 
@@ -36,7 +36,10 @@ test.describe('a context that is lost for good', () => {
   test.use({ allowed: /context lost|context restored|CONTEXT_LOST/i });
 
   for (const query of ['', 'paused=1&']) {
-    test(`shows an error until the browser restores it or the page is loaded again: ?${query}`, async ({ page }) => {
+    const tag = longIf(query !== '');
+    test(`shows an error until the browser restores it or the page is loaded again: ?${query}${tag}`, async ({
+      page,
+    }) => {
       await keepContexts(page);
       await open(page, `?${query}t=1${LIGHT}`);
       const alert = page.getByRole('alert');

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 /** Pages that are no projects of their own. */
@@ -22,7 +22,8 @@ test.describe('with reduced motion', () => {
     { width: 1440, height: 900 },
     { width: 390, height: 844 },
   ]) {
-    test(`shows each project with its files, in a window of ${size.width} pixels`, async ({ page }) => {
+    const tag = longIf(size.width > 390);
+    test(`shows each project with its files, in a window of ${size.width} pixels${tag}`, async ({ page }) => {
       await page.setViewportSize(size);
       await page.goto('/examples.html');
       await expect(page.getByRole('region')).toHaveCount(projects.size);

@@ -1,6 +1,6 @@
 /** What helps at the first visit: the hint at the gestures, random looks, and shortcuts that can be turned off. */
 import { presets, presetValues } from '../../../src/preset.ts';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { ask, expectValue, LAMP, LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 900, height: 620 } });
@@ -9,7 +9,8 @@ test.describe('at the first visit', () => {
   test.use({ isFirstVisit: true });
 
   for (const way of ['a drag', 'the button']) {
-    test(`a hint names the gestures until ${way}, and does not come back`, async ({ page }) => {
+    const tag = longIf(way === 'the button');
+    test(`a hint names the gestures until ${way}, and does not come back${tag}`, async ({ page }) => {
       await open(page, `?paused=1${LAMP}`);
       const hint = page
         .getByRole('status', { name: 'Messages' })

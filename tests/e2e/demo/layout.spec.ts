@@ -1,6 +1,6 @@
 /** The picture is centred in the area without controls, and no control covers another one. */
 import type { Locator, Page } from '@playwright/test';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { LIGHT, open } from './page.ts';
 
 test.use({ viewport: { width: 800, height: 620 } });
@@ -110,7 +110,7 @@ for (const [width, height] of [
   test.describe(`on a phone of ${width} x ${height}`, () => {
     test.use({ viewport: { width, height }, hasTouch: true, isMobile: true });
 
-    test('nothing covers the picture, and every button is visible', async ({ page }) => {
+    test(`nothing covers the picture, and every button is visible${longIf(width > 320)}`, async ({ page }) => {
       await open(page, `?paused=1${LIGHT}`);
       const playback = page.getByRole('group', { name: 'Playback' });
       const presets = page.getByRole('button', { name: 'Presets' });

@@ -7,6 +7,7 @@ import type { Page } from '@playwright/test';
 import type {} from '../../../src/script.ts';
 import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, stands, test as base, type Server } from '../../support/embed.ts';
+import { longIf } from '../../support/fixtures.ts';
 import { script } from '../../support/server.ts';
 
 interface Hash {
@@ -72,7 +73,8 @@ for (const [kind, warnings] of [
   ['min', []],
   ['development', [/no attribute .presett.. Did you mean .preset.\?$/, /^puff\(\): The target is null/]],
 ] as const) {
-  test(`the script ${kind}.js writes ${warnings.length} warnings, and runs smoke and puff()`, async ({
+  const rest = longIf(kind === 'development');
+  test(`the script ${kind}.js writes ${warnings.length} warnings, and runs smoke and puff()${rest}`, async ({
     page,
     cdn,
     visit,

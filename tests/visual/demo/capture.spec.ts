@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./capture.cases.ts');
 const CASES = '/tests/visual/demo/capture.cases.ts';
@@ -21,7 +21,8 @@ test('a GIF has all frames, keeps flat colours, and loops seamlessly', async ({ 
 });
 
 for (const format of ['webm', 'mp4'] as const) {
-  test(`a ${format} has every frame at its time, and neighbours differ`, async ({ load }) => {
+  const tag = longIf(format === 'mp4');
+  test(`a ${format} has every frame at its time, and neighbours differ${tag}`, async ({ load }) => {
     const report = await (await load<Cases>(CASES)).evaluate((cases, name) => cases.video(name), format);
     expect(report.times).toHaveLength(6);
     report.times.forEach((time, frame) => expect(time).toBeCloseTo(frame / 24, 2));

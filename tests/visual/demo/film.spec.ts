@@ -77,7 +77,7 @@ function pixelsOf(file: Buffer): Buffer {
   return PNG.sync.read(file).data;
 }
 
-test('shards, killed runs and one run write the same files, also from the states of a take', async ({ load }) => {
+test('shards, killed runs and one run write the same files, also from the states of a take @long', async ({ load }) => {
   const link = await (
     await load<Cases>('/tests/visual/demo/film.cases.ts')
   ).evaluate((cases, hash) => cases.disturbed(hash), HASH);
@@ -194,7 +194,7 @@ test('mistakes in a link end the run before the first frame', async () => {
   expect(Object.keys(filesIn('bad'))).toEqual([]);
 });
 
-test('a full disk ends the run with one line, and the files on it are whole', () => {
+test('a full disk ends the run with one line, and the files on it are whole @long', () => {
   const isMountable = spawnSync('unshare', ['--mount', 'true']).status === 0;
   test.skip(!isMountable, 'Only root on Linux can mount a small disk');
   const [disk, copy] = ['disk', 'copy'].map((name) => join(folder, name));

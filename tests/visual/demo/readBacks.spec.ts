@@ -1,6 +1,6 @@
 /** Some browsers falsify pixels that pages read, against fingerprinting. */
 import { readdirSync, readFileSync } from 'node:fs';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./readBacks.cases.ts');
 const CASES = '/tests/visual/demo/readBacks.cases.ts';
@@ -26,7 +26,8 @@ test('no other file decides by pixels that it reads', () => {
 });
 
 for (const file of DECISIONS) {
-  test(`${file} decides the same by falsified pixels, and notices another truth`, async ({ load }) => {
+  const tag = longIf(/flipbook|svg/.test(file));
+  test(`${file} decides the same by falsified pixels, and notices another truth${tag}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const decide = (noise: Parameters<Cases['decide']>[1], isOther: boolean) =>
       cases.evaluate((module, [name, kind, other]) => module.decide(name, kind, other), [

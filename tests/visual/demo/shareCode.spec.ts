@@ -2,7 +2,7 @@
 import { transform } from 'esbuild';
 import { presets } from '../../../src/parameters/presets.ts';
 import { readRamp } from '../../../src/parameters/ramp.ts';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import type { Kind, Shown } from './shareCode.cases.ts';
 
 type Cases = typeof import('./shareCode.cases.ts');
@@ -33,8 +33,11 @@ async function shown(load: Load, kinds: readonly Kind[], ...call: Parameters<Cas
   return results;
 }
 
+/** A backdrop with tones, and a scene with rigids. */
+const SHOWN = ['lamp-noir', 'train'];
+
 for (const { name, values } of presets) {
-  test(`the code for ${name} shows its smoke`, async ({ load }) => {
+  test(`the code for ${name} shows its smoke${longIf(!SHOWN.includes(name))}`, async ({ load }) => {
     const [three, fiber, element, puff] = await shown(load, ['three', 'fiber', 'element', 'puff'], name);
     for (const { background, covered, alive } of [three, fiber]) {
       expect(background).toBe(cssOf(values['style.backdrop'] ?? ''));

@@ -1,5 +1,5 @@
 /** Each mistake that has no visible effect is reported once in development, and never in production. */
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./warnings.cases.ts');
 const CASES = '/tests/visual/development/warnings.cases.ts';
@@ -51,7 +51,8 @@ for (const [situation, warning] of Object.entries(WARNINGS)) {
 test.use({ ownPage: true });
 
 for (const [round, names] of rounds.entries()) {
-  test(`in development each of ${names.length} mistakes is reported once (${round + 1})`, async ({ load }) => {
+  const tag = longIf(round > 0);
+  test(`in development each of ${names.length} mistakes is reported once (${round + 1})${tag}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const lines = await cases.evaluate((module, some) => module.written('development', some), names);
     const expected = names.map((name) => [name, [expect.stringMatching(WARNINGS[name])]]);

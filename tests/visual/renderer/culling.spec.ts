@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { expectSame } from './sameness.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 
@@ -17,7 +17,7 @@ test('culling changes no pixel of the lamp', async ({ load }) => {
   expectSame(comparisons);
 });
 
-test('culling changes no pixel of smoke in the light of a lamp', async ({ load }) => {
+test('culling changes no pixel of smoke in the light of a lamp @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const values: Values = {
     'simulation.maxParticles': 800,
@@ -49,7 +49,7 @@ test('culling changes no pixel of puffs that turn, stretch and unfold', async ({
   expectSame(comparisons);
 });
 
-test('culling changes no pixel of puffs that are eroded', async ({ load }) => {
+test('culling changes no pixel of puffs that are eroded @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const values: Values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'erode' };
   const comparisons = await cases.evaluate(
@@ -61,7 +61,7 @@ test('culling changes no pixel of puffs that are eroded', async ({ load }) => {
 });
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`culling changes no pixel of a dense plume of ${form}`, async ({ load }) => {
+  test(`culling changes no pixel of a dense plume of ${form}${longIf(form === 'billboards')}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const comparisons = await cases.evaluate(
       (module, style) => module.comparePlume(1000, style, ['scene', 'inside', 'orthographic']),

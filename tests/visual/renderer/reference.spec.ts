@@ -1,4 +1,4 @@
-import { test } from '../../support/fixtures.ts';
+import { longIf, test } from '../../support/fixtures.ts';
 import { buildReference, expectReference } from '../../support/reference.ts';
 
 type Cases = typeof import('./reference.cases.ts');
@@ -118,7 +118,8 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs with the light of their whole form', FORMS, false],
   ['the lamp', LAMPS, false],
 ] as const) {
-  test(`${what}: the picture equals the reference`, async ({ load }, testInfo) => {
+  const tag = longIf(reversedDepth || scenes === LAMPS || scenes === MANY);
+  test(`${what}: the picture equals the reference${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     for (const [scene, modes] of scenes) {
       const input = [scene, modes, reversedDepth] as const;

@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./programs.cases.ts');
 
@@ -25,7 +25,8 @@ for (const [preset, strokes] of [
   ['cloudscape', 3],
   ['train', 3],
 ] as const) {
-  test(`light that follows the form, and strokes, are compiled in advance: ${preset}`, async ({ load }) => {
+  const tag = longIf(preset === 'cloudscape');
+  test(`light that follows the form, and strokes, are compiled in advance: ${preset}${tag}`, async ({ load }) => {
     const cases = await load<Cases>('/tests/visual/stage/programs.cases.ts');
     const { ahead, drawing } = await cases.evaluate((module, name) => module.programsOfPreset(name), preset);
     expect(ahead.filter((shaders) => shaders.includes('#define FORM'))).toHaveLength(1);

@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { bytesOf, expectGolden } from '../../support/goldens.ts';
 import { expectGone } from './ends.ts';
 
@@ -48,7 +48,8 @@ test('two stages share a device and draw their own pictures', async ({ load }) =
 });
 
 for (const which of ['halfQuality', 'halfQualityShared'] as const) {
-  test(`a lower quality keeps the canvas size, the flat tones and the ink width: ${which}`, async ({ load }) => {
+  const tag = longIf(which === 'halfQuality');
+  test(`a lower quality keeps the canvas size, the flat tones and the ink width: ${which}${tag}`, async ({ load }) => {
     const cases = await load<Quality>(QUALITY);
     const report = await cases.evaluate((module, name) => module[name](), which);
     expect(report.flat).toBeGreaterThan(2_000);
@@ -93,8 +94,8 @@ test.describe('loss', () => {
     expect(await cases.evaluate((module) => module.useCanvasAgain())).toMatch(/^ContextError: .*use another canvas/);
   });
 
-  test('8 stages leave no live context and no object', async ({ load, blank }) => {
-    await expectGone(load, blank, 8);
+  test('40 stages leave no live context and no object @long', async ({ load, blank }) => {
+    await expectGone(load, blank, 40);
   });
 });
 
@@ -160,7 +161,7 @@ test('a stage draws neither invisible frames nor the same frame twice', async ({
 test.describe('a renderer that is not loaded yet', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
-  test('nailboards are drawn while the code loads; the renderer then equals one loaded at the start', async ({
+  test('nailboards are drawn while the code loads; the renderer then equals one loaded at the start @long', async ({
     load,
   }) => {
     const cases = await load<Renderers>(RENDERERS);

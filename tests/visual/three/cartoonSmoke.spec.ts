@@ -1,5 +1,5 @@
 import type { Page, Route } from '@playwright/test';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Billboards = typeof import('./billboards.cases.ts');
 type Ink = typeof import('./ink.cases.ts');
@@ -21,7 +21,8 @@ for (const { antialias, toneMapped, reversedDepthBuffer } of [
   { antialias: false, toneMapped: false, reversedDepthBuffer: true },
 ]) {
   const how = [antialias && 'smoothed', toneMapped && 'tone-mapped', reversedDepthBuffer && 'depth reversed'];
-  test(`outside smoke and its shadow a scene is unchanged, bit for bit: ${how.filter(Boolean).join(', ') || 'plain'}`, async ({
+  const tag = longIf(reversedDepthBuffer);
+  test(`outside smoke and its shadow a scene is unchanged, bit for bit: ${how.filter(Boolean).join(', ') || 'plain'}${tag}`, async ({
     load,
   }) => {
     const cases = await load<Shadow>(SHADOW);
@@ -285,7 +286,7 @@ test.describe('billboards that are not loaded yet', () => {
     expect(await asked.evaluate(({ notified }) => notified)).toEqual([]);
   });
 
-  test('a failed load keeps lobes, emits one error event, throws in no frame, and can be retried', async ({
+  test('a failed load keeps lobes, emits one error event, throws in no frame, and can be retried @long', async ({
     load,
     blank,
   }) => {
@@ -310,7 +311,10 @@ test.describe('billboards that are not loaded yet', () => {
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
   });
 
-  test('code that is no longer needed causes no error, and creation waits for needed code', async ({ load, blank }) => {
+  test('code that is no longer needed causes no error, and creation waits for needed code @long', async ({
+    load,
+    blank,
+  }) => {
     const cases = await load<Billboards>(BILLBOARDS);
     const request = await held(blank);
     const asked = await cases.evaluateHandle((module) => module.ask());

@@ -1,10 +1,10 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./simplify.cases.ts');
 const CASES = '/tests/visual/three/simplify.cases.ts';
 
 for (const steps of [1, 2] as const) {
-  test(`light is simplified on smoke alone, with ${steps} steps of shadow`, async ({ load }) => {
+  test(`light is simplified on smoke alone, with ${steps} steps of shadow${longIf(steps > 1)}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { beside, inside, changed, border } = await cases.evaluate(
       (module, count) => module.changedBy({ 'style.simplify': 3 }, count),
@@ -27,7 +27,7 @@ test('light follows the form of the whole smoke on smoke alone', async ({ load }
   expect(changed / inside).toBeGreaterThan(0.1);
 });
 
-test('targets without stencil, mirrors and moved scenes show the same simplified light', async ({ load }) => {
+test('targets without stencil, mirrors and moved scenes show the same simplified light @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { composed, mirrored, moved } = await cases.evaluate((module) => module.elsewhere());
   expect(composed.errors).toEqual([]);

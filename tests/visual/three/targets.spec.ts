@@ -1,5 +1,5 @@
 /** Smoke in render targets without stencil. The recipes of docs/three.md are tests here. */
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Targets = typeof import('./targets.cases.ts');
 type Composers = typeof import('./composers.cases.ts');
@@ -9,7 +9,8 @@ const FOG = '/tests/visual/three/fog.cases.ts';
 const TARGETS = '/tests/visual/three/targets.cases.ts';
 
 for (const samples of [0, 4]) {
-  test(`EffectComposer with ${samples} samples shows the picture of the canvas`, async ({ load }) => {
+  const tag = longIf(samples > 0);
+  test(`EffectComposer with ${samples} samples shows the picture of the canvas${tag}`, async ({ load }) => {
     const cases = await load<Targets>(TARGETS);
     const { census, difference, bare, distinct, errors } = await cases.evaluate(
       (module, count) => module.byComposer(count),
@@ -28,7 +29,8 @@ for (const samples of [0, 4]) {
 }
 
 for (const samples of [0, 4]) {
-  test(`the composer of pmndrs/postprocessing with ${samples} samples shows the picture of the canvas`, async ({
+  const tag = longIf(samples === 0);
+  test(`the composer of pmndrs/postprocessing with ${samples} samples shows the picture of the canvas${tag}`, async ({
     load,
   }) => {
     const cases = await load<Composers>(COMPOSERS);
@@ -78,7 +80,7 @@ test('passes that draw the scene with one material do not show smoke, so that it
   expect(darkened / smoke).toBeLessThan(0.05);
 });
 
-test('SSAOPass leaves smoke as it is', async ({ load }) => {
+test('SSAOPass leaves smoke as it is @long', async ({ load }) => {
   const cases = await load<Composers>(COMPOSERS);
   const { darkened, smoke } = await cases.evaluate((module) => module.bySsao());
   expect(smoke).toBeGreaterThan(1000);
@@ -105,7 +107,8 @@ for (const [kind, isComposed] of [
   ['exponential', false],
   ['linear', true],
 ] as const) {
-  test(`${kind} fog takes smoke as far as its depth says, ${isComposed ? 'in a target' : 'on the canvas'}`, async ({
+  const tag = longIf(kind === 'exponential');
+  test(`${kind} fog takes smoke as far as its depth says, ${isComposed ? 'in a target' : 'on the canvas'}${tag}`, async ({
     load,
   }) => {
     const cases = await load<FogCases>(FOG);
@@ -122,7 +125,7 @@ for (const [kind, isComposed] of [
 test.describe('the code for targets without stencil', () => {
   test.use({ ownPage: true, allowed: /ERR_FAILED/ });
 
-  test('that fails to load is one error event, and complete() retries', async ({ load, blank }) => {
+  test('that fails to load is one error event, and complete() retries @long', async ({ load, blank }) => {
     const CODE = '**/src/three/target/ownStencil.ts*';
     const cases = await load<Targets>(TARGETS);
     await blank.route(CODE, (route) => route.abort());

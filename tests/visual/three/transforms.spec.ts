@@ -1,10 +1,11 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Transforms = typeof import('./transforms.cases.ts');
 const TRANSFORMS = '/tests/visual/three/transforms.cases.ts';
 
 for (const kind of ['perspective', 'orthographic'] as const) {
-  test(`local smoke that moves with the scene gives the same picture, ${kind}`, async ({ load }) => {
+  const tag = longIf(kind === 'orthographic');
+  test(`local smoke that moves with the scene gives the same picture, ${kind}${tag}`, async ({ load }) => {
     const cases = await load<Transforms>(TRANSFORMS);
     const seen = await cases.evaluate((module, given) => module.together(given), kind);
     expect(seen.without).toBeGreaterThan(2000);

@@ -9,7 +9,7 @@ test.use({ viewport: { width: 96, height: 72 } });
 
 const SMALL = '#v=1&preset=lamp&emission.rate=40&puff.variations=1&simulation.maxParticles=120';
 
-test('parameters of the simulator and items of all lists change its state, and all of them at once do not stop it', async ({
+test('parameters of the simulator and items of all lists change its state, and all of them at once do not stop it @long', async ({
   page,
 }) => {
   await open(page, `?paused=1&ui=0${SMALL.replace('lamp', 'wisp')}`);

@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import { expect, stands, test, WISP } from '../../../support/embed.ts';
+import { longIf } from '../../../support/fixtures.ts';
 
 /** A page that handles failures of smoke from before the element's upgrade. */
 const failing = (thread: string, rest = '') => `
@@ -41,7 +42,8 @@ const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
 
 for (const [fault, provoke] of Object.entries(FAULTS)) {
   for (const thread of ['main', 'worker']) {
-    test(`a simulator that is ${fault} leaves the poster and emits a LoadError: ${thread}`, async ({
+    const tag = longIf(thread === 'worker' && fault !== 'missing');
+    test(`a simulator that is ${fault} leaves the poster and emits a LoadError: ${thread}${tag}`, async ({
       page,
       openPage,
     }) => {
@@ -79,7 +81,8 @@ const SCRIPTS = {
 };
 
 for (const [file, rest] of Object.entries(SCRIPTS)) {
-  test(`without ${file} there is the poster and a LoadError: at once if it is rejected, else within a minute`, async ({
+  const tag = longIf(!['stage.js', 'core.js', 'onPage.js'].includes(file));
+  test(`without ${file} there is the poster and a LoadError: at once if it is rejected, else within a minute${tag}`, async ({
     page,
     openPage,
   }) => {
@@ -194,8 +197,12 @@ const LACKING: Record<string, string> = {
   ResizeObserver: 'Safari 13.1',
 };
 
+/** One of the language, one that the self-test needs and one that has a fallback. */
+const TRIED = ['Array.prototype.at', 'WebAssembly', 'OffscreenCanvas'];
+
 for (const [feature, since] of Object.entries(LACKING)) {
-  test(`in a browser without ${feature} (${since}), the page has its content or the smoke, and no error`, async ({
+  const tag = longIf(!TRIED.includes(feature));
+  test(`in a browser without ${feature} (${since}), the page has its content or the smoke, and no error${tag}`, async ({
     page,
     openPage,
   }) => {

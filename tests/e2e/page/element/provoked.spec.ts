@@ -1,6 +1,6 @@
 /** Injected faults and lost contexts, seen through the element: it recovers, or it gives up and reports an error. */
 import type { JSHandle, Page } from '@playwright/test';
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 import type { LoadModule } from '../../../support/modules.ts';
 import type { Shown } from './provoked.cases.ts';
 import { changeContext, restoreLate, setTimeouts } from '../../stage/remote/context.ts';
@@ -18,7 +18,8 @@ async function expectGivenUp(load: LoadModule, shown: JSHandle<Shown>, notified:
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  test(`a simulator without memory leaves the poster and emits a SimulatorError: ${thread}`, async ({ load }) => {
+  const tag = longIf(thread === 'main');
+  test(`a simulator without memory leaves the poster and emits a SimulatorError: ${thread}${tag}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const shown = await cases.evaluateHandle((module, where) => module.show(where, { fault: 'outOfMemory' }), thread);
     await expectGivenUp(load, shown, ['SimulatorError']);
@@ -26,11 +27,12 @@ for (const thread of ['main', 'worker'] as const) {
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  test(`all smoke recovers from a context that is lost twice: ${thread}`, async ({ load, blank }) => {
+  const tag = longIf(thread === 'worker');
+  test(`all smoke recovers from a context that is lost twice: ${thread}${tag}`, async ({ load, blank }) => {
     await expectBack({ load, blank }, 2, thread);
   });
 
-  test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread}`, async ({
+  test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread}${tag}`, async ({
     load,
     blank,
   }) => {
@@ -61,7 +63,8 @@ for (const thread of ['main', 'worker'] as const) {
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  test(`smoke of a context that is lost for good restarts by its button or by a late restoration: ${thread}`, async ({
+  const tag = longIf(thread === 'worker');
+  test(`smoke of a context that is lost for good restarts by its button or by a late restoration: ${thread}${tag}`, async ({
     load,
     blank,
   }) => {
@@ -88,7 +91,8 @@ for (const thread of ['main', 'worker'] as const) {
 
 for (const thread of ['main', 'worker'] as const) {
   for (const place of ['the page', 'a canvas of the page'] as const) {
-    test(`puff() on ${place} draws on a new context after one that is lost for good: ${thread}`, async ({
+    const tag = longIf(thread === 'worker' || place !== 'the page');
+    test(`puff() on ${place} draws on a new context after one that is lost for good: ${thread}${tag}`, async ({
       load,
       blank,
     }) => {
@@ -154,7 +158,10 @@ async function kill(page: Page, way: 'close' | 'throw'): Promise<void> {
   if (way === 'close') await beats(page, 14);
 }
 
-test('a worker that ends while playing ends all its smoke, which can restart three times', async ({ load, blank }) => {
+test('a worker that ends while playing ends all its smoke, which can restart three times @long', async ({
+  load,
+  blank,
+}) => {
   await blank.clock.install();
   const cases = await load<Cases>(CASES);
   const shown = await cases.evaluateHandle((module) => module.showSome(2, 'worker'));

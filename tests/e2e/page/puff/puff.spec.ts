@@ -2,6 +2,7 @@
 import type { Page } from '@playwright/test';
 import type { Puff } from '../../../../src/page/puff/puff.ts';
 import { expect, frames, scrollPage, test as base } from '../../../support/embed.ts';
+import { longIf } from '../../../support/fixtures.ts';
 import { watchConsole } from '../../../support/consoleErrors.ts';
 import { keepContexts, loseForGood } from '../../stage/remote/context.ts';
 
@@ -133,7 +134,7 @@ test('uses one canvas and one worker for many calls, and resolves each', async (
   expect(page.workers()).toHaveLength(1);
 });
 
-test('stays with the page as it scrolls', async ({ page, host }) => {
+test('stays with the page as it scrolls @long', async ({ page, host }) => {
   await host();
   await page.evaluate(() => puff.preload());
   const over = page.evaluate(() => puff({ x: 160, y: 160 }, { count: 300, speed: 0.1, duration: 60 }));
@@ -240,7 +241,7 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
 });
 
 for (const end of ['clear', 'Escape'] as const) {
-  test(`${end} ends a long effect at once`, async ({ page, host }) => {
+  test(`${end} ends a long effect at once${longIf(end === 'clear')}`, async ({ page, host }) => {
     await host();
     const over = page.evaluate(() => puff({ x: 100, y: 100 }, { effect: 'trail', duration: 60 }));
     await visibleSmoke(page);
@@ -463,7 +464,7 @@ test('a context that is lost for good rejects with a ContextError, and vanish hi
 });
 
 for (const target of ['button', 'dialog button']) {
-  test(`its canvas is not printed: ${target}`, async ({ page, host }) => {
+  test(`its canvas is not printed: ${target}${longIf(target === 'button')}`, async ({ page, host }) => {
     await host({ body: `${BODY}<dialog><button>Press</button></dialog>` });
     await page.evaluate(() => document.querySelector('dialog')!.showModal());
     const call = { count: 300, speed: 0.1, duration: 60 };
@@ -487,7 +488,11 @@ for (const [kind, options, isOurs] of [
   ['a page with an element of this ID', { body: '<p id="puff">Text</p>' }, true],
   ['a page with a global of its own', { body: '<script>window.puff = () => "own"</script>' }, false],
 ] as const) {
-  test(`the script for CDNs sets window.puff: ${kind}`, async ({ page, host, server }) => {
+  test(`the script for CDNs sets window.puff: ${kind}${longIf(kind === 'a plain page')}`, async ({
+    page,
+    host,
+    server,
+  }) => {
     const url = '/package/dist/cartoon-smoke.min.js';
     await host({ ...options, script: `<script type="module" src="${url}"></script>` });
     await page.waitForFunction(() => customElements.get('cartoon-smoke'));

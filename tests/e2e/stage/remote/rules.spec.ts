@@ -46,12 +46,12 @@ test('required Trusted Types allow the worker by the policy cartoon-smoke', asyn
   expect(report.colors).toBeGreaterThan(10);
 });
 
-test('required Trusted Types without our policy run smoke on the main thread', async ({ page }) => {
+test('required Trusted Types without our policy run smoke on the main thread @long', async ({ page }) => {
   await openUnder(page, "require-trusted-types-for 'script'; trusted-types 'none'");
   await expectMain(page, 0);
 });
 
-test('without the worker file smoke runs on the main thread', async ({ page }) => {
+test('without the worker file smoke runs on the main thread @long', async ({ page }) => {
   await page.route('**/remote/worker.ts*', (route) => route.fulfill({ status: 404 }));
   await openUnder(page);
   await expectMain(page, 1);

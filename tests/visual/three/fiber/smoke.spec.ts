@@ -1,10 +1,10 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Smoke = typeof import('./smoke.cases.ts');
 const SMOKE = '/tests/visual/three/fiber/smoke.cases.ts';
 
 for (const isStrict of [false, true]) {
-  test(`components do what calls do${isStrict ? ', also in StrictMode' : ''}`, async ({ load }) => {
+  test(`components do what calls do${isStrict ? ', also in StrictMode' : ''}${longIf(!isStrict)}`, async ({ load }) => {
     const cases = await load<Smoke>(SMOKE);
     const { byTree, byCalls, refs, gone, alive, isSamePicture } = await cases.evaluate(
       (module, strict) => module.besideCalls(strict),

@@ -1,4 +1,4 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Clipping = typeof import('./clipping.cases.ts');
 const CLIPPING = '/tests/visual/three/target/clipping.cases.ts';
@@ -10,7 +10,8 @@ for (const [look, scale] of [
   ['strokes', 1],
   ['simplified', 1],
 ] as const) {
-  test(`renderer.clippingPlanes cut smoke where it is: ${look}, scale ${scale}`, async ({ load }) => {
+  const tag = longIf(scale === 1 && look !== 'strokes');
+  test(`renderer.clippingPlanes cut smoke where it is: ${look}, scale ${scale}${tag}`, async ({ load }) => {
     const cases = await load<Clipping>(CLIPPING);
     const { results, first } = await cases.evaluate((module, input) => module.cuts(...input), [look, scale] as const);
     for (const { name, left, changed, gone, kept, others } of results) {

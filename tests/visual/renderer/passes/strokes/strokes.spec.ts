@@ -73,7 +73,7 @@ test('a stroke lies on the outline of its lobe, has the width of lines in the mi
   expect(Math.abs(lengths[0] - lengths[1])).toBeLessThan(2);
 });
 
-test('a stroke is at least 12 CSS pixels long, or there is none', async ({ load }) => {
+test('a stroke is at least 12 CSS pixels long, or there is none @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const seed = await cases.evaluate((module) => module.seedWithStroke());
   for (const pixelRatio of [1, 2]) {
@@ -171,7 +171,7 @@ test('smoke in front hides a stroke, and none is outside the silhouette', async 
   }
 });
 
-test('the opacity of a stroke changes by at most 1/6 in 1/60 s', async ({ load }) => {
+test('the opacity of a stroke changes by at most 1/6 in 1/60 s @long', async ({ load }) => {
   const cases = await load<Steadiness>('/tests/visual/renderer/passes/strokes/steadiness.cases.ts');
   const changes = await cases.evaluate((module) => module.changesOfOpacity('lamp', [840], 24));
   expect.soft(changes.length).toBeGreaterThan(100);
