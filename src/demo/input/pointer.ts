@@ -1,5 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { ORBIT_PER_PIXEL, spread } from '../../internal.ts';
+import { QUIET_MS } from '../share/address.ts';
 
 const ZOOM_PER_PIXEL = 0.0015;
 // CSS pixels per line, for wheels that report lines.
@@ -113,9 +114,6 @@ export class Pointers {
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 }
-
-/** Wheels and keys have no end event. Their gesture ends after this time without input, in milliseconds. */
-export const QUIET_MS = 300;
 
 /** Detects the end of a camera gesture, so that the whole gesture is one undo step. */
 export class GestureEnd {
