@@ -1,15 +1,16 @@
-//! Static obstacles in closed form: the parameters `colliders.#.*`.
+//! Obstacles in closed form: the parameters `colliders.#.*`, which are static, and those of the pool.
 
 use crate::collide::contact::{Action, Material, Obstacle};
 use crate::collide::core::Core;
 use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, HalfSpace, Nearest};
+use crate::layout::limits::STEP;
 use crate::layout::parameters::collider::ColliderParameters;
-use crate::layout::parameters::item::{LIST_LIMIT, item};
 use crate::layout::parameters::table::Parameters;
 use crate::math::bounds::Bounds;
 use crate::math::double::direction;
 use crate::math::pose::Pose;
 use crate::math::pose_motion::PoseMotion;
+use crate::math::scalar::greater;
 use crate::math::vector::Vector;
 
 /// Shape of an [`AnalyticCollider`].
@@ -25,7 +26,7 @@ pub enum ColliderShape {
     Capsule,
 }
 
-/// A static obstacle in closed form: the parameters `colliders.#.*`.
+/// An obstacle in closed form.
 #[derive(Clone, Copy, Debug)]
 pub struct AnalyticCollider {
     pub shape: ColliderShape,
@@ -46,7 +47,7 @@ pub struct AnalyticCollider {
     pub action: Action,
 }
 
-/// The shape of a static obstacle in its own space.
+/// The shape of an obstacle in its own space.
 #[derive(Clone, Copy, Debug)]
 pub enum AnalyticShape {
     HalfSpace(HalfSpace),
@@ -56,13 +57,19 @@ pub enum AnalyticShape {
 }
 
 impl AnalyticCollider {
-    /// Creates the obstacle that particles collide with.
+    /// Creates the static obstacle that particles collide with.
     pub fn obstacle(&self) -> Obstacle<AnalyticShape> {
-        let shape = self.own_shape();
         let pose = Pose::along(Vector::from(self.position), Vector::from(self.axis));
-        let motion = PoseMotion::resting(pose);
+        self.moving(pose, pose)
+    }
+
+    /// Creates the obstacle that moves from pose to pose in a step, regardless of its own position and axis.
+    #[inline(never)]
+    pub(super) fn moving(&self, start: Pose, end: Pose) -> Obstacle<AnalyticShape> {
+        let shape = self.own_shape();
+        let motion = PoseMotion::between(start, end, STEP as f32, shape.is_round());
         let bounds = match shape {
-            AnalyticShape::HalfSpace(_) => half_space_bounds(pose.position, Vector::from(self.axis)),
+            AnalyticShape::HalfSpace(_) => half_space_bounds(&start, &end),
             _ => motion.bounds_of(&shape.bounds()),
         };
         let material = Material {
@@ -80,7 +87,7 @@ impl AnalyticCollider {
         }
     }
 
-    fn own_shape(&self) -> AnalyticShape {
+    pub(super) fn own_shape(&self) -> AnalyticShape {
         let radius = self.radius;
         let half_extents = Vector::from(self.half_extents);
         match self.shape {
@@ -96,12 +103,27 @@ impl AnalyticCollider {
 }
 
 /// A level half space is bounded by its height, which skips the particles above; a tilted one has no box.
-fn half_space_bounds(position: Vector, normal: Vector) -> Bounds {
+fn half_space_bounds(start: &Pose, end: &Pose) -> Bounds {
     let mut bounds = Bounds::EVERYTHING;
-    if normal == Vector::Y {
-        bounds.max.y = position.y;
+    if [start, end]
+        .iter()
+        .all(|Pose { rotation, .. }| rotation[0] == 0.0 && rotation[2] == 0.0)
+    {
+        bounds.max.y = greater(start.position.y, end.position.y);
     }
     bounds
+}
+
+impl AnalyticShape {
+    /// Half extents of a box, and the radius about it that bounds the shape. A half space is unbounded.
+    fn rounded_box(&self) -> (Vector, f32) {
+        match self {
+            AnalyticShape::HalfSpace(_) => (Bounds::EVERYTHING.max, 0.0),
+            AnalyticShape::Ball(Ball { radius }) => (Vector::ZERO, *radius),
+            AnalyticShape::Cuboid(Cuboid { half_extents }) => (*half_extents, 0.0),
+            AnalyticShape::Capsule(Capsule { half_height, radius }) => (Vector::Y * *half_height, *radius),
+        }
+    }
 }
 
 impl Collider for AnalyticShape {
@@ -115,33 +137,29 @@ impl Collider for AnalyticShape {
     }
 
     fn bounds(&self) -> Bounds {
-        match self {
-            AnalyticShape::HalfSpace(shape) => shape.bounds(),
-            AnalyticShape::Ball(shape) => shape.bounds(),
-            AnalyticShape::Cuboid(shape) => shape.bounds(),
-            AnalyticShape::Capsule(shape) => shape.bounds(),
-        }
+        let (half, radius) = self.rounded_box();
+        Bounds::of_way(-half, half, radius)
     }
 
     fn core(&self) -> Core {
-        match self {
-            AnalyticShape::HalfSpace(shape) => shape.core(),
-            AnalyticShape::Ball(shape) => shape.core(),
-            AnalyticShape::Cuboid(shape) => shape.core(),
-            AnalyticShape::Capsule(shape) => shape.core(),
-        }
+        let (half, radius) = self.rounded_box();
+        Core::around(half, radius)
+    }
+
+    fn is_round(&self) -> bool {
+        matches!(self, AnalyticShape::Ball(_))
     }
 }
 
-/// The colliders that `parameters` describe. Only the items of the list are valid.
-pub fn colliders(parameters: &Parameters) -> [AnalyticCollider; LIST_LIMIT] {
-    let items = parameters.colliders.items();
-    std::array::from_fn(|i| collider(items.get(i).unwrap_or(&item())))
+/// The static obstacles that `parameters` describe.
+pub(crate) fn obstacles(parameters: &Parameters) -> impl Iterator<Item = Obstacle<AnalyticShape>> {
+    let items = parameters.colliders.items().iter();
+    items.map(|item| collider(item).obstacle())
 }
 
 fn collider(parameters: &ColliderParameters) -> AnalyticCollider {
     AnalyticCollider {
-        shape: shape(parameters.shape),
+        shape: shape(parameters.shape as u32),
         position: parameters.position.map(|component| component as f32),
         axis: direction(parameters.axis),
         half_extents: parameters.half_extents.map(|component| component as f32),
@@ -153,8 +171,9 @@ fn collider(parameters: &ColliderParameters) -> AnalyticCollider {
     }
 }
 
-fn shape(parameter: f64) -> ColliderShape {
-    match parameter as u32 {
+/// The shape of a number, as in `colliders.#.shape`.
+pub(super) fn shape(number: u32) -> ColliderShape {
+    match number {
         0 => ColliderShape::Plane,
         1 => ColliderShape::Ball,
         2 => ColliderShape::Box,

@@ -5,6 +5,7 @@
 pub mod analytic;
 pub mod contact;
 pub mod core;
+pub mod pool;
 pub mod shapes;
 pub(crate) mod survey;
 pub(crate) mod swept_particle;

@@ -1,4 +1,4 @@
-//! Step length, capacity limit and the size of the pool of emitters.
+//! Step length, limits of capacity, speed and pools.
 
 use crate::layout::error::ParameterError;
 
@@ -10,6 +10,12 @@ pub const CAPACITY_LIMIT: u32 = 1_000_000;
 
 /// Number of emitters outside of the table.
 pub const POOL_LIMIT: usize = 384;
+
+/// Number of colliders outside of the table.
+pub const COLLIDER_LIMIT: usize = 256;
+
+/// Maximum speed of the surface of a collider or a kinematic rigid (m/s): up to it no particle can pass through.
+pub const TOP_SPEED: f32 = 120.0;
 
 pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
     if (1..=CAPACITY_LIMIT).contains(&capacity) {

@@ -89,6 +89,11 @@ impl Bounds {
         }
     }
 
+    /// Maximum distance of a point of the box from the origin (m).
+    pub fn reach(&self) -> f32 {
+        self.min.abs().greatest(self.max.abs()).length()
+    }
+
     /// Returns true if the boxes overlap or touch.
     pub fn touches(&self, other: &Self) -> bool {
         self.min.x <= other.max.x

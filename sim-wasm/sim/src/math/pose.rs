@@ -8,6 +8,9 @@ use crate::math::vector::Vector;
 /// Count of the numbers of a pose: x, y, z (m) and the unit quaternion x, y, z, w.
 pub const POSE_FLOATS: usize = 7;
 
+/// Maximum distance from the origin of the world (m).
+pub const MAX_COORDINATE: f32 = 1e4;
+
 /// A position and a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
@@ -24,6 +27,13 @@ impl Pose {
             position: Vector::new(x, y, z),
             rotation: [i, j, k, w],
         }
+    }
+
+    /// x, y, z (m) and the quaternion x, y, z, w.
+    pub fn numbers(&self) -> [f32; POSE_FLOATS] {
+        let [x, y, z]: [f32; 3] = self.position.into();
+        let [i, j, k, w] = self.rotation;
+        [x, y, z, i, j, k, w]
     }
 
     /// A pose at `position` with the identity rotation.
@@ -55,6 +65,13 @@ impl Pose {
             position: self.position.towards(other.position, fraction),
             rotation: unit(rotation),
         }
+    }
+
+    /// The pose on the way to `goal` at which no point within `reach` (m) of the origin has moved farther than `way` (m).
+    pub fn nearer(&self, goal: &Self, reach: f32, way: f32) -> Self {
+        let arc = self.rotation_vector_to(goal).length() * reach;
+        let share = way / ((goal.position - self.position).length() + arc).max(f32::MIN_POSITIVE);
+        if share >= 1.0 { *goal } else { self.towards(goal, share) }
     }
 
     /// Rotation vector, axis times angle (rad), of the shorter rotation to `other` in world space.
@@ -100,6 +117,22 @@ pub fn product(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
     unit([axis.x, axis.y, axis.z, a[3] * b[3] - u.dot(v)])
 }
 
+/// Gives the quaternion of a pose unit length. Returns false and changes nothing if it is 0 or if a coordinate is beyond
+/// [`MAX_COORDINATE`].
+pub fn normalise(pose: &mut [f32; POSE_FLOATS]) -> bool {
+    let (position, rotation) = pose.split_at_mut(3);
+    let length = rotation.iter().map(|part| part * part).sum::<f32>().sqrt();
+    let is_near = position.iter().all(|place| place.abs() <= MAX_COORDINATE);
+    if !is_near || !(1e-3..=1e3).contains(&length) {
+        return false;
+    }
+    // A quaternion of unit length up to rounding stays bit for bit: saving and restoring must not change a pose.
+    if (length - 1.0).abs() >= 1e-5 {
+        rotation.iter_mut().for_each(|part| *part /= length);
+    }
+    true
+}
+
 fn unit(q: [f32; 4]) -> [f32; 4] {
     let scale = 1.0 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
     q.map(|part| part * scale)
@@ -114,7 +147,6 @@ pub struct Frame {
 
 impl Frame {
     /// The coordinate frame of a pose.
-    #[inline]
     pub fn new(pose: &Pose) -> Self {
         let [x, y, z, w] = pose.rotation;
         Self {

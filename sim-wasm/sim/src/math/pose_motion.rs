@@ -137,8 +137,7 @@ impl PoseMotion {
                 let frame = self.frame(piece as f32 / self.pieces as f32);
                 bounds = bounds.with(&frame.bounds_of(local));
             }
-            let reach = local.min.abs().greatest(local.max.abs()).length();
-            bounds = bounds.wider(reach * PIECE_ANGLE * PIECE_ANGLE);
+            bounds = bounds.wider(local.reach() * PIECE_ANGLE * PIECE_ANGLE);
         }
         bounds
     }

@@ -11,9 +11,6 @@ pub(super) const PLACES: (f64, f64) = (-1e4, 1e4);
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Maximum speed of a kinematic rigid's surface (m/s): up to it no particle can pass through.
-pub const TOP_SPEED: f32 = 120.0;
-
 /// Reads position and quaternion. The quaternion is normalised.
 ///
 /// # Errors
@@ -77,11 +74,4 @@ pub fn shape_error(key: &str, value: f64, message: String) -> ParameterError {
 /// The error of a rigid's index that is out of range; there are `count` rigids.
 pub(super) fn no_such_rigid(index: u32, count: usize) -> ParameterError {
     ParameterError::out_of_range("rigid.index", f64::from(index), 0.0, count as f64 - 1.0)
-}
-
-/// Position and quaternion.
-pub(super) fn pose_numbers(pose: &Pose) -> [f32; 7] {
-    let [x, y, z]: [f32; 3] = pose.position.into();
-    let [i, j, k, w] = pose.rotation;
-    [x, y, z, i, j, k, w]
 }

@@ -6,8 +6,9 @@
 //! h)) / (1 + w h)^n.
 
 use crate::layout::error::ParameterError;
+use crate::layout::limits::TOP_SPEED;
 use crate::math::vector::Vector;
-use crate::rigids::checks::{PLACES, TOP_SPEED, ranged};
+use crate::rigids::checks::{PLACES, ranged};
 
 /// Range of the stiffness (1/s). Its maximum corresponds to the length of a step.
 const STIFFNESSES: (f64, f64) = (0.1, 200.0);

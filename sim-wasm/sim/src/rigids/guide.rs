@@ -1,9 +1,9 @@
 //! Guidance of a kinematic rigid: a target pose or a drag.
 
+use crate::layout::limits::TOP_SPEED;
 use crate::math::hash::Hash;
 use crate::math::pose::{Frame, Pose};
 use crate::math::vector::Vector;
-use crate::rigids::checks::TOP_SPEED;
 use crate::rigids::grab::Grab;
 
 /// The guidance of one rigid.
@@ -36,7 +36,10 @@ impl Guide {
             self.velocity = Vector::ZERO;
         }
         let goal = self.goal(dt)?;
-        self.go_to(&goal, dt, reach);
+        self.base = self.base.nearer(&goal, reach, TOP_SPEED * dt);
+        if self.base == goal {
+            self.target = None;
+        }
         Some(self.base)
     }
 
@@ -50,19 +53,6 @@ impl Guide {
             position: self.base.position + self.velocity * dt,
             ..self.base
         })
-    }
-
-    /// Moves towards `goal` as far as [`TOP_SPEED`] allows.
-    fn go_to(&mut self, goal: &Pose, dt: f32, reach: f32) {
-        let way = (goal.position - self.base.position).length();
-        let arc = self.base.rotation_vector_to(goal).length() * reach;
-        let share = TOP_SPEED * dt / (way + arc).max(f32::MIN_POSITIVE);
-        if share >= 1.0 {
-            self.target = None;
-            self.base = *goal;
-        } else {
-            self.base = self.base.towards(goal, share);
-        }
     }
 
     /// Adds the motion to `hash`; nothing without guidance. The target is an input and not part of the state.

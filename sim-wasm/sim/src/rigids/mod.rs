@@ -20,7 +20,8 @@ pub(crate) mod set;
 pub(crate) mod shells;
 pub(crate) mod world;
 
-pub use checks::{TOP_SPEED, pose_of};
+pub use crate::layout::limits::TOP_SPEED;
+pub use checks::pose_of;
 pub use description::{RigidDescription, RigidKind, RigidPart, RigidShape};
 pub use grab::Grab;
 pub use numbers::{FlatRigid, RigidNumbers};

@@ -10,7 +10,7 @@ use crate::collide::contact::Action;
 use crate::layout::error::ParameterError;
 use crate::math::pose::Pose;
 use crate::math::vector::Vector;
-use crate::rigids::checks::{AXES, LENGTHS, count_error, pose_numbers, pose_under, ranged, shape_error};
+use crate::rigids::checks::{AXES, LENGTHS, count_error, pose_under, ranged, shape_error};
 use crate::rigids::description::{RigidDescription, RigidKind, RigidPart, RigidShape};
 
 const DENSITIES: (f64, f64) = (1e-2, 1e5);
@@ -73,7 +73,7 @@ impl RigidDescription {
             RigidKind::Kinematic => 1.0,
             RigidKind::Dynamic => 2.0,
         });
-        flat.numbers.extend(pose_numbers(&self.pose));
+        flat.numbers.extend(self.pose.numbers());
         flat.numbers.extend([self.restitution, self.friction, self.density]);
         flat.numbers.extend(match self.action {
             Action::Bounce => [0.0, 1.0],
@@ -112,7 +112,7 @@ impl FlatRigid {
         let counts = [dimensions.len(), vertices.len() * 3, indices.len() * 3];
         self.numbers.push(number);
         self.numbers.extend(counts.map(|count| count as f32));
-        self.numbers.extend(pose_numbers(pose));
+        self.numbers.extend(pose.numbers());
         self.numbers.extend(dimensions);
         self.vertices.extend(vertices.as_flattened());
         self.indices.extend(indices.as_flattened());

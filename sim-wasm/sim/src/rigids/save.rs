@@ -3,7 +3,8 @@
 
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::math::hash::Hash;
-use crate::rigids::checks::{pose_numbers, pose_of};
+use crate::math::pose::Pose;
+use crate::rigids::checks::pose_of;
 use crate::rigids::description::RigidDescription;
 use crate::rigids::forms;
 use crate::rigids::grab::Grab;
@@ -84,9 +85,9 @@ impl Rigids {
 
 fn saved_guide(guide: &Guide) -> SavedGuide {
     (
-        pose_numbers(&guide.base),
+        guide.base.numbers(),
         guide.velocity.into(),
-        guide.target.as_ref().map(pose_numbers),
+        guide.target.as_ref().map(Pose::numbers),
         guide.grab.as_ref().map(Grab::numbers),
     )
 }

@@ -13,7 +13,6 @@ use crate::math::hash::Hash;
 use crate::math::pose::{POSE_FLOATS, Pose};
 use crate::math::pose_motion::PoseMotion;
 use crate::math::vector::Vector;
-use crate::rigids::checks::pose_numbers;
 use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
 use crate::rigids::forms;
 use crate::rigids::grid::RigidGrid;
@@ -151,7 +150,7 @@ impl Rigids {
             description,
             pose,
             guide: Guide::new(pose),
-            reach: reach_of(&own),
+            reach: own.reach(),
             is_removed: false,
         };
         // An index is never unregistered: a rigid without these effects is skipped.
@@ -354,11 +353,6 @@ impl Member {
     }
 }
 
-/// Maximum distance of a point of the box from the origin (m).
-fn reach_of(bounds: &Bounds) -> f32 {
-    bounds.min.abs().greatest(bounds.max.abs()).length()
-}
-
 impl Collider for Box<dyn Collider> {
     fn nearest(&self, point: Vector, limit: f32) -> Nearest {
         self.as_ref().nearest(point, limit)
@@ -388,7 +382,7 @@ fn put<T>(all: &mut Vec<T>, index: usize, value: T) {
 
 fn pair(start: &Pose, end: &Pose) -> [f32; POSE_PAIR_FLOATS] {
     let mut floats = [0.0; POSE_PAIR_FLOATS];
-    floats[..7].copy_from_slice(&pose_numbers(start));
-    floats[7..].copy_from_slice(&pose_numbers(end));
+    floats[..7].copy_from_slice(&start.numbers());
+    floats[7..].copy_from_slice(&end.numbers());
     floats
 }

@@ -1,6 +1,6 @@
 //! Collision of all particles with all obstacles of a step.
 
-use crate::collide::analytic::{AnalyticCollider, AnalyticShape};
+use crate::collide::analytic::AnalyticShape;
 use crate::collide::contact::{Action, Obstacle, Pass, Traveller};
 use crate::collide::survey::{self, NearLanes, SweptBoxes};
 use crate::collide::swept_particle::{self, SweptParticle};
@@ -50,23 +50,21 @@ struct Obstacles<'a> {
 
 /// Moves particles out of colliders and rigids. Call it after motion and before ageing, while `px`, `py` and `pz` still
 /// hold the positions at the start of the step. `dt` is in seconds; `radii.radius(..)` is the collision radius (m).
-/// Never allocates.
+/// Allocates only for more obstacles than before.
 pub fn resolve(
     particles: &mut Particles,
     radii: &RadiusLaw,
-    colliders: &[AnalyticCollider],
+    colliders: impl Iterator<Item = Obstacle<AnalyticShape>>,
     #[cfg(feature = "rigids")] rigids: &mut Rigids,
     dt: f32,
     scratch: &mut Scratch,
 ) {
     scratch.obstacles.clear();
-    scratch
-        .obstacles
-        .extend(colliders.iter().map(AnalyticCollider::obstacle));
+    scratch.obstacles.extend(colliders);
     #[cfg(feature = "rigids")]
     if rigids.count() > 0 {
         rigids.prepare(&survey::extent(particles, radii));
-        scratch.near.reserve(rigids.count() + MAX_COLLIDERS);
+        scratch.near.reserve(rigids.count() + scratch.obstacles.len());
     }
     let obstacles = Obstacles {
         analytic: &scratch.obstacles,

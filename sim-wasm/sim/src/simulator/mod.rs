@@ -14,7 +14,8 @@ use crate::arrange::Arranger;
 use crate::arrange::row_layout::Attributes;
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
-use crate::collide::analytic::{self, AnalyticCollider};
+use crate::collide::analytic;
+use crate::collide::pool::ColliderPool;
 use crate::emission::Births;
 use crate::emission::birth::EmissionContext;
 use crate::emission::surface::{Surface, Surfaces};
@@ -71,6 +72,7 @@ pub struct Simulator {
     pub(crate) turbulence: [TurbulenceState; LIST_LIMIT + 1],
     pub(crate) surfaces: Surfaces,
     pub(crate) particles: Particles,
+    pub(crate) colliders: ColliderPool,
     #[cfg(feature = "rigids")]
     pub(crate) rigids: Rigids,
     parts: Parts,
@@ -96,6 +98,7 @@ impl Simulator {
             turbulence: [TurbulenceState::default(); LIST_LIMIT + 1],
             surfaces: Surfaces::default(),
             particles: Particles::new(room),
+            colliders: ColliderPool::default(),
             #[cfg(feature = "rigids")]
             rigids: Rigids::new(),
             parts: Parts::default(),
@@ -157,6 +160,14 @@ impl Simulator {
         self.births.put(index as usize, numbers, count, table)
     }
 
+    /// Sets, moves or removes a collider of the pool. See [`ColliderPool::put`].
+    ///
+    /// # Errors
+    /// There is no such collider, or a number is out of range; nothing changes.
+    pub fn set_collider(&mut self, index: u32, numbers: &[f32]) -> Result<(), ParameterError> {
+        self.colliders.put(index, numbers)
+    }
+
     /// Sets the poses of the scene's parts for the coming step. See [`Parts::place`].
     ///
     /// # Errors
@@ -182,6 +193,7 @@ impl Simulator {
         ended(StepPart::World);
         #[cfg(feature = "rigids")]
         self.rigids.follow_world(STEP as f32);
+        self.colliders.advance();
         ended(StepPart::Follow);
         self.begin_parts();
         let motion = self.motion();
@@ -347,7 +359,7 @@ impl Simulator {
         &mut self.rigids
     }
 
-    /// Hash of the state: living particles, rigids, emitters, turbulence, vortex particles, random numbers and the step
+    /// Hash of the state: living particles, rigids, colliders of the pool, emitters, turbulence, vortex particles, random numbers and the step
     /// count. Parameters are inputs and not part of it.
     pub fn hash(&self) -> u64 {
         let mut hash = Hash::new();
@@ -376,6 +388,7 @@ impl Simulator {
         if let Some(all) = &self.vortex_particles {
             all.hash_into(&mut hash);
         }
+        self.colliders.hash_into(&mut hash);
         #[cfg(feature = "rigids")]
         self.rigids.hash_into(&mut hash);
         hash.finish()
@@ -428,7 +441,7 @@ impl Simulator {
         if self.rigids.count() > 0 {
             return true;
         }
-        !self.parameters.colliders.items().is_empty()
+        !self.parameters.colliders.items().is_empty() || !self.colliders.is_empty()
     }
 
     #[cfg(feature = "rigids")]
@@ -480,11 +493,10 @@ impl Simulator {
     }
 
     fn collide(&mut self) {
-        let colliders: [AnalyticCollider; LIST_LIMIT] = analytic::colliders(&self.parameters);
         collisions::resolve(
             &mut self.particles,
             &RadiusLaw::new(&self.parameters),
-            &colliders[..self.parameters.colliders.items().len()],
+            analytic::obstacles(&self.parameters).chain(self.colliders.obstacles()),
             #[cfg(feature = "rigids")]
             &mut self.rigids,
             STEP as f32,

@@ -3,6 +3,7 @@
 //! The format is an envelope (kind, version, checksum) around named sections with their lengths. Each part of the state
 //! implements [`SnapshotSection`] and has a row in `sections!`. Only the current version can be read.
 
+use crate::collide::pool::ColliderPool;
 use crate::emission::Births;
 use crate::emission::surface::Surfaces;
 use crate::forces::force::TurbulenceState;
@@ -80,7 +81,13 @@ impl Simulator {
     /// Restores bytes from `save`, independent of the current seed. The living particles must fit the current capacity.
     /// Damaged bytes are an error and change nothing. The recording of a take restarts.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
-        restore(self, bytes, RestoredCapacity::Own)?;
+        self.restore_with(bytes, true)
+    }
+
+    /// Same as `restore`. Without `obstacles` the simulator has no rigids and no colliders of the pool afterwards, so that a
+    /// simulator without Rapier restores every state.
+    pub fn restore_with(&mut self, bytes: &[u8], obstacles: bool) -> Result<(), RestoreError> {
+        restore(self, bytes, RestoredCapacity::Own, obstacles)?;
         self.begin_take_anew();
         Ok(())
     }
@@ -93,11 +100,17 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
     body.section(b"rigi", |body| body.raw(&rigids_bytes(simulator)));
     body.section(b"room", |body| body.word(simulator.capacity() as u32));
     body.section(b"part", |body| write_particles(body, &simulator.particles));
+    simulator.colliders.write(&mut body);
     body.seal(KIND, VERSION)
 }
 
 /// Restores `bytes` into `simulator`. On error nothing changes.
-pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) -> Result<(), RestoreError> {
+pub fn restore(
+    simulator: &mut Simulator,
+    bytes: &[u8],
+    room: RestoredCapacity,
+    obstacles: bool,
+) -> Result<(), RestoreError> {
     let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
     let saved_state = SavedState::read(&mut reader)?;
     let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
@@ -108,10 +121,12 @@ pub fn restore(simulator: &mut Simulator, bytes: &[u8], room: RestoredCapacity) 
         simulator.capacity()
     };
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
-    reader.end()?;
+    // States without colliders of the pool end here.
+    let colliders = ColliderPool::read(&mut reader)?;
     // Rigids are restored first: they are the last step that can fail.
-    restore_rigids(simulator, rigids)?;
+    restore_rigids(simulator, rigids, obstacles)?;
     saved_state.put_into(simulator);
+    simulator.colliders = if obstacles { colliders } else { ColliderPool::default() };
     simulator.put_particles(particles);
     simulator.particles.hold(simulator.parameters.style.hold > 1.0);
     simulator
@@ -265,18 +280,21 @@ fn rigids_bytes(_simulator: &Simulator) -> Vec<u8> {
 }
 
 #[cfg(feature = "rigids")]
-fn restore_rigids(simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
-    simulator.rigids = if bytes.is_empty() {
-        crate::rigids::Rigids::new()
-    } else {
-        crate::rigids::Rigids::restore(bytes)?
-    };
+fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], are_kept: bool) -> Result<(), RestoreError> {
+    let mut rigids = crate::rigids::Rigids::restore(bytes)?;
+    if !are_kept {
+        // Those that the next ones replace: a new body in Rapier has another hash than one that has moved.
+        for index in 0..rigids.count() as u32 {
+            let _ = rigids.remove(index);
+        }
+    }
+    simulator.rigids = rigids;
     Ok(())
 }
 
 #[cfg(not(feature = "rigids"))]
-fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8]) -> Result<(), RestoreError> {
-    if bytes.is_empty() {
+fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8], are_kept: bool) -> Result<(), RestoreError> {
+    if bytes.is_empty() || !are_kept {
         return Ok(());
     }
     Err(RestoreError::new(

@@ -51,7 +51,7 @@ fn fly(from: [f32; 3], to: [f32; 3], radius: f32, age: f32, colliders: &[Analyti
     resolve(
         &mut particles,
         &RADII,
-        colliders,
+        colliders.iter().map(AnalyticCollider::obstacle),
         #[cfg(feature = "rigids")]
         &mut Rigids::new(),
         DT,
@@ -242,7 +242,7 @@ fn rests(roughness: f32, worn: f32, seeds: &[u32]) -> Vec<f32> {
     resolve(
         &mut particles,
         &RADII,
-        &[ground],
+        [ground.obstacle()].into_iter(),
         #[cfg(feature = "rigids")]
         &mut Rigids::new(),
         DT,

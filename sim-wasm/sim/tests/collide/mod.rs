@@ -11,5 +11,6 @@ mod grid;
 mod inside;
 #[cfg(feature = "rigids")]
 mod moving;
+mod pool;
 #[cfg(feature = "rigids")]
 mod restore;

@@ -7,7 +7,7 @@
 use crate::layout::error::ParameterError;
 #[cfg(feature = "rigids")]
 use crate::math::pose::{Frame, product};
-use crate::math::pose::{POSE_FLOATS, Pose};
+use crate::math::pose::{MAX_COORDINATE, POSE_FLOATS, Pose};
 use crate::math::vector::Vector;
 
 /// Number of the first part where a rigid's number is expected. Rigids have smaller numbers.
@@ -17,8 +17,6 @@ pub const MAX_PARTS: usize = 256;
 /// Floats per part in [`Parts::place`].
 pub const PART_FLOATS: usize = 8;
 
-/// Maximum distance from the origin of the carrier or of the world (m).
-const MAX_COORDINATE: f32 = 1e4;
 /// Tolerance of the squared length of a quaternion or a direction.
 const LENGTH_TOLERANCE: f32 = 1e-3;
 
@@ -71,10 +69,7 @@ impl Parts {
         for (index, [carrier, own @ ..]) in parts.iter_mut().enumerate() {
             let is_rigid = (0.0..FIRST_PART as f32).contains(carrier);
             if let Some(carriers) = is_rigid.then(|| ends_of_rigid(rigids, *carrier as usize)).flatten() {
-                let Pose { position, rotation } = carried(&carriers[index / count], &Pose::of_numbers(*own));
-                let [x, y, z]: [f32; 3] = position.into();
-                let [i, j, k, w] = rotation;
-                *own = [x, y, z, i, j, k, w];
+                *own = carried(&carriers[index / count], &Pose::of_numbers(*own)).numbers();
             }
         }
     }

@@ -217,6 +217,7 @@ pub(super) fn origin_of(simulator: &Simulator) -> Origin {
 
 fn scene_of(simulator: &Simulator) -> u64 {
     let mut hash = Hash::new();
+    simulator.colliders.hash_into(&mut hash);
     #[cfg(feature = "rigids")]
     simulator.rigids.hash_into(&mut hash);
     simulator.surfaces.hash_into(&mut hash);

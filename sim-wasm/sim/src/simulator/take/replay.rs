@@ -27,7 +27,7 @@ impl Simulator {
         if origin.is_fresh {
             self.start_afresh(&origin)?;
         } else {
-            snapshot::restore(self, &origin.state, RestoredCapacity::Saved)?;
+            snapshot::restore(self, &origin.state, RestoredCapacity::Saved, true)?;
         }
         self.active_inputs.done = 0;
         // The simulator's own state: a parsed fresh take has none.
@@ -42,7 +42,7 @@ impl Simulator {
         let recorder = std::mem::take(&mut self.recorder);
         let start = recorder.origin.as_ref().map(|origin| origin.state.as_slice());
         let result = match state.or(start) {
-            Some(bytes) => snapshot::restore(self, bytes, RestoredCapacity::Saved),
+            Some(bytes) => snapshot::restore(self, bytes, RestoredCapacity::Saved, true),
             None => Err(nothing_recorded()),
         };
         if result.is_ok() {
@@ -67,7 +67,7 @@ impl Simulator {
             ));
         }
         let start = own.state.clone();
-        snapshot::restore(self, &start, RestoredCapacity::Saved)?;
+        snapshot::restore(self, &start, RestoredCapacity::Saved, true)?;
         self.resize(take.capacity).map_err(RestoreError::from)?;
         (self.seed, self.random, self.parameters) = (take.seed, Random::new(take.seed), take.parameters);
         Ok(())

@@ -63,7 +63,7 @@ impl Cloud {
             );
             (p.x[i], p.y[i], p.z[i]) = (at.x + p.sx[i] * DT, at.y + p.sy[i] * DT, at.z + p.sz[i] * DT);
         }
-        resolve(p, &RADII, &[], &mut self.rigids, DT, &mut self.scratch);
+        resolve(p, &RADII, std::iter::empty(), &mut self.rigids, DT, &mut self.scratch);
     }
 
     pub fn position(&self, i: usize) -> Vector {
