@@ -34,9 +34,9 @@ export interface SimulatorOptions {
  * invalid number. A rejected call changes nothing.
  */
 export class Simulator {
-  readonly #module: SimulatorModule;
-  readonly #handle: Core.Simulator;
-  readonly #arranged: ArrangedInMemory;
+  #module: SimulatorModule;
+  #handle: Core.Simulator;
+  #arranged: ArrangedInMemory;
   #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
 
@@ -91,6 +91,36 @@ export class Simulator {
     if (rejection) throw this.#explain(rejection);
   }
 
+  /**
+   * Sets, moves or removes a collider outside the parameter table. It is saved and part of the hash. As those of rigids,
+   * its moves are not recorded in takes.
+   *
+   * @param index 0 to 255
+   * @param numbers Of a collider at rest, as `sim-wasm/sim/src/collide/pool.rs` documents them; seven of the pose at which
+   * it arrives in the next step, or later if that would need more than 120 m/s; none to remove it.
+   */
+  setCollider(index: number, numbers: Float32Array): void {
+    this.#attempt(() => this.#handle.setCollider(index, numbers));
+  }
+
+  /** Whether it has rigids. */
+  get hasRigids(): boolean {
+    return this.#module.bindings.rigidArguments !== undefined;
+  }
+
+  /** Continues from the same state in another module, such as that with physics. The recording of a take ends. */
+  moveTo(module: SimulatorModule): void {
+    this.#attempt(() => {
+      const before = this.#handle;
+      const handle = new module.bindings.Simulator(before.capacity, before.seed);
+      handle.restore(before.save(), true);
+      before.free();
+      this.#module = module;
+      this.#handle = handle;
+      this.#arranged = new ArrangedInMemory(handle, module.memory);
+    });
+  }
+
   /** Adds a rigid body and returns its index. Requires the variant with physics. */
   addRigid(description: RigidDescription): number {
     const { rigidArguments } = this.#module.bindings;
@@ -104,19 +134,6 @@ export class Simulator {
   /** Removes a rigid. The next rigid that is added takes the lowest free index. */
   removeRigid(index: number): void {
     this.#attempt(() => this.#handle.removeRigid(index));
-  }
-
-  /** Removes all rigids. */
-  removeRigids(): void {
-    this.#attempt(() => {
-      // Indices of removed rigids are rejected.
-      for (let index = this.#handle.rigidCount; index-- > 0;)
-        try {
-          this.#handle.removeRigid(index);
-        } catch (error) {
-          if (!isSimulatorRejection(error)) throw error;
-        }
-    });
   }
 
   /**
@@ -247,9 +264,13 @@ export class Simulator {
     return this.#attempt(() => this.#handle.save());
   }
 
-  /** Restores a saved state. Invalid bytes are rejected and change nothing. */
-  restore(bytes: Uint8Array): void {
-    this.#attempt(() => this.#handle.restore(bytes));
+  /**
+   * Restores a saved state. Invalid bytes are rejected and change nothing.
+   *
+   * @param obstacles Whether with its rigids and its colliders outside the parameter table.
+   */
+  restore(bytes: Uint8Array, obstacles = true): void {
+    this.#attempt(() => this.#handle.restore(bytes, obstacles));
   }
 
   /**

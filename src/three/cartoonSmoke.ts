@@ -17,7 +17,7 @@ import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { Clock } from '../simulator/clock.ts';
-import { loadSimulators } from '../simulator/load.ts';
+import { loadSimulators, type LoadProgress } from '../simulator/load.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
@@ -27,7 +27,7 @@ import { SmokeRenderer } from '../renderer/smoke.ts';
 import { Attachment } from './attachment.ts';
 import { ItemMotion } from './itemMotion.ts';
 import { Caster } from './caster.ts';
-import { Collider, requireCollideOptions, type CollideOptions } from './colliders.ts';
+import { Collider, requireCollideOptions, type CollideOptions, type Obstacles } from './colliders.ts';
 import type { BurstOptions, EmitterOptions } from '../simulator/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, TableNumbers, type EmitterHandle } from './emitters.ts';
 import { SmokeFrame, type SmokeSpace } from './smokeSpace.ts';
@@ -103,7 +103,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private readonly attached = new Set<string>();
   /** Messages of the errors that were reported, each of which is reported once. */
   private readonly reported = new Set<string>();
-  private readonly hasPhysics: boolean;
+  private readonly obstacles: Obstacles;
+  private physics: Promise<void> | undefined;
+  private needsPhysics = false;
   private readonly clock = new Clock();
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
@@ -132,7 +134,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
-        loadSimulators({ physics: options.physics ?? true }),
+        loadSimulators({ physics: options.physics ?? false }),
         // Casters that are balls are lobes and do not deform. Volumes are counted where the host's buffer is multisampled.
         fetchExtras({ ...hostStyle(values), form: 'lobes', isDeformed: false, volumes: 'counted' }),
         fetchExtras(hostStyle(values)),
@@ -158,7 +160,6 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.device = device;
     this.keyLight = options.keyLight;
     this.onRelight = options.onRelight ?? (() => {});
-    this.hasPhysics = options.physics ?? true;
     this.simulator = simulator;
     this.start = simulator.save();
     this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
@@ -169,6 +170,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
     this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
     const { parts, overrides, frame } = this;
+    const needRigids = () => this.needPhysics(options.physics);
+    this.obstacles = { simulator, frame, taken: new Set(), needRigids };
     this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.shown.values });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
@@ -191,16 +194,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   }
 
   /**
-   * Makes smoke collide with an object and follow its movement. See {@link CollideOptions}.
-   * @throws ParameterError for an invalid option, or when the object contains no mesh
+   * Makes smoke collide with an object and follow its movement. See {@link CollideOptions}. Boxes, spheres and capsules need no
+   * more code. Other meshes, `boundaryLayer` and `feelsSmoke` load the larger simulator first, see the event `progress`;
+   * `complete` waits for it.
+   * @throws ParameterError for an invalid option, or when the object contains no mesh. UnsupportedError when it needs the
+   * larger simulator and `physics` is false
    */
   collide(object: Object3D, options: CollideOptions = {}): SmokeHandle {
     this.requirePlaced();
-    if (!this.hasPhysics)
-      throw new UnsupportedError('collide() does not work with physics: false. Remove that option.');
     requireCollideOptions(options);
     const Kind = options.feelsSmoke ? PushedObject : Collider;
-    return this.handles.add<Handle>(new Kind(this.simulator, this.frame, object, options));
+    return this.handles.add<Handle>(new Kind(this.obstacles, object, options));
   }
 
   /**
@@ -317,7 +321,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    */
   async complete(): Promise<void> {
     this.requireAlive();
-    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait()]);
+    const physics = this.needsPhysics ? this.loadPhysics() : undefined;
+    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait(), physics]);
   }
 
   /** All current values that `set` takes. */
@@ -428,16 +433,36 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     if (missingExtras(this.shown.style) !== before) this.completion.begin();
   }
 
+  /** Starts to load physics. @throws UnsupportedError if `option` is false */
+  private needPhysics(option: boolean | undefined): void {
+    if (option === false)
+      throw new UnsupportedError(
+        'With physics: false, collide() works with boxes, spheres and capsules only. Remove that option.',
+      );
+    this.needsPhysics = true;
+    if (!this.physics) this.loadPhysics().catch((error: unknown) => this.isDisposed || this.report(error));
+  }
+
+  /** Replaces the simulator by that with physics. Concurrent calls share one request. */
+  private loadPhysics(): Promise<void> {
+    const load = async () => {
+      const onProgress = (progress: LoadProgress) => this.dispatchEvent({ type: 'progress', ...progress });
+      const { module } = await loadSimulators({ physics: true, onProgress });
+      if (!this.isDisposed && !this.simulator.hasRigids) this.simulator.moveTo(module);
+      this.needsPhysics = false;
+    };
+    return (this.physics ??= load().finally(() => (this.physics = undefined)));
+  }
+
   /** Puts the simulator into a state without handles. */
   private restoreState(bytes: Uint8Array): void {
-    const { simulator, hasPhysics } = this;
+    const { simulator } = this;
     const before = simulator.save();
     // The handles end in the state that has what they own, after the new one has proved valid.
-    simulator.restore(bytes);
+    simulator.restore(bytes, false);
     simulator.restore(before);
     this.handles.pause();
-    simulator.restore(bytes);
-    if (hasPhysics) simulator.removeRigids();
+    simulator.restore(bytes, false);
   }
 
   /** Applies values and handles to a simulator that took another state, and shows it. */

@@ -5,6 +5,7 @@ import type { ShareLink, Values } from '../parameters/parameter.ts';
 import { defaults, validate } from '../parameters/values.ts';
 import type { PresetName } from '../parameters/valueTypes.ts';
 import { styleOf, type Style } from '../renderer/style.ts';
+import type { LoadProgress } from '../simulator/load.ts';
 import type { SmokeSpace } from './smokeSpace.ts';
 import type { KeyLight } from './keyLight.ts';
 import type { ProxyBall } from './proxies.ts';
@@ -22,7 +23,10 @@ export interface CartoonSmokeOptions {
    * scene determines is ignored here and in `preset`: `scene`, `light.*`, `camera.*`, `style.renderer`, `style.backdrop`.
    */
   values?: Values;
-  /** Whether objects can collide with smoke, which loads the larger simulator. Default true. */
+  /**
+   * Whether the larger simulator is loaded, for collisions with meshes and for objects that smoke pushes: true before the
+   * promise resolves, false never. By default `collide` loads it when an object first needs it.
+   */
   physics?: boolean;
   /**
    * What the transform of the smoke object does to puffs that exist: in `world` (default) they stay where they are, in
@@ -42,6 +46,8 @@ export interface CartoonSmokeEvents extends Object3DEventMap {
    * pauses, because its object has a transform that is not finite; once until the object is sound again. SimulatorError: the simulator has stopped.
    */
   error: { readonly error: SmokeError };
+  /** The larger simulator is loading, since an object of `collide` needs it. Smoke does not collide with that object before. */
+  progress: LoadProgress;
 }
 
 /** Options for casting shadows. */

@@ -2,9 +2,7 @@ import { Matrix4, Vector3, type Object3D } from 'three';
 import { ParameterError } from '../base/errors.ts';
 import { POSE_FLOATS } from '../simulator/layout.ts';
 import type { RigidPart, SingleShape } from '../simulator/rigid.ts';
-import type { Simulator } from '../simulator/simulator.ts';
-import { errorOfOption, type CollideOptions } from './colliders.ts';
-import type { SmokeFrame } from './smokeSpace.ts';
+import { errorOfOption, type CollideOptions, type Obstacles } from './colliders.ts';
 import { Handle } from './handle.ts';
 import { worldPose } from './objectParts.ts';
 import { meshesIn, newPose, partsOf, poseOf, shapeOf, type Pose } from './shapes.ts';
@@ -19,9 +17,9 @@ const ROUNDING = 1e-5;
  * those that are no boxes or spheres count as their convex hulls.
  */
 export class PushedObject extends Handle {
-  private readonly simulator: Simulator;
-  private readonly frame: SmokeFrame;
+  private readonly obstacles: Obstacles;
   private readonly options: CollideOptions;
+  /** Index of its rigid; -1 while the simulator has no rigids. */
   private rigid = -1;
   /** Scale of the smoke for which its shape was made. */
   private scale = 1;
@@ -31,19 +29,19 @@ export class PushedObject extends Handle {
   private readonly inSmoke = newPose();
   private readonly now = newPose();
 
-  constructor(simulator: Simulator, frame: SmokeFrame, object: Object3D, options: CollideOptions) {
+  constructor(obstacles: Obstacles, object: Object3D, options: CollideOptions) {
     super('collide', object);
     if (options.proxies)
       throw new ParameterError('collide.proxies', 'proxies', 'no value for an object that feels smoke');
-    this.simulator = simulator;
-    this.frame = frame;
+    this.obstacles = obstacles;
     this.options = { ...options };
   }
 
   override show(blend: number): void {
-    const { object, written, frame } = this;
-    if (!this.isActive) return;
-    this.poses = this.simulator.rigidPoses(blend, this.poses);
+    const { object, written } = this;
+    const { simulator, frame } = this.obstacles;
+    if (!this.isActive || this.rigid < 0) return;
+    this.poses = simulator.rigidPoses(blend, this.poses);
     const first = POSE_FLOATS * this.rigid;
     written.position.fromArray(this.poses, first);
     written.rotation.fromArray(this.poses, first + 3);
@@ -57,24 +55,28 @@ export class PushedObject extends Handle {
   }
 
   protected start(): void {
-    const { feelsSmoke, density = LIGHT, ...surface } = this.options;
+    const { feelsSmoke, density = LIGHT, shape: _around, ...surface } = this.options;
     worldPose(this.object, this.written);
     this.note();
     const { position, rotation } = this.inSmoke;
     this.requireSound(this.inSmoke);
+    const { simulator } = this.obstacles;
     const shape = { type: 'compound', parts: this.parts() } as const;
+    if (!simulator.hasRigids) return this.obstacles.needRigids();
     const placed = { position: position.toArray(), rotation: rotation.toArray() };
     const push = { feelsSmoke: Number(feelsSmoke), density };
     try {
-      this.rigid = this.simulator.addRigid({ kind: 'dynamic', shape, ...placed, ...surface, ...push });
+      this.rigid = simulator.addRigid({ kind: 'dynamic', shape, ...placed, ...surface, ...push });
     } catch (error) {
       throw errorOfOption(error);
     }
   }
 
   protected override follow(): void {
-    const { frame, written, inSmoke, now } = this;
-    if (frame.now.scale !== this.scale) {
+    const { written, inSmoke, now } = this;
+    const { simulator, frame } = this.obstacles;
+    if (!simulator.hasRigids) return;
+    if (frame.now.scale !== this.scale || this.rigid < 0) {
       this.stop();
       return this.start();
     }
@@ -83,23 +85,24 @@ export class PushedObject extends Handle {
     this.requireSound(frame.toSmoke(now));
     // Local smoke takes it along, if the host does not.
     if (isWhereItWas || (frame.isMoved && isNear(now, inSmoke))) return;
-    this.simulator.moveRigid(this.rigid, position.toArray(), rotation.toArray());
+    simulator.moveRigid(this.rigid, position.toArray(), rotation.toArray());
   }
 
   protected stop(): void {
-    this.simulator.removeRigid(this.rigid);
+    if (this.rigid >= 0) this.obstacles.simulator.removeRigid(this.rigid);
+    this.rigid = -1;
   }
 
   private note(): void {
     this.inSmoke.position.copy(this.written.position);
     this.inSmoke.rotation.copy(this.written.rotation);
-    this.frame.toSmoke(this.inSmoke);
+    this.obstacles.frame.toSmoke(this.inSmoke);
   }
 
   /** The meshes of the object, in its space without its scale. */
   private parts(): RigidPart[] {
     const { object, written } = this;
-    const { scale: size } = this.frame.now;
+    const { scale: size } = this.obstacles.frame.now;
     this.scale = size;
     object.updateWorldMatrix(true, true);
     const sizes = new Vector3(size, size, size);

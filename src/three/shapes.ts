@@ -1,6 +1,8 @@
 import {
+  Box3,
   BoxGeometry,
   BufferGeometry,
+  CapsuleGeometry,
   Float32BufferAttribute,
   Matrix4,
   Quaternion,
@@ -16,6 +18,7 @@ import {
 } from 'three';
 import { ParameterError } from '../base/errors.ts';
 import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
+import type { ColliderShape } from '../simulator/collider.ts';
 import type { SingleShape } from '../simulator/rigid.ts';
 
 /** World position and rotation. The shape includes the scale. */
@@ -137,7 +140,7 @@ function drawnGeometry(mesh: Mesh, from = 0, to = Infinity): BufferGeometry {
   return new BufferGeometry().setAttribute('position', new Float32BufferAttribute(positions, 3));
 }
 
-/** The collision shape of a geometry: exact for complete spheres and boxes, a triangle mesh for everything else. */
+/** The collision shape of a geometry: exact for complete spheres, boxes and capsules, a triangle mesh for everything else. */
 export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
   const [x, y, z] = [Math.abs(scale.x), Math.abs(scale.y), Math.abs(scale.z)];
   if (isWholeBox(geometry)) {
@@ -146,6 +149,10 @@ export function shapeOf(geometry: BufferGeometry, scale: Vector3): SingleShape {
   }
   if (isWholeSphere(geometry) && isEven(x, y) && isEven(x, z)) {
     return { type: 'ball', radius: geometry.parameters.radius * x };
+  }
+  if (isWholeCapsule(geometry) && isEven(x, y) && isEven(x, z)) {
+    const { radius, height } = geometry.parameters;
+    return { type: 'capsule', halfHeight: (height * x) / 2, radius: radius * x };
   }
   const { positions, indices } = trianglesOf(geometry, scale);
   return { type: 'trimesh', vertices: positions, indices };
@@ -186,6 +193,13 @@ function isWholeSphere(geometry: BufferGeometry): geometry is SphereGeometry {
   return isAsMade(geometry, new SphereGeometry(radius, widthSegments, heightSegments));
 }
 
+function isWholeCapsule(geometry: BufferGeometry): geometry is CapsuleGeometry {
+  if (geometry.type !== 'CapsuleGeometry') return false;
+  const { radius, height, capSegments, radialSegments, heightSegments } = (geometry as CapsuleGeometry).parameters;
+  const made = new CapsuleGeometry(radius, height, capSegments, radialSegments, heightSegments);
+  return height > 0 && isAsMade(geometry, made);
+}
+
 /** Whether the vertices are unmodified. Editing a geometry does not change its `parameters`. */
 function isAsMade(geometry: BufferGeometry, made: BufferGeometry): boolean {
   const [now, then] = [geometry.attributes.position, made.attributes.position];
@@ -216,3 +230,76 @@ export function materialsOf({ material }: Partial<Pick<Mesh, 'material'>>): read
 export function isBlended(material: Material): boolean {
   return material.transparent || ('transmission' in material && (material.transmission as number) > 0);
 }
+
+/** A shape that replaces the meshes of an object. */
+export const SURROUNDING = ['ball', 'box', 'capsule', 'plane'] as const;
+export type Surrounding = (typeof SURROUNDING)[number];
+
+/** A shape in metres of the smoke, and its pose in the space of an object without its scale, in metres of the world. */
+interface PlacedShape extends Pose {
+  shape: ColliderShape;
+}
+
+/** Shortest length of a shape that the simulator accepts. */
+const MIN_LENGTH = 1e-3;
+
+/**
+ * The smallest shape of a kind around all meshes of an object as they are drawn now, along the axes of the object. Capsules
+ * stand along y and are as high and as wide as the meshes. A plane is their widest side, and what is behind it.
+ * @param scale of the smoke
+ * @returns undefined without meshes
+ */
+export function shapeAround(kind: Surrounding, object: Object3D, scale: number): PlacedShape | undefined {
+  const box = new Box3();
+  forEachPoint(object, (point) => box.expandByPoint(point));
+  if (box.isEmpty()) return undefined;
+  const position = box.getCenter(new Vector3());
+  const rotation = new Quaternion();
+  const half = box.getSize(new Vector3()).divideScalar(2);
+  if (kind === 'plane') {
+    const normal = half.y <= Math.min(half.x, half.z) ? UP : half.z <= half.x ? FORWARD : SIDEWARD;
+    rotation.setFromUnitVectors(UP, normal);
+    position.addScaledVector(normal, half.dot(normal));
+    return { shape: { type: 'plane' }, position, rotation };
+  }
+  const lengthOf = (length: number) => Math.max(length / scale, MIN_LENGTH);
+  if (kind === 'box') {
+    return { shape: { type: 'cuboid', halfExtents: half.toArray().map(lengthOf) }, position, rotation };
+  }
+  let farthest = 0;
+  forEachPoint(object, (point) => {
+    point.sub(position);
+    if (kind === 'capsule') point.y = 0;
+    farthest = Math.max(farthest, point.length());
+  });
+  const radius = lengthOf(farthest);
+  const isLong = kind === 'capsule' && half.y > farthest;
+  return {
+    shape: isLong ? { type: 'capsule', halfHeight: lengthOf(half.y - farthest), radius } : { type: 'ball', radius },
+    position,
+    rotation,
+  };
+}
+
+const UP = new Vector3(0, 1, 0);
+const FORWARD = new Vector3(0, 0, 1);
+const SIDEWARD = new Vector3(1, 0, 0);
+
+/** Visits the vertices of all meshes of an object, in its space without its scale. */
+function forEachPoint(object: Object3D, visit: (point: Vector3) => void): void {
+  object.updateWorldMatrix(true, true);
+  const { position, rotation } = poseOf(object.matrixWorld, newPose());
+  const toObject = new Matrix4().compose(position, rotation, ONE).invert();
+  const point = new Vector3();
+  for (const mesh of meshesIn(object))
+    for (const { geometry, worldOf } of partsOf('collide', mesh)) {
+      const place = new Matrix4().multiplyMatrices(toObject, worldOf());
+      for (let vertex = 0; vertex < geometry.attributes.position.count; vertex++) {
+        if ('isSkinnedMesh' in mesh) mesh.getVertexPosition(vertex, point);
+        else point.fromBufferAttribute(geometry.attributes.position, vertex);
+        visit(point.applyMatrix4(place));
+      }
+    }
+}
+
+const ONE = new Vector3(1, 1, 1);

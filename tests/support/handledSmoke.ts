@@ -7,7 +7,7 @@ import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
 import { simulatorValues } from '../../src/simulator/simulatorValues.ts';
 import { Attachment } from '../../src/three/attachment.ts';
 import { ItemMotion } from '../../src/three/itemMotion.ts';
-import { Collider, requireCollideOptions, type CollideOptions } from '../../src/three/colliders.ts';
+import { Collider, requireCollideOptions, type CollideOptions, type Obstacles } from '../../src/three/colliders.ts';
 import type { EmitterOptions } from '../../src/simulator/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter } from '../../src/three/emitters.ts';
 import { SmokeFrame, type SmokeSpace } from '../../src/three/smokeSpace.ts';
@@ -33,6 +33,9 @@ export class HandledSmoke {
   readonly errors: unknown[] = [];
   readonly pool;
   isAlive = true;
+  /** How often a collider has asked for rigids. */
+  needs = 0;
+  private readonly obstacles: Obstacles;
   private readonly handles;
   private readonly parts;
   private readonly overrides;
@@ -52,6 +55,7 @@ export class HandledSmoke {
     this.overrides = new Overrides(this.simulator, (key) => this.itemMotion.numberOf(key));
     const { simulator, parts, overrides, frameOfSmoke: frame } = this;
     this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.values });
+    this.obstacles = { simulator, frame, taken: new Set(), needRigids: () => void this.needs++ };
     const report = (error: unknown) => this.errors.push(error);
     this.handles = new Handles({ object: this.object, report, isAlive: () => this.isAlive });
   }
@@ -81,7 +85,7 @@ export class HandledSmoke {
     this.place();
     requireCollideOptions(options);
     const Kind = options.feelsSmoke ? PushedObject : Collider;
-    return this.handles.add<Handle>(new Kind(this.simulator, this.frameOfSmoke, object, options));
+    return this.handles.add<Handle>(new Kind(this.obstacles, object, options));
   }
 
   attach(item: string, object: Object3D) {

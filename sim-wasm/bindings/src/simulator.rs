@@ -40,6 +40,12 @@ impl Simulator {
         result.map_or_else(parameter_error, |()| JsValue::UNDEFINED)
     }
 
+    /// Sets, moves or removes a collider. See `sim::collide::pool::ColliderPool::put`.
+    #[wasm_bindgen(js_name = setCollider)]
+    pub fn set_collider(&mut self, index: u32, numbers: &[f32]) -> Result<(), JsValue> {
+        self.simulator.set_collider(index, numbers).map_err(parameter_error)
+    }
+
     /// Sets the poses of the scene's parts for the coming step. See `sim::layout::scope::parts::Parts::place`.
     #[wasm_bindgen(js_name = placeParts)]
     pub fn place_parts(&mut self, numbers: &[f32]) -> Result<(), JsValue> {
@@ -148,10 +154,10 @@ impl Simulator {
         self.simulator.save()
     }
 
-    /// Restores the bytes of `save`.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), JsValue> {
+    /// Restores the bytes of `save`, with or without rigids and colliders outside of the table.
+    pub fn restore(&mut self, bytes: &[u8], obstacles: bool) -> Result<(), JsValue> {
         self.simulator
-            .restore(bytes)
+            .restore_with(bytes, obstacles)
             .map_err(|error| plain_error(&error.message))
     }
 }

@@ -1,6 +1,7 @@
 import {
   Bone,
   BoxGeometry,
+  CapsuleGeometry,
   Float32BufferAttribute,
   Group,
   InstancedMesh,
@@ -16,20 +17,26 @@ import {
 } from 'three';
 import { beforeAll, expect, test } from 'vitest';
 import { ballsOf } from '../../../src/three/proxies.ts';
-import { shapeOf } from '../../../src/three/shapes.ts';
+import type { CollideOptions } from '../../../src/three/colliders.ts';
+import { shapeAround, shapeOf, type Surrounding } from '../../../src/three/shapes.ts';
+import { COLLIDER_LIMIT, type ColliderShape } from '../../../src/simulator/collider.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
-import { HandledSmoke } from '../../support/handledSmoke.ts';
+import { HandledSmoke, STILL } from '../../support/handledSmoke.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 let factory: SimulatorFactory;
+let core: SimulatorFactory;
 beforeAll(async () => {
-  factory = await loadVariant('physics');
+  [factory, core] = await Promise.all([loadVariant('physics'), loadVariant('core')]);
 });
 
 const ONE = new Vector3(1, 1, 1);
 
-test('spheres and boxes collide exactly at their scale; stretched spheres and other meshes by their triangles', () => {
+test('spheres, boxes and capsules collide exactly at their scale; stretched ones and other meshes by their triangles', () => {
+  const capsule = { type: 'capsule', halfHeight: 3, radius: 2 };
+  expect(shapeOf(new CapsuleGeometry(1, 3), new Vector3(2, 2, 2))).toEqual(capsule);
+  expect(shapeOf(new CapsuleGeometry(1, 3), new Vector3(1, 2, 1)).type).toBe('trimesh');
   expect(shapeOf(new SphereGeometry(2), new Vector3(3, 3, 3))).toEqual({ type: 'ball', radius: 6 });
   expect(shapeOf(new BoxGeometry(2, 4, 6), new Vector3(1, -2, 3))).toEqual({ type: 'cuboid', halfExtents: [1, 4, 9] });
   expect(shapeOf(new SphereGeometry(2), new Vector3(1, 2, 1)).type).toBe('trimesh');
@@ -107,3 +114,139 @@ function skinnedBox(halfWidth: number): SkinnedMesh {
   mesh.bind(new Skeleton([bone]));
   return mesh;
 }
+
+/** A smoke with a puff at rest at each place. */
+function puffsAt(factoryOfSmoke: SimulatorFactory, places: readonly [number, number, number][]): HandledSmoke {
+  const smoke = new HandledSmoke(factoryOfSmoke, STILL);
+  for (const [x, y, z] of places) {
+    const source = smoke.put(new Group());
+    source.position.set(x, y, z);
+    smoke.emitFrom(source, { rate: 0, speed: 0, shape: 'point', size: 0.2 }).burst(1);
+  }
+  smoke.frame();
+  return smoke;
+}
+
+test.each([
+  ['ball', new SphereGeometry(0.5)],
+  ['box', new BoxGeometry(1, 0.8, 0.6)],
+  ['capsule', new CapsuleGeometry(0.3, 0.6)],
+])('a %s moves the same smoke by the core and by physics', (_, geometry) => {
+  const [own, rapier] = [core, factory].map((variant) => {
+    const smoke = puffsAt(variant, [
+      [1, 0.1, 0],
+      [1.6, -0.1, 0.1],
+      [2.2, 0.3, 0.2],
+    ]);
+    const mesh = smoke.put(new Mesh(geometry));
+    smoke.collide(mesh, { restitution: 0.3 });
+    expect(smoke.simulator.hasRigids).toBe(variant === factory);
+    for (let frame = 1; frame <= 30; frame++) {
+      mesh.position.x = 0.08 * frame;
+      mesh.rotation.set(0.1 * frame, 0.05 * frame, 0);
+      smoke.frame(2);
+    }
+    const places = smoke.places().flat();
+    expect([smoke.needs, smoke.errors]).toEqual([0, []]);
+    smoke.simulator.dispose();
+    return places;
+  });
+  expect(Math.max(...own.filter((_place, at) => at % 3 === 0))).toBeGreaterThan(2.5);
+  own.forEach((place, at) => expect(Math.abs(place - rapier[at])).toBeLessThan(1e-3));
+});
+
+test('a removed or disabled collider of the core leaves nothing, and its place is free again', () => {
+  const smoke = new HandledSmoke(core);
+  const still = smoke.simulator.hash();
+  const balls = Array.from({ length: COLLIDER_LIMIT }, () => new Mesh(new SphereGeometry(0.1)));
+  const handles = balls.map((ball) => smoke.collide(ball));
+  expect(smoke.needs).toBe(0);
+  smoke.collide(new Mesh(new SphereGeometry(0.1))).remove();
+  expect(smoke.needs).toBe(1);
+  handles[7].remove();
+  smoke.collide(balls[7], { action: 'kill' });
+  expect(smoke.needs).toBe(1);
+  const before = smoke.simulator.hash();
+  smoke.simulator.restore(smoke.simulator.save(), false);
+  expect(smoke.simulator.hash()).toBe(still);
+  expect(before).not.toBe(still);
+  smoke.simulator.dispose();
+});
+
+test.each<[string, Mesh, CollideOptions]>([
+  ['another mesh', new Mesh(new TorusGeometry(0.5, 0.2)), {}],
+  ['a stretched sphere', new Mesh(new SphereGeometry(0.5).scale(1, 2, 1)), {}],
+  ['a boundary layer', new Mesh(new SphereGeometry(0.5)), { boundaryLayer: 0.2 }],
+  ['a push by smoke', new Mesh(new SphereGeometry(0.5)), { feelsSmoke: true }],
+])('%s waits for rigids, which take the other colliders along', (_, mesh, options) => {
+  const smoke = new HandledSmoke(core);
+  const { simulator } = smoke;
+  const floor = smoke.put(new Mesh(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2)));
+  smoke.collide(floor, { shape: 'plane' });
+  smoke.put(mesh).position.y = 3;
+  smoke.collide(mesh, options);
+  expect(smoke.needs).toBe(1);
+  smoke.frames(3);
+  expect([simulator.rigidCount, simulator.steps, mesh.position.y]).toEqual([0, 3, 3]);
+  const hash = simulator.hash();
+  simulator.moveTo(factory.module);
+  expect([simulator.hasRigids, simulator.steps, simulator.hash()]).toEqual([true, 3, hash]);
+  smoke.frames(120);
+  expect(simulator.rigidCount).toBe(2);
+  // The top of the slab is the plane.
+  if (options.feelsSmoke) expect(mesh.position.y).toBeCloseTo(0.5, 2);
+  expect(smoke.errors).toEqual([]);
+  simulator.dispose();
+});
+
+test('one shape around all meshes of an object, at its scale', () => {
+  const group = new Group();
+  const [left, right] = [-1, 1].map((x) => new Mesh(new BoxGeometry(1, 3, 1).translate(x, 0.5, 0)));
+  group.add(left, right);
+  group.scale.setScalar(2);
+  group.rotation.y = 0.5;
+  const around = (kind: Surrounding, scale = 1) => shapeAround(kind, group, scale)!;
+  expect(around('box').shape).toMatchObject({ type: 'cuboid' });
+  const box = around('box', 2);
+  const { halfExtents } = box.shape as Extract<ColliderShape, { type: 'cuboid' }>;
+  [1.5, 1.5, 0.5].forEach((half, axis) => expect(halfExtents[axis]).toBeCloseTo(half));
+  expect(box.position.distanceTo(new Vector3(0, 1, 0))).toBeLessThan(1e-6);
+  const ball = around('ball').shape as Extract<ColliderShape, { type: 'ball' }>;
+  expect(ball.radius).toBeCloseTo(Math.hypot(3, 3, 1));
+  // As wide as it is high, so that nothing of a capsule is straight.
+  expect(around('capsule').shape.type).toBe('ball');
+  group.remove(right);
+  const capsule = around('capsule').shape as Extract<ColliderShape, { type: 'capsule' }>;
+  expect([capsule.radius, capsule.halfHeight + capsule.radius].map((length) => length.toFixed(3))).toEqual([
+    Math.SQRT2.toFixed(3),
+    '3.000',
+  ]);
+});
+
+test('a plane is the widest side of a mesh', () => {
+  for (const geometry of [new BoxGeometry(4, 0.2, 3), new PlaneGeometry(4, 3), new BoxGeometry(0.2, 4, 3)]) {
+    const { position, rotation, shape } = shapeAround('plane', new Mesh(geometry), 1)!;
+    const normal = new Vector3(0, 1, 0).applyQuaternion(rotation);
+    geometry.computeBoundingBox();
+    const { max } = geometry.boundingBox!;
+    expect(shape).toEqual({ type: 'plane' });
+    expect(position.dot(normal)).toBeCloseTo(max.dot(normal));
+    expect(max.dot(normal)).toBeLessThan(0.2);
+  }
+});
+
+test.each<[CollideOptions, RegExp]>([
+  [{ shape: 'cone' as never }, /collide\.shape cannot be “cone”/],
+  [{ shape: 'ball', feelsSmoke: true }, /collide\.shape/],
+  [{ restitution: 1.5 }, /collide\.restitution cannot be/],
+  [{ action: 'burn' as never }, /collide\.action cannot be/],
+  [{ tint: 0 }, /collide\.tint cannot be/],
+  [{ boundaryLayer: 11 }, /collide\.boundaryLayer cannot be/],
+  [{ density: 0, feelsSmoke: true }, /collide\.density cannot be/],
+])('the option %o is an error of the call, before rigids are loaded', (options, message) => {
+  const smoke = new HandledSmoke(core);
+  expect(() => smoke.collide(new Mesh(new TorusGeometry()), options)).toThrow(message);
+  expect(() => smoke.collide(new Mesh(new SphereGeometry(2e3)))).toThrow(/collide\.shape cannot be/);
+  expect(smoke.needs).toBe(0);
+  smoke.simulator.dispose();
+});

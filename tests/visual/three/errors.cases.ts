@@ -5,7 +5,7 @@ import {
   HemisphereLight,
   Mesh,
   PlaneGeometry,
-  SphereGeometry,
+  TorusGeometry,
   Vector4,
   WebGLRenderTarget,
   type WebGLRenderer,
@@ -59,7 +59,7 @@ export async function errors(): Promise<Record<string, string>> {
     smoke.update(1 / 60);
     host.renderer.render(host.scene, host.camera);
   });
-  await attempt('physics', () => smoke.collide(new Mesh(new SphereGeometry())));
+  await attempt('physics', () => smoke.collide(new Mesh(new TorusGeometry())));
   const target = new WebGLRenderTarget(32, 32, { count: 2 });
   host.renderer.setRenderTarget(target);
   host.renderer.render(host.scene, host.camera);

@@ -132,7 +132,7 @@ export async function clear() {
 }
 
 /** Hashes of a run, after `restart`, and after `restore` in the middle; with handles of each kind. */
-export async function again() {
+export async function again(physics: boolean) {
   return withSmoke(
     (smoke, host) => {
       const box = new Mesh(new BoxGeometry(0.5, 0.5, 0.5), new MeshBasicMaterial());
@@ -168,7 +168,7 @@ export async function again() {
       return { steps, first, second: [untouched, end], third: [restored, smoke.hash()] };
     },
     { 'vortices.0.circulation': 1, 'emitters.1.share': 1, 'turbulence.speed': 1, 'emitters.0.speed': 1 },
-    true,
+    physics,
   );
 }
 

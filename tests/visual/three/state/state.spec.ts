@@ -33,13 +33,14 @@ test('clear removes the puffs and only them', async ({ load }) => {
   expect(rest).toEqual({ isItself: true, alive: 0, after: { 3: 60 }, rate: 60, children: true });
 });
 
-test('restart and restore repeat a run with handles to the last bit', async ({ load }) => {
-  const cases = await load<State>(STATE);
-  const { steps, first, second, third } = await cases.evaluate((module) => module.again());
-  expect(steps).toBe(0);
-  expect(second).toEqual(first);
-  expect(third).toEqual(first);
-});
+for (const physics of [true, false])
+  test(`restart and restore repeat a run with handles to the last bit, physics ${physics}`, async ({ load }) => {
+    const cases = await load<State>(STATE);
+    const { steps, first, second, third } = await cases.evaluate((module, given) => module.again(given), physics);
+    expect(steps).toBe(0);
+    expect(second).toEqual(first);
+    expect(third).toEqual(first);
+  });
 
 test('a restored state has the handles of now and the values of then', async ({ load }) => {
   const cases = await load<State>(STATE);
