@@ -22,12 +22,12 @@ export interface Cloud {
 }
 
 /** Puffs of an impact at 1 m/s, and the exponent of the speed. */
-export const BY_HIT = 1.3;
+export const BY_HIT = 0.8;
 export const POWER = 1.5;
 /** Maximum puffs per impact. */
-export const MAX_PUFFS = 32;
+export const MAX_PUFFS = 20;
 /** Puffs per step when rolling at 1 m/s, and the minimum rolling speed, m/s. */
-const BY_ROLLING = 0.16;
+const BY_ROLLING = 0.1;
 const SLOWEST = 0.35;
 /** Distance to the sand that counts as contact, metres. */
 const TOUCH = 0.02;

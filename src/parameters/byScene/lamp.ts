@@ -21,6 +21,15 @@ const curl: Values = {
   'style.form': 0.5,
 };
 
+/** Smoke of which stragglers end first. */
+const together: Values = {
+  ...curl,
+  'emission.rate': 26,
+  'emission.entrainment': 0.05,
+  'emission.sizeSpread': 0.3,
+  'emission.company': 0.85,
+};
+
 /** Puffs without ink that holes open in. They keep their size longer than those that shrink. */
 const eroding: Values = {
   'emission.dissolve': 'erode',
@@ -32,7 +41,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp',
     values: {
-      ...curl,
+      ...together,
       'style.strokes': 0.5,
     },
   },
@@ -102,8 +111,12 @@ export const lampPresets: readonly Preset[] = [
     name: 'lamp-storm',
     values: {
       ...curl,
-      'emission.rate': 48,
+      'emission.rate': 42,
       'emission.lifetime': 4.5,
+      'emission.density': '0:1,.85:.6,1:0',
+      'emission.entrainment': 0.15,
+      'emission.sizeSpread': 0.2,
+      'emission.company': 1,
       'style.smokeColor': '#8f96a8',
       'style.inkColor': '#14151c',
       'style.outlineWidth': 2.8,
@@ -118,7 +131,7 @@ export const lampPresets: readonly Preset[] = [
   {
     name: 'lamp-blueprint',
     values: {
-      ...curl,
+      ...together,
       'style.shading': 0,
       'style.shadows': 0,
       'style.smokeColor': '#1f5196',

@@ -5,9 +5,13 @@ export const rocketPresets: readonly Preset[] = [
     name: 'rocket',
     values: {
       scene: 'rocket',
-      'emission.rate': 110,
-      'emission.lifetime': 6,
+      'emission.rate': 60,
+      'emission.lifetime': 7,
       'emission.growthTime': 0.7,
+      // Few puffs that take in air, so that the smoke rolls over the ground in large billows.
+      'emission.entrainment': 0.25,
+      'emission.sizeSpread': 0.6,
+      'emission.company': 1,
       'emission.density': '0:.55,.3:1,.75:.75,1:0',
       'simulation.maxParticles': 1500,
       // Flat tones with short transitions, so that no puff changes its colour at once.

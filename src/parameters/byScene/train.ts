@@ -17,11 +17,21 @@ const smoke: Values = {
   'emitters.0.lifetimeVariation': 0.05,
 };
 
+/** Steam that ends in groups. */
+const steam: Values = {
+  ...smoke,
+  'emission.lifetime': 6,
+  'emission.density': '0:1,.45:.9,.9:.6,1:0',
+  'emission.entrainment': 0.1,
+  'emission.sizeSpread': 0.3,
+  'emission.company': 1,
+};
+
 export const trainPresets: readonly Preset[] = [
   {
     name: 'train',
     values: {
-      ...smoke,
+      ...steam,
       'style.smokeColor': '#fffaf0',
       'style.inkColor': '#2a1d2e',
       'style.strokes': 0.3,
@@ -32,7 +42,7 @@ export const trainPresets: readonly Preset[] = [
   {
     name: 'train-night-mail',
     values: {
-      ...smoke,
+      ...steam,
       'style.ramp': '0:4a5288,.45:8e9ccc,.75:e8ecff',
       'style.rim': 0.4,
       'style.rimColor': '#f4f0d8',
