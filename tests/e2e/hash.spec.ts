@@ -19,12 +19,15 @@ test('the same seed has the same hash natively and in Chromium', async ({ load }
         scenario.hashWithoutRigids(core, input),
         scenario.hashWithoutRigids(physics, input),
         scenario.hashWithRigids(physics, input),
+        scenario.hashWithColliders(core, input),
       ];
     },
     [fixture, text] as const,
   );
-  const without = linesOf(text, 'hash without rigids')[0];
-  expect(hashes).toEqual([without, without, linesOf(text, 'hash with rigids')[0]]);
+  const [without, rigids, colliders] = ['without rigids', 'with rigids', 'with colliders'].map(
+    (which) => linesOf(text, `hash ${which}`)[0],
+  );
+  expect(hashes).toEqual([without, without, rigids, colliders]);
 });
 
 test('takes over the whole parameter table have the same hashes natively and in Chromium @long', async ({ load }) => {

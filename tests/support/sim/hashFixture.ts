@@ -32,6 +32,21 @@ export function hashWithRigids(factory: SimulatorFactory, fixture: string): stri
   return end(simulator);
 }
 
+/** The hash after the scenario with its colliders outside the table, all of which move and turn. */
+export function hashWithColliders(factory: SimulatorFactory, fixture: string): string {
+  const simulator = start(factory, fixture);
+  linesOf(fixture, 'collider ').forEach((line, index) =>
+    simulator.setCollider(index, Float32Array.from(line.split(' '), Number)),
+  );
+  for (let step = 0; step < stepsOf(fixture); step++) {
+    const x = step / 128;
+    for (let index = 0; index < 3; index++)
+      simulator.setCollider(index, Float32Array.of(x - 1, 0.75 + index / 2, 0, x, 0.5, 0.25, 1));
+    simulator.step();
+  }
+  return end(simulator);
+}
+
 function stepsOf(fixture: string): number {
   return Number(linesOf(fixture, 'steps ')[0]);
 }

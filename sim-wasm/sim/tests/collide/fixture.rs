@@ -45,6 +45,27 @@ fn hash_without_rigids() {
     check(&simulator, "without rigids");
 }
 
+/// Runs in both builds.
+#[test]
+fn hash_with_colliders() {
+    let mut simulator = simulator();
+    for (index, line) in (0..).zip(lines("collider ")) {
+        let numbers: Vec<f32> = line.split(' ').map(|number| number.parse().unwrap()).collect();
+        simulator.set_collider(index, &numbers).unwrap();
+    }
+    for step in 0..number::<u16>("steps") {
+        let x = f32::from(step) / 128.0;
+        for index in 0..3 {
+            let height = 0.75 + index as f32 * 0.5;
+            simulator
+                .set_collider(index, &[x - 1.0, height, 0.0, x, 0.5, 0.25, 1.0])
+                .unwrap();
+        }
+        simulator.step();
+    }
+    check(&simulator, "with colliders");
+}
+
 #[cfg(feature = "rigids")]
 #[test]
 fn hash_with_rigids() {
