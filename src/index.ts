@@ -1,5 +1,6 @@
 /** Exports of the package. No module of the library imports this file. */
 export { CartoonSmokeElement } from './page/element/cartoonSmokeElement.ts';
+export type { ElementProperties } from './page/element/attributes/properties.ts';
 export type { SmokeEvent, SmokeEvents, StateChange } from './page/element/events.ts';
 export type { StageMethods } from './page/element/methods.ts';
 export {

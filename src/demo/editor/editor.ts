@@ -11,6 +11,9 @@ import {
   type Values,
 } from '../../preset.ts';
 
+/** Wheels and keys have no end event. Their gesture ends after this time without input, in milliseconds. */
+export const QUIET_MS = 300;
+
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
 

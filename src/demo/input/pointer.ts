@@ -1,6 +1,6 @@
 import type { Stage } from '../../index.ts';
 import { ORBIT_PER_PIXEL, spread } from '../../internal.ts';
-import { QUIET_MS } from '../share/address.ts';
+import { QUIET_MS } from '../editor/editor.ts';
 
 const ZOOM_PER_PIXEL = 0.0015;
 // CSS pixels per line, for wheels that report lines.

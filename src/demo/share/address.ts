@@ -1,9 +1,6 @@
 import { decode, encode, type Decoded } from '../../preset.ts';
-import type { Editor } from '../editor/editor.ts';
+import { QUIET_MS, type Editor } from '../editor/editor.ts';
 import { linkOf } from '../poster.ts';
-
-/** Wheels and keys have no end event. Their gesture ends after this time without input, in milliseconds. */
-export const QUIET_MS = 300;
 
 /** The share link of the current state. The smoke starts from the beginning where it is opened. */
 export async function linkTo(editor: Editor): Promise<string> {

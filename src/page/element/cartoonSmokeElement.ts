@@ -10,7 +10,7 @@ import { keyOfAttribute } from './attributes/names.ts';
 import { whenNear } from '../visibility.ts';
 import { fetchAhead } from './parts.ts';
 import { fetched } from '../../base/timeout.ts';
-import { defineProperties, FLAGS, upgradeProperties, TEXTS, type OwnProperties } from './attributes/properties.ts';
+import { defineProperties, FLAGS, upgradeProperties, TEXTS, type ElementProperties } from './attributes/properties.ts';
 import type { Session } from './session.ts';
 import { isInert, Shell } from './shell/shell.ts';
 
@@ -21,7 +21,7 @@ const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement)
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
 // eslint-disable-next-line typescript/no-unsafe-declaration-merging -- the methods and properties are made from tables below
-export interface CartoonSmokeElement extends StageMethods, OwnProperties {
+export interface CartoonSmokeElement extends StageMethods, ElementProperties {
   addEventListener<Name extends keyof SmokeEvents>(
     type: Name,
     listener: (this: CartoonSmokeElement, event: CustomEvent<SmokeEvents[Name]>) => unknown,

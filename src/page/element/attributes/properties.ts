@@ -12,7 +12,7 @@ export const LABELS: readonly string[] = ['label-play', 'label-pause', 'label-re
 export const TEXTS = ['preset', 'src', 'start', 'alt', 'thread', 'loading', ...LABELS, ...OF_PAGE];
 
 /** The properties besides the parameters. */
-export interface OwnProperties {
+export interface ElementProperties {
   paused: boolean;
   transparent: boolean;
   interactive: boolean;

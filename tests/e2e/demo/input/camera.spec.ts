@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { table } from '../../../../src/parameters/table.ts';
 import { expect, test } from '../../../support/fixtures.ts';
-import { QUIET_MS } from '../../../../src/demo/share/address.ts';
+import { QUIET_MS } from '../../../../src/demo/editor/editor.ts';
 import { ask, expectHash, expectSteps, expectValue, LAMP, LIGHT, open } from '../page.ts';
 import { fingerOf, mouseOf } from '../touch.ts';
 
