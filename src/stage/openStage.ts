@@ -26,7 +26,7 @@ export async function openStage(canvas: DeviceCanvas, options: StageOptions): Pr
   try {
     const opened = await openFor(values, { size, pixelRatio, view }, options, device);
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
-    if (!device.hasHope) throw missingContext();
+    if (!device.isRecoverable) throw missingContext();
     const running = new RunningScene(presenter, opened, values, options);
     running.isSeen = options.visible ?? true;
     running.resize(...size, pixelRatio);

@@ -262,7 +262,7 @@ export class RunningScene implements FrameTasks {
 
   /** An error listener that is added after the context was given up also receives the error. */
   listen<Event extends keyof StageEvents>(event: Event, listener: (detail: StageEvents[Event]) => void): () => void {
-    if (event === 'error' && !this.device.hasHope)
+    if (event === 'error' && !this.device.isRecoverable)
       queueMicrotask(() => (listener as (detail: Error) => void)(missingContext()));
     return this.listeners.add(event, listener);
   }

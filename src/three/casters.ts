@@ -16,7 +16,8 @@ import { ParameterError } from '../base/errors.ts';
 import { BallVolumes, isShown, type BallsOf } from './volumes/ballVolumes.ts';
 import { toSmoke, type SmokeFrame } from './smokeSpace.ts';
 import { ballsOf, worldBall, type ProxyBall } from './proxies.ts';
-import { newPose, poseOf, partsOf, scaleOf, trianglesOf, isBlended, materialsOf } from './shapes.ts';
+import { isBlended, materialsOf } from './relight.ts';
+import { newPose, poseOf, partsOf, scaleOf, trianglesOf } from './shapes.ts';
 
 /** A closed rigid mesh and its shadow volume. */
 export interface MeshCaster {

@@ -8,7 +8,6 @@ import {
   type Scene,
   type WebGLRenderer,
 } from 'three';
-import { isBlended, materialsOf } from './shapes.ts';
 import { withoutBackground } from './rendererState.ts';
 
 /**
@@ -72,4 +71,15 @@ function hideBlended(scene: Scene): Set<Material> {
     }
   });
   return hidden;
+}
+
+/** The materials of an object; empty for objects that are not drawn. */
+export function materialsOf({ material }: Partial<Pick<Mesh, 'material'>>): readonly Material[] {
+  if (!material) return [];
+  return Array.isArray(material) ? material : [material];
+}
+
+/** Whether three.js draws a material after all opaque ones. */
+export function isBlended(material: Material): boolean {
+  return material.transparent || ('transmission' in material && (material.transmission as number) > 0);
 }

@@ -14,12 +14,12 @@ import {
   type Mesh,
   type MeshStandardMaterial,
   type Object3D,
-  type Material,
 } from 'three';
 import { ParameterError } from '../base/errors.ts';
 import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
 import type { ColliderShape } from '../simulator/collider.ts';
 import type { SingleShape } from '../simulator/rigid.ts';
+import { materialsOf } from './relight.ts';
 
 /** World position and rotation. The shape includes the scale. */
 export interface Pose {
@@ -218,17 +218,6 @@ function radiusOf(geometry: BufferGeometry): number {
 
 function isEven(a: number, b: number): boolean {
   return Math.abs(a - b) <= 1e-4 * a;
-}
-
-/** The materials of an object; empty for objects that are not drawn. */
-export function materialsOf({ material }: Partial<Pick<Mesh, 'material'>>): readonly Material[] {
-  if (!material) return [];
-  return Array.isArray(material) ? material : [material];
-}
-
-/** Whether three.js draws a material after all opaque ones. */
-export function isBlended(material: Material): boolean {
-  return material.transparent || ('transmission' in material && (material.transmission as number) > 0);
 }
 
 /** A shape that replaces the meshes of an object. */

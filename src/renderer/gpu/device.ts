@@ -88,7 +88,7 @@ export class Device {
    * False after the device gave up on a lost context: a timeout or repeated losses. A later restoration makes it true
    * again.
    */
-  get hasHope(): boolean {
+  get isRecoverable(): boolean {
     return !this.isMissing;
   }
 

@@ -45,7 +45,7 @@ export class SharedDevice {
     const { device } = this;
     if (!device) return;
     if (this.countOf(device) === 0 && !device.isUsable) this.end();
-    else if (!device.hasHope) this.device = undefined;
+    else if (!device.isRecoverable) this.device = undefined;
   }
 
   private countOf(device: Device): number {
