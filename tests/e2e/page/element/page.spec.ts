@@ -1,8 +1,10 @@
 import type { Page } from '@playwright/test';
 import type { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
+import { presetValues } from '../../../../src/parameters/presets.ts';
 import { expect, scrollPage, stands, test } from '../../../support/embed.ts';
 import { gpuKeepsUp } from '../../../support/gpuKeepsUp.ts';
 
+const RATE = presetValues('air')['emission.rate'];
 /** Smoke over a page of 600 x 450 pixels; 150 pixels are one metre. */
 const AIR = `preset="air" simulation-max-particles="300" thread="main" transparent
   style="position: absolute; left: 20px; top: 10px; width: 600px; height: 450px"`;
@@ -171,11 +173,11 @@ test('smoke rises from elements that are hovered or focused, and from no other',
   expect(await alive()).toBe(0);
   await page.hover('#b');
   await expect.poll(alive).toBeGreaterThan(2);
-  expect(await values()).toMatchObject({ 'emitters.0.share': 0, 'emitters.1.share': 1, 'emission.rate': 16 });
+  expect(await values()).toMatchObject({ 'emitters.0.share': 0, 'emitters.1.share': 1, 'emission.rate': RATE });
   await page.mouse.move(320, 100);
   await expect.poll(async () => (await values())['emission.rate']).toBe(0);
   await page.focus('#a');
-  await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': 16 });
+  await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': RATE });
 });
 
 test('smoke rises from an element that was hovered or focused before the smoke loaded', async ({ page, openPage }) => {
