@@ -13,6 +13,7 @@ const DENSE = { 'simulation.maxParticles': 800, 'emission.rate': 150 };
 /** The presets of these scenes have fewer particles than are searched for hidden ones. */
 const MORE: Readonly<Record<string, Values>> = {
   air: { 'emission.rate': 80, 'puff.size': 1.5 },
+  dust: { 'emission.rate': 10000 },
   lamp: { 'emission.rate': 150 },
   wisp: { 'emission.rate': 80 },
 };
