@@ -37,10 +37,10 @@ function everyMode(): Mode[] {
 /** Simulated seconds after which a scene has enough smoke. */
 const SECONDS = 4;
 /**
- * Later, the campfire has mainly edges of small puffs. At 4 s the sun grazes the cab of this train (N . L = 0.004): the start of
+ * Later, the campfire has mainly edges of small puffs, and dust has settled. At 4 s the sun grazes the cab of this train (N . L = 0.004): the start of
  * its shadow is within the rounding of depth behind its lit side, and the count there is undecided, but not the colour.
  */
-const OTHER_SECONDS: Readonly<Record<string, number>> = { campfire: 3, 'train-rubber-hose': 5 };
+const OTHER_SECONDS: Readonly<Record<string, number>> = { campfire: 3, dust: 2, 'train-rubber-hose': 5 };
 /** Smallest number of particles in a picture: train-rubber-hose has the fewest, 48 large puffs. */
 const FEWEST = 40;
 /**
