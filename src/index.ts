@@ -24,7 +24,14 @@ export {
 } from './base/errors.ts';
 
 export type { AnyValues, ShareLink, Value, Values } from './parameters/parameter.ts';
-export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './parameters/valueTypes.ts';
+export type {
+  ItemIndex,
+  ItemValues,
+  ListValues,
+  PresetName,
+  ScopeValues,
+  SingleValues,
+} from './parameters/valueTypes.ts';
 export { presetValues } from './parameters/presets.ts';
 export { presets, type Preset } from './parameters/words/presets.ts';
 export type { DebugView, Quality } from './parameters/quality.ts';

@@ -6,7 +6,14 @@ export { decode, encode, type Decoded, type State } from './parameters/codec.ts'
 export { FileError, ParameterError, SmokeError } from './base/errors.ts';
 export { readFile, writeFile, type SmokeFile } from './parameters/file.ts';
 export type { Notice } from './parameters/notice.ts';
-export type { ItemIndex, ItemValues, ListValues, PresetName, SingleValues } from './parameters/valueTypes.ts';
+export type {
+  ItemIndex,
+  ItemValues,
+  ListValues,
+  PresetName,
+  ScopeValues,
+  SingleValues,
+} from './parameters/valueTypes.ts';
 export type { AnyValues, Reader, ShareLink, Value, Values } from './parameters/parameter.ts';
 export { presetValues } from './parameters/presets.ts';
 export { defaults, validate } from './parameters/values.ts';

@@ -141,9 +141,26 @@ export type SingleValues = {
 /** The index of an item of a list. */
 export type ItemIndex = 0 | 1 | 2 | 3 | 4 | 5 | 6 | 7;
 
+/** Where and when an item acts, by the ends of the keys. */
+export type ScopeValues = {
+  /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
+  /** Region position x: Centre of the region. */ 'region.position.x': number;
+  /** Region position y: Centre of the region. */ 'region.position.y': number;
+  /** Region position z: Centre of the region. */ 'region.position.z': number;
+  /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
+  /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
+  /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
+  /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
+  /** Start: Time of the first start. */ 'envelope.start': number;
+  /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
+  /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
+  /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
+  /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
+};
+
 /** The values of an item of each list, by the ends of their keys: `speed` in `emitters.0.speed`. */
 export type ListValues = {
-  emitters: {
+  emitters: ScopeValues & {
     /** Shape: Shape of the source. From a sphere or a surface, puffs leave outwards. */ shape:
       'point' | 'disc' | 'ball' | 'ring' | 'sphere' | 'box' | 'cone' | 'line' | 'surface';
     /** Position x: Centre of the shape. */ 'position.x': number;
@@ -170,11 +187,6 @@ export type ListValues = {
     /** Tint: Number of the tint of new puffs; 0 is none. There are three colours, which repeat: 4 is as 1. */ tint: number;
     /** Share: Share of the emission rate, relative to the other emitters. */ share: number;
     /** Burst: Number of puffs emitted at once at each start. */ 'burst.count': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
   colliders: {
     /** Shape: Shape that smoke collides with. */ shape: 'plane' | 'ball' | 'box' | 'capsule';
@@ -194,7 +206,7 @@ export type ListValues = {
     /** On contact: What happens to smoke on contact. */ action: 'bounce' | 'kill' | 'tint';
     /** Tint: Number of the tint that smoke gets, if contact tints. There are three colours, which repeat: 4 is as 1. */ tint: number;
   };
-  shedders: {
+  shedders: ScopeValues & {
     /** Rate: Vortex particles shed per second; 0 disables the shedder. */ rate: number;
     /** Position x: Middle of the line on which they are shed, relative to the rigid. */ 'position.x': number;
     /** Position y: Middle of the line on which they are shed, relative to the rigid. */ 'position.y': number;
@@ -214,21 +226,8 @@ export type ListValues = {
     /** Core: Radius at which a new vortex particle is fastest. It ends at three times this radius. */ coreRadius: number;
     /** Viscosity: How fast they widen and slow down. */ viscosity: number;
     /** Lifetime: Time until they have faded away. */ lifetime: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  winds: {
+  winds: ScopeValues & {
     /** Wind x: Velocity of the wind. */ 'velocity.x': number;
     /** Wind y: Velocity of the wind. */ 'velocity.y': number;
     /** Wind z: Velocity of the wind. */ 'velocity.z': number;
@@ -236,40 +235,14 @@ export type ListValues = {
     /** Gust time: How long a strong gust lasts. */ gustTime: number;
     /** Shear: Increase of the wind speed per metre of height, as a fraction. */ shear: number;
     /** Shear height: Height at which shear has no effect. */ height: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  turbulences: {
+  turbulences: ScopeValues & {
     /** Speed: Typical (root mean square) speed of the swirls; 0 disables the turbulence. */ speed: number;
     /** Scale: Size of the largest swirls. */ scale: number;
     /** Octaves: Number of layers of swirls, each finer than the one before; 0 is still air. */ octaves: number;
     /** Evolution: Rate at which the pattern of swirls changes. */ evolution: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  vortices: {
+  vortices: ScopeValues & {
     /** Circulation: Strength of the swirl; the sign selects its direction. */ circulation: number;
     /** Core: Radius of the calm core, at which the swirl is fastest. */ coreRadius: number;
     /** Reach: Distance from the axis at which the swirl has faded to nothing. */ reach: number;
@@ -282,93 +255,28 @@ export type ListValues = {
     /** Axis x: Direction of the axis. */ 'axis.x': number;
     /** Axis y: Direction of the axis. */ 'axis.y': number;
     /** Axis z: Direction of the axis. */ 'axis.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  gravities: {
+  gravities: ScopeValues & {
     /** Acceleration x: Acceleration of all smoke in the region. */ 'acceleration.x': number;
     /** Acceleration y: Acceleration of all smoke in the region. */ 'acceleration.y': number;
     /** Acceleration z: Acceleration of all smoke in the region. */ 'acceleration.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  buoyancies: {
+  buoyancies: ScopeValues & {
     /** Acceleration: Upward acceleration of smoke at temperature 1 in the region. */ acceleration: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  drags: {
+  drags: ScopeValues & {
     /** Drag: How strongly the air of the region carries smoke. */ rate: number;
     /** Quadratic drag: Drag that grows with speed, so it slows fast smoke most. */ quadratic: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  attractors: {
+  attractors: ScopeValues & {
     /** Pull: Acceleration of smoke towards the centre; negative is away from it. */ acceleration: number;
     /** Core: Radius within which the pull fades towards the centre. */ coreRadius: number;
     /** Reach: Distance at which the pull has faded to nothing. */ reach: number;
     /** Position x: Centre of the pull. */ 'position.x': number;
     /** Position y: Centre of the pull. */ 'position.y': number;
     /** Position z: Centre of the pull. */ 'position.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  orbits: {
+  orbits: ScopeValues & {
     /** Pull: Acceleration at a distance of one metre. It is larger nearer the centre and smaller farther away. */ acceleration: number;
     /** Core: Radius within which the pull fades towards the centre. */ coreRadius: number;
     /** Position x: Point that smoke orbits, or a point on the line that it orbits. */ 'position.x': number;
@@ -377,21 +285,8 @@ export type ListValues = {
     /** Axis x: Direction of the line that smoke orbits; all 0 for a point. */ 'axis.x': number;
     /** Axis y: Direction of the line that smoke orbits; all 0 for a point. */ 'axis.y': number;
     /** Axis z: Direction of the line that smoke orbits; all 0 for a point. */ 'axis.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  spirals: {
+  spirals: ScopeValues & {
     /** Rotation speed: Angular velocity of the air about the axis. */ turn: number;
     /** Inward speed: Speed of the air towards the axis; negative is away from it. */ inward: number;
     /** Axial speed: Speed of the air along the axis. */ along: number;
@@ -403,42 +298,16 @@ export type ListValues = {
     /** Axis x: Direction of the axis. */ 'axis.x': number;
     /** Axis y: Direction of the axis. */ 'axis.y': number;
     /** Axis z: Direction of the axis. */ 'axis.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  explosions: {
+  explosions: ScopeValues & {
     /** Impulse: Speed that smoke gains at the centre; negative is inwards. */ impulse: number;
     /** Front speed: Speed of the front. Smoke is accelerated when the front passes. */ speed: number;
     /** Reach: Distance at which the effect has faded to nothing. */ reach: number;
     /** Position x: Centre of the explosion. */ 'position.x': number;
     /** Position y: Centre of the explosion. */ 'position.y': number;
     /** Position z: Centre of the explosion. */ 'position.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  jets: {
+  jets: ScopeValues & {
     /** Speed: How fast the air leaves the nozzle. */ speed: number;
     /** Nozzle radius: Radius of the nozzle. */ radius: number;
     /** Spread: Increase of the jet's width per metre; a jet of air in air has 0.113. */ spread: number;
@@ -449,35 +318,9 @@ export type ListValues = {
     /** Direction x: Direction of the jet. */ 'direction.x': number;
     /** Direction y: Direction of the jet. */ 'direction.y': number;
     /** Direction z: Direction of the jet. */ 'direction.z': number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
-  speedLimits: {
+  speedLimits: ScopeValues & {
     /** Maximum speed: Maximum speed of smoke in the region. */ speed: number;
-    /** Region: Where it acts: everywhere, or within a shape. */ 'region.shape': 'all' | 'sphere' | 'box' | 'capsule';
-    /** Region position x: Centre of the region. */ 'region.position.x': number;
-    /** Region position y: Centre of the region. */ 'region.position.y': number;
-    /** Region position z: Centre of the region. */ 'region.position.z': number;
-    /** Region size x: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.x': number;
-    /** Region size y: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.y': number;
-    /** Region size z: Half sides of a box. For a sphere, x is the radius. For a capsule, x is the radius and y half its straight part. */ 'region.size.z': number;
-    /** Soft edge: Distance outside the region over which the effect fades out. */ 'region.softness': number;
-    /** Start: Time of the first start. */ 'envelope.start': number;
-    /** Duration: Time from a start to its end; 0 never ends. */ 'envelope.duration': number;
-    /** Period: Time from one start to the next; 0 starts only once. */ 'envelope.period': number;
-    /** Fade time: Time to fade in after a start and to fade out before the end. */ 'envelope.fade': number;
-    /** Attached to: Number of the rigid that it follows, or 4096 plus the number of a moving part; -1 follows nothing. */ rigid: number;
   };
 };
 

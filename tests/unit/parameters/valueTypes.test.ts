@@ -16,23 +16,27 @@ function typeOf(row: Parameter): string {
   return row.kind === 'number' || row.kind === 'integer' ? 'number' : 'string';
 }
 
-function fieldsOf(rows: readonly Parameter[], prefix: string): string {
-  return rows
-    .map((row) => {
-      const key = row.key.slice(prefix.length);
-      return `/** ${row.label}: ${row.text} */ ${/^\w+$/.test(key) ? key : `'${key}'`}: ${typeOf(row)};`;
-    })
-    .join('\n');
+function fieldsOf(rows: readonly Parameter[], prefix: string): string[] {
+  return rows.map((row) => {
+    const key = row.key.slice(prefix.length);
+    return `/** ${row.label}: ${row.text} */ ${/^\w+$/.test(key) ? key : `'${key}'`}: ${typeOf(row)};`;
+  });
 }
 
 async function expected(): Promise<string> {
   const single = table.filter(({ key }) => !/^\w+\.\d\./.test(key));
-  const lists = listNames.map((list) => {
+  const fields = listNames.map((list) => {
     const first = `${list}.0.`;
-    return `${list}: {\n${fieldsOf(
+    return fieldsOf(
       table.filter(({ key }) => key.startsWith(first)),
       first,
-    )}\n};`;
+    );
+  });
+  const scoped = fields.filter((ofList) => ofList.some((field) => field.includes("'region.shape'")));
+  const scope = scoped[0].filter((field) => scoped.every((ofList) => ofList.includes(field)));
+  const lists = fields.map((ofList, index) => {
+    const own = ofList.filter((field) => !scope.includes(field));
+    return `${listNames[index]}: ${own.length < ofList.length ? 'ScopeValues & ' : ''}{\n${own.join('\n')}\n};`;
   });
   const { format } = await import('prettier');
   return format(
@@ -42,10 +46,13 @@ async function expected(): Promise<string> {
 export type PresetName = ${literals(presets.map(({ name }) => name))};
 
 /** The values of parameters that exist once, by their keys. */
-export type SingleValues = {\n${fieldsOf(single, '')}\n};
+export type SingleValues = {\n${fieldsOf(single, '').join('\n')}\n};
 
 /** The index of an item of a list. */
 export type ItemIndex = ${literals(Array.from({ length: LIST_LIMIT }, (_, index) => index))};
+
+/** Where and when an item acts, by the ends of the keys. */
+export type ScopeValues = {\n${scope.join('\n')}\n};
 
 /** The values of an item of each list, by the ends of their keys: \`speed\` in \`emitters.0.speed\`. */
 export type ListValues = {\n${lists.join('\n')}\n};
