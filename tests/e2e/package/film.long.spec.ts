@@ -71,11 +71,11 @@ exec npx cartoon-smoke film '${LINK}' ${SHOT.join(' ')} --out shots --states sta
 `,
     );
     run(place, 'sbatch', 'film.sh');
-    const isBegun = () => Object.keys(shotsIn(place)).some((name) => /^frame-00000[0-5]\.json$/.test(name));
+    const isBegun = () => shotsIn(place).some((name) => /^frame-00000[0-5]\.json$/.test(name));
     await until(isBegun, 'a frame of the first shard');
     run(place, 'scancel', '--full', '--signal=KILL', '1_1');
     await until(() => !run(place, 'squeue', '--noheader', '--jobs=1_1', '--states=R').trim(), 'the end of task 1');
-    expect(Object.keys(shotsIn(place)).filter((name) => /^frame-00000[0-5]\.json$/.test(name)).length).toBeLessThan(6);
+    expect(shotsIn(place).filter((name) => /^frame-00000[0-5]\.json$/.test(name)).length).toBeLessThan(6);
     run(place, 'scontrol', 'requeue', '1_1');
     // Slurm waits for two minutes before it starts the task again.
     await until(() => !run(place, 'squeue', '--noheader').trim(), 'the end of all tasks');
@@ -85,8 +85,9 @@ exec npx cartoon-smoke film '${LINK}' ${SHOT.join(' ')} --out shots --states sta
   }
 });
 
-function shotsIn(place: string): Record<string, string> {
-  return existsSync(join(place, 'shots')) ? filesIn(join(place, 'shots')) : {};
+/** Names, because a running task renames its files. */
+function shotsIn(place: string): string[] {
+  return existsSync(join(place, 'shots')) ? readdirSync(join(place, 'shots')) : [];
 }
 
 async function until(isTrue: () => boolean, what: string): Promise<void> {
