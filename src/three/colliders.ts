@@ -2,7 +2,6 @@ import { Vector3, type Mesh, type Object3D, type SkinnedMesh } from 'three';
 import { ParameterError, requireOptions } from '../base/errors.ts';
 import { validate } from '../parameters/values.ts';
 import { COLLIDER_LIMIT, colliderNumbers, isAnalytic, type ColliderShape } from '../simulator/collider.ts';
-
 import type { RigidSurface, SingleShape } from '../simulator/rigid.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
