@@ -10,6 +10,7 @@ import type { Device } from './gpu/device.ts';
 import { SELF_TEST_SHADERS } from './gpu/selfTest.ts';
 import { FrameView } from './gpu/frameView.ts';
 import { RampTexture } from './gpu/ramps.ts';
+import { shadersOf, type Shaders } from './gpu/programsAhead.ts';
 import { lobeBodyShaders } from './passes/bodies.ts';
 import { volumeShaders } from './passes/volumes.ts';
 import type { Values } from '../parameters/parameter.ts';
@@ -58,26 +59,29 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   const style = styleOf(values);
   const { isDeformed } = style;
   const isShaded = isSimplified(style);
-  const compileBodies = (isFlat: boolean) =>
-    programs.compile(renderer, lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed }));
-  compileBodies(false);
-  programs.compile(renderer, SELF_TEST_SHADERS);
-  programs.compile(renderer, volumeShaders(lobes, isDeformed));
+  const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
+  const compile = async (...all: Shaders[]) => {
+    for (const shaders of all) {
+      if (!device.isUsable) return;
+      programs.compile(renderer, shaders);
+      await nextTask();
+    }
+  };
+  await compile(bodies(false), SELF_TEST_SHADERS, volumeShaders(lobes, isDeformed));
   const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
   const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
-  const passes = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
-  for (const pass of passes) programs.compilePass(renderer, pass);
-  for (const shaders of RESOLVE_SHADERS) programs.compile(renderer, shaders);
-  const isStroked = hasStrokes(style);
-  if (isShaded || isStroked) await fetchExtras(style);
+  const passes: object[] = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
+  await compile(...passes.flatMap(shadersOf), ...RESOLVE_SHADERS);
+  await fetchExtras(style);
   if (isShaded) {
     const { SimplifyPass } = codeOf('simplify');
-    programs.compilePass(renderer, new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0));
+    await compile(...shadersOf(new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0)));
   }
-  if (isStroked) programs.compilePass(renderer, codeOf('strokes').strokeMaterials(eye, isDeformed));
+  if (hasStrokes(style)) await compile(...shadersOf(codeOf('strokes').strokeMaterials(eye, isDeformed)));
   await programs.finished(renderer);
+  await device.testDepth();
   if (device.writesDepth) return;
-  compileBodies(true);
+  await compile(bodies(true));
   await programs.finished(renderer);
 }
 

@@ -1,6 +1,7 @@
-import { missingContext, requireCanvas, type Device, type DeviceCanvas } from '../renderer/gpu/device.ts';
+import { missingContext, requireCanvas, type DeviceCanvas } from '../renderer/gpu/device.ts';
 import type { Fault } from '../renderer/gpu/faults.ts';
 import { requireOptions } from '../base/errors.ts';
+import { nextTask } from '../base/work.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { defaults, validate } from '../parameters/values.ts';
 import { fetchExtras } from '../renderer/extraPasses.ts';
@@ -21,39 +22,41 @@ export async function openStage(canvas: DeviceCanvas, options: StageOptions): Pr
   const { width, height, pixelRatio = 1, view } = options;
   if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
   const size: [number, number] = [width ?? canvas.width, height ?? canvas.height];
-  const presenter = createPresenter(canvas, options.device, { failsSelfTest: options.failsSelfTest });
-  const { device } = presenter;
+  const presenting = createPresenter(canvas, options.device, { failsSelfTest: options.failsSelfTest });
   try {
-    const opened = await openFor(values, { size, pixelRatio, view }, options, device);
+    const opened = await openFor(values, { size, pixelRatio, view }, options, presenting);
+    const presenter = await presenting;
+    const { device } = presenter;
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
     if (!device.isRecoverable) throw missingContext();
+    await nextTask();
     const running = new RunningScene(presenter, opened, values, options);
     running.isSeen = options.visible ?? true;
     running.resize(...size, pixelRatio);
     return running;
   } catch (error) {
-    presenter.dispose();
+    (await presenting.catch(() => undefined))?.dispose();
     throw error;
   }
 }
 
 /**
  * Opens the scene that values name, and prepares what its first picture needs.
- * @param device where to compile the programs of the picture
+ * @param presenting whose device compiles the programs of the picture
  * @throws the errors of `openScene`, LoadError when code of the picture cannot be fetched
  */
 export async function openFor(
   values: Values,
   { size, pixelRatio, view }: Pick<Picture, 'size' | 'pixelRatio' | 'view'>,
   { onProgress }: EnterOptions,
-  device?: Device,
+  presenting?: Promise<Presenter>,
 ): Promise<OpenedScene> {
   const [opened] = await Promise.all([
     openScene(values.scene as string, {
       onProgress,
       deviationIn: (scene) => firstDeviation(scene, values, ...size, pixelRatio),
     }),
-    device && compileAhead(device, values),
+    presenting?.then(({ device }) => compileAhead(device, values)),
     bakeAhead(values),
     // What the loaded code bakes.
     fetchExtras({ ...styleOf(values), view }).then(() => bakeAhead(values)),

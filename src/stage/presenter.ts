@@ -1,5 +1,11 @@
 import type { WebGLRenderTarget } from 'three';
-import { createDevice, type Device, type DeviceCanvas, type DeviceOptions } from '../renderer/gpu/device.ts';
+import {
+  contextAhead,
+  createDevice,
+  type Device,
+  type DeviceCanvas,
+  type DeviceOptions,
+} from '../renderer/gpu/device.ts';
 import { Enlarger } from '../renderer/gpu/enlarger.ts';
 import { ContextError } from '../base/errors.ts';
 
@@ -28,8 +34,14 @@ export interface PictureSize {
  * @param shared a device whose canvas is an OffscreenCanvas; without it, the stage creates its own device
  * @param options for the stage's own device
  */
-export function createPresenter(canvas: DeviceCanvas, shared?: Device, options: DeviceOptions = {}): Presenter {
-  return shared ? copyFrom(shared, canvas) : drawOn(createDevice(canvas, options));
+export async function createPresenter(
+  canvas: DeviceCanvas,
+  shared?: Device,
+  options: DeviceOptions = {},
+): Promise<Presenter> {
+  if (shared) return copyFrom(shared, canvas);
+  await contextAhead(canvas);
+  return drawOn(createDevice(canvas, options));
 }
 
 function drawOn(device: Device): Presenter {

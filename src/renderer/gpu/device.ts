@@ -1,8 +1,9 @@
 import { WebGLRenderer } from 'three';
 import { ContextError, ParameterError, requireOptions, UnsupportedError } from '../../base/errors.ts';
+import { executed } from './framesInFlight.ts';
 import { ProgramsAhead } from './programsAhead.ts';
 import { PuffLibrary } from './puffTextures.ts';
-import { keepsWrittenDepth } from './selfTest.ts';
+import { drawDepthTest } from './selfTest.ts';
 
 export type DeviceCanvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -63,7 +64,15 @@ export class Device {
   get writesDepth(): boolean {
     // Nothing can be read from a lost context.
     if (!this.isUsable) return this.hasPassed ?? true;
-    return (this.hasPassed ??= keepsWrittenDepth(this.renderer));
+    return (this.hasPassed ??= drawDepthTest(this.renderer)());
+  }
+
+  /** @internal Runs the self test for `writesDepth` without blocking. */
+  async testDepth(): Promise<void> {
+    if (!this.isUsable || this.hasPassed !== undefined) return;
+    const read = drawDepthTest(this.renderer);
+    await executed(this.renderer.getContext() as WebGL2RenderingContext);
+    if (this.isUsable) this.hasPassed = read();
   }
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
@@ -160,22 +169,28 @@ export function requireCanvas(canvas: unknown): void {
 export function createDevice(canvas: DeviceCanvas, options: DeviceOptions = {}): Device {
   requireCanvas(canvas);
   requireOptions('createDevice', options, ['failsSelfTest']);
-  const context = canvas.getContext('webgl2', {
-    alpha: true,
-    antialias: false,
-    depth: false,
-    stencil: false,
-    premultipliedAlpha: true,
-  });
+  const context = contextOf(canvas);
   if (!context) {
     throw new UnsupportedError(
       'This browser has no WebGL2. Turn on hardware acceleration, or use a current Firefox, Chrome, Edge or Safari.',
     );
   }
   if (context.isContextLost()) throw missingContext();
-  const renderer = new WebGLRenderer({ canvas, context, antialias: false, depth: false, stencil: false });
+  const renderer = new WebGLRenderer({ canvas, context });
   renderer.autoClear = false;
   renderer.sortObjects = false;
   renderer.info.autoReset = false;
+  // Each question about a program waits for the GPU.
+  renderer.debug.checkShaderErrors = import.meta.env.DEV;
   return new Device(renderer, true, options);
+}
+
+/** Creates the context of `createDevice`, and resolves when the GPU has it: until then, any question to it blocks. */
+export async function contextAhead(canvas: DeviceCanvas): Promise<void> {
+  const context = contextOf(canvas);
+  if (context) await executed(context);
+}
+
+function contextOf(canvas: DeviceCanvas): WebGL2RenderingContext | null {
+  return canvas.getContext('webgl2', { antialias: false, depth: false }) as WebGL2RenderingContext | null;
 }

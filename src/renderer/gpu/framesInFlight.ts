@@ -2,6 +2,8 @@ import type { WebGLRenderer } from 'three';
 
 /** The GPU draws one frame while the next is submitted. More frames in flight only add latency. */
 const MAX_FRAMES = 2;
+const POLL_MS = 5;
+const TIMEOUT_MS = 10_000;
 
 /**
  * Limits the frames that are submitted to the GPU and not finished. Browsers throttle animation frames for a slow GPU
@@ -46,4 +48,18 @@ export function placeFence(context: WebGL2RenderingContext): WebGLSync | null {
 /** Whether the GPU has executed the commands before the fence. Does not wait for it. */
 export function hasPassed(context: WebGL2RenderingContext, fence: WebGLSync): boolean {
   return context.getSyncParameter(fence, context.SYNC_STATUS) !== context.UNSIGNALED;
+}
+
+/**
+ * Resolves when the GPU has executed all commands so far, without blocking; false after 10 s or if the context is lost.
+ * @param isDone what else to wait for
+ */
+export async function executed(context: WebGL2RenderingContext, isDone = () => true): Promise<boolean> {
+  const fence = placeFence(context);
+  const until = performance.now() + TIMEOUT_MS;
+  while (!context.isContextLost() && performance.now() < until) {
+    if (hasPassed(context, fence!) && isDone()) return true;
+    await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+  }
+  return false;
 }

@@ -1,18 +1,14 @@
 import { GLSL3, RawShaderMaterial, type WebGLRenderer } from 'three';
 import { nextTask } from '../../base/work.ts';
 import { DrawnMesh } from './drawnMesh.ts';
-import { hasPassed, placeFence } from './framesInFlight.ts';
+import { executed } from './framesInFlight.ts';
 import { triangle } from './fullScreen.ts';
-
-const POLL_MS = 10;
-/** Then the first draw waits for the programs. */
-const TIMEOUT_MS = 10_000;
 
 /** The shaders of a program, as three.js takes them. */
 export interface Shaders {
   readonly vertexShader: string;
   readonly fragmentShader: string;
-  readonly defines?: Record<string, string>;
+  readonly defines?: Record<string, unknown>;
 }
 
 /**
@@ -44,27 +40,20 @@ export class ProgramsAhead {
     new DrawnMesh(material, triangle()).compile(renderer);
   }
 
-  /** Compiles the programs of what a pass draws with: its fields, and the elements of its arrays. */
-  compilePass(renderer: WebGLRenderer, pass: object): void {
-    for (const part of Object.values(pass).flat()) {
-      const material = part?.material ?? part;
-      if (material instanceof RawShaderMaterial) this.compile(renderer, material as Shaders);
-    }
-  }
-
   /**
    * Resolves when programs can be drawn with at once. Browsers with KHR_parallel_shader_compile compile in the
    * background and report the end. Others compile in the order of the commands, so that a fence reports it.
    */
   async finished(renderer: WebGLRenderer): Promise<void> {
     const context = renderer.getContext() as WebGL2RenderingContext;
-    const fence = placeFence(context);
-    const until = performance.now() + TIMEOUT_MS;
     const programs = renderer.info.programs as unknown as readonly Compiled[];
-    const isReady = () => hasPassed(context, fence!) && programs.every((program) => program.isReady());
-    while (!context.isContextLost() && performance.now() < until) {
-      if (isReady()) return readUniforms([...programs]);
-      await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+    // After a timeout, the first draw waits for the programs.
+    if (!(await executed(context, () => programs.every((program) => program.isReady())))) return;
+    // In the first frame this would wait for the draw calls before it. Each program waits for the GPU, so each has a task
+    // of its own.
+    for (const program of programs) {
+      program.getUniforms();
+      await nextTask();
     }
   }
 
@@ -74,15 +63,10 @@ export class ProgramsAhead {
   }
 }
 
-/**
- * In the first frame this would wait for the draw calls before it. Each program waits for the GPU, so each has a task of
- * its own.
- */
-async function readUniforms(programs: readonly Compiled[]): Promise<void> {
-  for (const program of programs) {
-    program.getUniforms();
-    await nextTask();
-  }
+/** The shaders that a pass draws with: of its fields, and of the elements of its arrays. */
+export function shadersOf(pass: object): Shaders[] {
+  const parts = Object.values(pass).flat();
+  return parts.map((part) => part?.material ?? part).filter((material) => material instanceof RawShaderMaterial);
 }
 
 /** A program of three.js, with a method that its types lack. */

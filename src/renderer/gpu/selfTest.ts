@@ -27,8 +27,9 @@ const WRONG_SHARE = 1 / 16;
  * Whether the depth test uses the depth that fragments write. Some GPUs keep the early depth test on (Intel HD 620 and
  * 630 among them). The test draws and reads pixels instead of matching GPU names. It restores the state of the
  * renderer.
+ * @returns a function that reads the result once, which waits for the GPU
  */
-export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
+export function drawDepthTest(renderer: WebGLRenderer): () => boolean {
   const target = new WebGLRenderTarget(WIDTH, HEIGHT, { minFilter: NearestFilter, magFilter: NearestFilter });
   const geometry = new BufferGeometry();
   geometry.setDrawRange(0, VERTICES);
@@ -38,12 +39,14 @@ export function keepsWrittenDepth(renderer: WebGLRenderer): boolean {
   renderer.setRenderTarget(target);
   renderer.clear(true, true, false);
   new DrawnMesh(material, geometry).draw(renderer);
-  const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
-  renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, pixels);
   renderer.setRenderTarget(before.target);
   renderer.autoClear = before.autoClear;
-  for (const part of [target, geometry, material]) part.dispose();
-  return pixels.filter((value) => value < RIGHT).length < WRONG_SHARE * pixels.length;
+  return () => {
+    const pixels = new Uint8Array(4 * WIDTH * HEIGHT);
+    renderer.readRenderTargetPixels(target, 0, 0, WIDTH, HEIGHT, pixels);
+    for (const part of [target, geometry, material]) part.dispose();
+    return pixels.filter((value) => value < RIGHT).length < WRONG_SHARE * pixels.length;
+  };
 }
 
 function testMaterial(isReversed: boolean): RawShaderMaterial {

@@ -1,7 +1,7 @@
 /** When programs count as compiled, with stubs of the context: with KHR_parallel_shader_compile and without. */
 import { RawShaderMaterial, type WebGLRenderer } from 'three';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { ProgramsAhead } from '../../../../src/renderer/gpu/programsAhead.ts';
+import { ProgramsAhead, shadersOf } from '../../../../src/renderer/gpu/programsAhead.ts';
 import { nextTask } from '../../../../src/base/work.ts';
 
 beforeEach(() => void vi.useFakeTimers());
@@ -85,20 +85,14 @@ test('a browser that never finishes delays the start by ten seconds at most', as
   expect(await hasFinished(browser, 200)).toBe(true);
 });
 
-test('a pass is compiled with the materials of its fields and of what it draws, each once', () => {
+test('a pass draws with the materials of its fields and of what it draws', () => {
   const material = (fragmentShader: string) => new RawShaderMaterial({ fragmentShader });
-  const compiled: string[] = [];
-  const renderer = {
-    compile: ({ children: [drawn] }: { children: { material: RawShaderMaterial }[] }) =>
-      void compiled.push(drawn.material.fragmentShader),
-  } as unknown as WebGLRenderer;
   const pass = {
     size: 1,
     missing: undefined,
     drawn: { material: material('drawn') },
     own: material('own'),
-    several: [{ material: material('first') }, { material: material('own') }],
+    several: [{ material: material('first') }, { material: material('second') }],
   };
-  new ProgramsAhead().compilePass(renderer, pass);
-  expect(compiled).toEqual(['drawn', 'own', 'first']);
+  expect(shadersOf(pass).map(({ fragmentShader }) => fragmentShader)).toEqual(['drawn', 'own', 'first', 'second']);
 });
