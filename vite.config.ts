@@ -3,7 +3,7 @@ import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { smallThree } from './scripts/patches/three.mjs';
-import { addresses, preloads, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
+import { addresses, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
 
@@ -20,7 +20,6 @@ export default defineConfig({
     glsl(),
     ...smallThree({ hasLoaders: true }),
     addresses(process.env.CARTOON_SMOKE_BASE),
-    preloads('/src/demo/ahead.ts', '/src/demo/main.ts'),
     themeFirst(),
     serviceWorker(),
   ],

@@ -1,7 +1,7 @@
 /** The bundler plugins of the site. */
 
 import { fileURLToPath } from 'node:url';
-import type { HtmlTagDescriptor, Plugin, Rolldown, Rollup } from 'vite';
+import type { HtmlTagDescriptor, Plugin, Rolldown } from 'vite';
 
 const PICTURE = 'icons/512.png';
 
@@ -34,37 +34,6 @@ function head(tag: string, attrs: Record<string, string>): HtmlTagDescriptor {
   return { tag, attrs, injectTo: 'head' };
 }
 
-/**
- * Adds preload hints to the page for modules that its entry imports dynamically, so that they load in parallel.
- * @param entries suffixes of the paths of modules that the page's entry imports dynamically
- */
-export function preloads(...entries: string[]): Plugin {
-  return {
-    name: 'preloads',
-    apply: 'build',
-    transformIndexHtml: {
-      order: 'post',
-      handler(_, { bundle = {}, chunk }) {
-        if (!chunk) return [];
-        const isHinted = (name: string) => {
-          const found = bundle[name];
-          return found?.type === 'chunk' && entries.some((entry) => found.facadeModuleId?.endsWith(entry));
-        };
-        const hinted = closure(bundle, chunk.fileName);
-        const later = chunk.dynamicImports.filter(isHinted).flatMap((name) => [...closure(bundle, name)]);
-        return [...new Set(later)]
-          .filter((name) => !hinted.has(name))
-          .map((name) => ({
-            tag: 'link',
-            // The poster and the style sheets come first.
-            attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}`, fetchpriority: 'low' },
-            injectTo: 'head' as const,
-          }));
-      },
-    },
-  };
-}
-
 /** Links the theme before the other style sheets, which override it. Vite's order follows the chunks of the scripts. */
 export function themeFirst(): Plugin {
   return {
@@ -79,16 +48,6 @@ export function themeFirst(): Plugin {
       },
     },
   };
-}
-
-/** A chunk and all its static imports. */
-function closure(bundle: Rollup.OutputBundle, name: string): Set<string> {
-  const names = new Set([name]);
-  for (const each of names) {
-    const chunk = bundle[each];
-    if (chunk?.type === 'chunk') for (const imported of chunk.imports) names.add(imported);
-  }
-  return names;
 }
 
 /**

@@ -20,7 +20,7 @@ const FIRST_LOOK = 'cloudscape-cumulus';
 const OTHER_KEYS = /^(v|preset|take|seed|(emission|simulation)\..+)$/;
 
 /** The stage does not wait longer than this time in milliseconds for the poster. */
-const LATE_MS = 250;
+const LATE_MS = 1000;
 
 let poster: HTMLImageElement | undefined;
 
@@ -57,11 +57,15 @@ export async function showPoster(stage: HTMLElement): Promise<void> {
   await Promise.race([isPainted(poster), late]);
 }
 
-/** Resolves after the frame that shows an image. */
+/** Resolves when an image is on the screen, after nothing else that browsers count as content. */
 async function isPainted(image: HTMLImageElement): Promise<void> {
   await image.decode().catch(() => undefined);
-  await new Promise(requestAnimationFrame);
-  await new Promise((resolve) => setTimeout(resolve));
+  await new Promise<void>((resolve) => {
+    const observer = new PerformanceObserver((list) => {
+      if (list.getEntriesByName('first-contentful-paint').length > 0) resolve(observer.disconnect());
+    });
+    observer.observe({ type: 'paint', buffered: true });
+  });
 }
 
 /** Fades the poster out and removes it; at once with reduced motion. */

@@ -12,8 +12,6 @@ document.body.classList.toggle('has-panel', matchMedia(ROOMY).matches);
 find('.skeleton .gallery').hidden = matchMedia(LOW).matches;
 // Hidden until now, because the stage would visibly move.
 find('#stage').hidden = false;
-const poster = showPoster(find('#stage'));
-void import('./ahead.ts');
-// The programs of the stage keep the GPU busy, so that the poster would appear late beside them.
-await poster;
+// The files, the programs and the surfaces of the stage keep network and GPU busy: the poster would appear late.
+await showPoster(find('#stage'));
 void import('./main.ts');
