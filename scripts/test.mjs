@@ -5,7 +5,7 @@
  *
  * A failure does not stop the others. The last line is `N passed, N failed`. Cargo's checks and tests do not need the
  * WASM build, so they run in parallel with it and with everything else: cargo often compiles one crate at a time on one
- * core, and the browser rarely uses two.
+ * core. The unit tests follow them, in parallel with the browser tests, which do not always use two cores.
  */
 
 import { readArguments } from './lib/arguments.mjs';
@@ -13,6 +13,7 @@ import { stopPrograms } from './lib/command.mjs';
 import { withProgress } from './lib/progress.mjs';
 import { conclude, UserError } from './lib/userError.mjs';
 import { ENGINES } from './setup/engines.mjs';
+import * as npmPackage from './setup/package.mjs';
 import { setUp, TOOLCHAIN, TOOLS, WASM } from './setup/setup.mjs';
 import { CHECKS, LONG_CHECKS } from './test/checks.mjs';
 import { suites } from './test/suites.mjs';
@@ -58,22 +59,31 @@ async function setUpEngines() {
   return missing;
 }
 
-/** Fetching packages leaves the processor to the compiler. */
-async function setUpOthers(/** @type {boolean} */ areNeeded) {
-  if (areNeeded) await Promise.all([setUp(TOOLS), setUp(WASM)]);
+/**
+ * Fetching packages leaves the processor to the compiler.
+ * @param {import('./test/checks.mjs').Runner[]} others
+ */
+async function setUpOthers(others) {
+  if (others.length === 0) return;
+  await Promise.all([setUp(TOOLS), setUp(WASM)]);
+  // The unit tests and the browser tests would build it at the same time. They also report its failure.
+  const isShared = others.some(({ lane }) => lane === 'unit') && others.some(({ name }) => name === 'browser');
+  if (isShared && !npmPackage.isFresh()) {
+    await withProgress(npmPackage.title, npmPackage.bring).catch(() => undefined);
+  }
 }
 
 /** @param {import('./test/checks.mjs').Runner[]} runners */
 async function runInLanes(runners) {
-  const others = runners.filter(({ lane }) => lane !== 'cargo');
   const stop = new AbortController();
-  const lanes = [
+  const run = (/** @type {string | undefined} */ name) =>
     runInOrder(
-      runners.filter(({ lane }) => lane === 'cargo'),
+      runners.filter(({ lane }) => lane === name),
       stop.signal,
-    ),
-    setUpOthers(others.length > 0).then(() => runInOrder(others, stop.signal)),
-  ];
+    );
+  const compiled = run('cargo');
+  const ready = setUpOthers(runners.filter(({ lane }) => lane !== 'cargo'));
+  const lanes = [compiled, ready.then(() => run(undefined)), Promise.all([ready, compiled]).then(() => run('unit'))];
   try {
     return (await Promise.all(lanes)).flat();
   } catch (error) {

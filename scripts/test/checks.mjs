@@ -11,7 +11,8 @@ import { cargo, cargoNative } from '../setup/toolchain.mjs';
  * @typedef {object} Runner
  * @property {string} name the NAME in `npm test -- NAME`
  * @property {string} title
- * @property {'cargo' | undefined} [lane] runners of one lane run in sequence, as cargo locks its build folder anyway
+ * @property {'cargo' | 'unit' | undefined} [lane] runners of one lane run in sequence, as cargo locks its build folder
+ * anyway; `unit` follows `cargo`
  * @property {(say: Say) => Promise<Result>} run
  */
 
@@ -38,13 +39,15 @@ function checkOfCargo(name, title, work) {
   return check(name, title, work, 'cargo');
 }
 
+/** By content, because a checkout changes times. Prettier without a cache deletes one at the default path. */
+const CACHE = ['--cache', '--cache-strategy=content', '--cache-location=node_modules/.cache/format.json'];
 const OXLINT = 'oxlint/bin/oxlint';
 const TSC = 'typescript/bin/tsc';
 
 /** @type {Runner[]} */
 export const CHECKS = [
   check('lint', 'Lint (oxlint)', (say) => requireFiles(tool(OXLINT, ['--type-aware', '--deny-warnings'], say))),
-  check('format', 'Format (prettier)', (say) => tool('prettier/bin/prettier.cjs', ['--check', '.'], say)),
+  check('format', 'Format (prettier)', (say) => tool('prettier/bin/prettier.cjs', ['--check', '.', ...CACHE], say)),
   check('rustfmt', 'Format (cargo fmt)', (say) => cargo(['fmt', '--all', '--check'], say)),
   checkOfCargo('clippy', 'Build and lint (clippy)', (say) =>
     requireNoWarning(cargoNative('build', ['--all-targets'], say)),

@@ -57,6 +57,8 @@ function unit({ long }) {
   return {
     name: 'unit',
     title: 'Unit tests (vitest)',
+    // The long browser tests run alone.
+    lane: long ? undefined : 'unit',
     run: (say) => vitest('unit.json', [], { TEST_LONG: long ? '1' : '' }, say),
   };
 }

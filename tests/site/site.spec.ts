@@ -122,7 +122,7 @@ test.describe('offline', () => {
   });
 });
 
-test('a new version is offered, takes over on request, and removes the old one', async ({ page }) => {
+test('a new version is offered, takes over on request, and removes the old one @long', async ({ page }) => {
   await page.goto(`${server.address}${WISP}`);
   await isCached(page, 'index-');
   const [before, after] = renameEntry(folder);

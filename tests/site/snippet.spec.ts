@@ -100,7 +100,7 @@ test.describe('modified in transit', () => {
   });
 });
 
-test('element and iframe show the same moment as the page, with the chosen options', async ({ page }) => {
+test('element and iframe show the same moment as the page, with the chosen options @long', async ({ page }) => {
   await openBuilder(page, 0.5);
   const hash = await page.evaluate(() => window.cartoonSmoke!.hash());
   await page.getByLabel('Width, px').fill('320');

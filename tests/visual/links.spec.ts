@@ -5,9 +5,12 @@
  */
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import type { TestInfo } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { presets } from '../../src/parameters/presets.ts';
+import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { expect, test } from '../support/fixtures.ts';
+import type { LoadModule } from '../support/modules.ts';
 import { bytesOf, compare, expectSame } from '../support/goldens.ts';
 import { HASH_LIST, type HashList } from '../support/sim/presetHashes.ts';
 
@@ -29,10 +32,22 @@ const links = JSON.parse(readFileSync(FILE, 'utf8')) as Record<string, RecordedL
 const DIFFERENCE = { tolerance: 2, outliers: 7 };
 
 const { UPDATE_LINKS } = process.env;
-const names = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
+const chosen = UPDATE_LINKS && UPDATE_LINKS !== 'all' ? UPDATE_LINKS.split(',') : Object.keys(links);
 
-// One test, because each failed test restarts the browser.
-test('each link has the recorded hash and picture', async ({ load }, testInfo) => {
+/** Presets and their earlier versions, except the first preset of each scene. */
+const isLook = (name: string) =>
+  /^(plain|unformed)-/.test(name) || (!(name in sceneEntries) && presets.some((preset) => preset.name === name));
+
+// One test for many links, because each failed test restarts the browser.
+test('each link of a scene or a feature has the recorded hash and picture', async ({ load }, testInfo) => {
+  await expectLinks(load, UPDATE_LINKS ? chosen : chosen.filter((name) => !isLook(name)), testInfo);
+});
+
+test('each link of another look has the recorded hash and picture @long', async ({ load }, testInfo) => {
+  await expectLinks(load, chosen.filter(isLook), testInfo);
+});
+
+async function expectLinks(load: LoadModule, names: readonly string[], testInfo: TestInfo): Promise<void> {
   test.setTimeout(1_200_000);
   const cases = await load<Cases>('/tests/visual/links.cases.ts');
   for (const name of names) {
@@ -52,7 +67,7 @@ test('each link has the recorded hash and picture', async ({ load }, testInfo) =
       await expectSame(picture, readFileSync(path), { name, ...DIFFERENCE }, testInfo);
     }
   }
-});
+}
 
 test('every preset has a link, whose hash is that of the list', () => {
   expect(Object.keys(links).length).toBeGreaterThanOrEqual(50);

@@ -1,5 +1,5 @@
 /** Public objects behind a Proxy of each kind: what their members return or do, as without one. */
-import { reactive, shallowReactive } from '@vue/reactivity';
+import { reactive } from '@vue/reactivity';
 import { BoxGeometry, Group, Mesh, MeshBasicMaterial, type Object3D } from 'three';
 import { CartoonSmokeElement } from '../../src/page/element/cartoonSmokeElement.ts';
 import { openStage } from '../../src/stage/remote/openStage.ts';
@@ -31,7 +31,6 @@ const kinds: Record<string, Wrap> = {
   deep: (target) => deep(target, known),
   // ref() and other reactive objects hold the same Proxy.
   reactive: (target) => reactive(target) as typeof target,
-  shallowReactive: (target) => shallowReactive(target),
 };
 
 /** Runs it with each kind of Proxy. Errors are results. */

@@ -77,7 +77,7 @@ test.describe('on a phone that rotates', () => {
     await rotate(false);
   });
 
-  test('a closed gallery stays closed when the window rotates and rotates back at once', async ({ page }) => {
+  test('a closed gallery stays closed when the window rotates and rotates back at once @long', async ({ page }) => {
     // The media query event arrives after the rotation is complete.
     await page.addInitScript(() => {
       const low = Object.assign(new EventTarget(), { matches: false });

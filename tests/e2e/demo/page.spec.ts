@@ -14,9 +14,10 @@ test('smoke appears and plays, and nothing is requested from another host', asyn
   expect(requests.filter((url) => !url.startsWith(own) && !url.startsWith('data:'))).toEqual([]);
 });
 
-test('only the smoke is printed', async ({ page }) => {
+test('only the smoke is printed; a value of ?t= out of range is clamped, with a message', async ({ page }) => {
   await page.setViewportSize({ width: 1100, height: 700 });
-  await open(page, `?paused=1&t=1${LAMP}&emission.rate=bad`);
+  await open(page, `?paused=1&t=-3${LAMP}&emission.rate=bad`);
+  await expect(page.getByText('t cannot be “-3”')).toBeVisible();
   const printed = () =>
     page.evaluate(() =>
       [...document.body.querySelectorAll('*')]
@@ -79,7 +80,7 @@ test('?t= seeks before the first frame, and ?stats=1 shows statistics', async ({
   await expect(page.locator('.statistics')).toContainText('alive');
 });
 
-test('a long seek shows progress and can be stopped', async ({ page }) => {
+test('a long seek shows progress and can be stopped @long', async ({ page }) => {
   await crawl(page);
   await open(page, `?paused=1&t=600${LIGHT}`);
   await expect(page.getByRole('progressbar')).toBeVisible();
@@ -88,11 +89,6 @@ test('a long seek shows progress and can be stopped', async ({ page }) => {
   await expect.poll(notified).toEqual([expect.stringContaining('Stopped at')]);
   await expect(page.getByRole('progressbar')).toHaveCount(0);
   expect(await ask(page, (stage) => stage.stats.steps)).toBeLessThan(36_000);
-});
-
-test('a value of ?t= out of range is clamped, with a message', async ({ page }) => {
-  await open(page, `?paused=1&t=-3${LIGHT}`);
-  await expect(page.getByText('t cannot be “-3”')).toBeVisible();
 });
 
 test('?ui=0 shows only the smoke', async ({ page }) => {

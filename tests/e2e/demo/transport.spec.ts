@@ -136,7 +136,7 @@ test('a long seek on the timeline shows progress, and a button or Escape stops i
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger scrubs, and chooses presets in the gallery', async ({ page }) => {
+  test('a finger scrubs, and chooses presets in the gallery @long', async ({ page }) => {
     await open(page, `?paused=1${LAMP}`);
     await expectScrubbing(page, await fingerOf(page));
     const gallery = page.getByRole('radiogroup', { name: 'Presets' });

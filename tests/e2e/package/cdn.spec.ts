@@ -92,7 +92,7 @@ for (const [kind, warnings] of [
   });
 }
 
-test('modules of another host can start a worker', async ({ page, cdn, visit }) => {
+test('modules of another host can start a worker @long', async ({ page, cdn, visit }) => {
   await visit(`<script type="module" src="${cdn.address}package/dist/element.js" crossorigin></script>`);
   expect(await thread(page)).toBe('worker');
   expect(cdn.sent.map(({ file }) => file)).toContain('package/dist/worker.js');
@@ -108,7 +108,7 @@ test.describe('with a Content Security Policy', () => {
     expect(await thread(page)).toBe('worker');
   });
 
-  test('a policy with only the host runs smoke on the main thread', async ({ page, cdn, visit }) => {
+  test('a policy with only the host runs smoke on the main thread @long', async ({ page, cdn, visit }) => {
     await visit(await tag(cdn), rules(new URL(cdn.address)));
     expect(await thread(page)).toBe('main');
   });

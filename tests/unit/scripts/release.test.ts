@@ -1,31 +1,15 @@
 /** The release workflow, as far as it runs without credentials: its own steps with its own commands. */
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { afterAll, describe, expect, test } from 'vitest';
-import { parse } from 'yaml';
 import { Project } from '../../support/project.ts';
 import { script } from '../../support/server.ts';
-
-interface Workflow {
-  jobs: Record<string, { steps: { name?: string; run?: string }[] }>;
-}
-
-const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
-const BASE = 'https://example.org/some/where';
-const { jobs } = parse(readFileSync(join(ROOT, '.github/workflows/release.yml'), 'utf8')) as Workflow;
+import { commandOf, ROOT } from './workflow.ts';
 
 const out = mkdtempSync(join(tmpdir(), 'cartoon-smoke-release-'));
 afterAll(() => rmSync(out, { recursive: true }));
-
-/** The command of a step; fails if the step is missing. */
-function commandOf(job: string, name: string): string {
-  const command = jobs[job].steps.find((step) => step.name === name)?.run;
-  if (command === undefined) throw new Error(`The job ${job} has no step ${name}.`);
-  return command;
-}
 
 describe('the tag', () => {
   const run = (changelog: string, tag: string) => {
@@ -67,26 +51,6 @@ describe('the site', () => {
     expect(errors).toEqual([
       "CARTOON_SMOKE_BASE is somewhere: give the whole address of the site's folder, such as https://example.org/smoke/.",
     ]);
-  });
-
-  test('is built by the command of the workflow, with its public address', { timeout: 240_000 }, () => {
-    const { status, stderr } = spawnSync(`${commandOf('build', 'Build the site')} -- --out "$OUT"`, {
-      cwd: ROOT,
-      shell: true,
-      encoding: 'utf8',
-      env: { ...process.env, CARTOON_SMOKE_BASE: BASE, OUT: out },
-    });
-    expect(status, stderr).toBe(0);
-    const page = readFileSync(join(out, 'index.html'), 'utf8');
-    expect(page).toContain(`<link rel="canonical" href="${BASE}/">`);
-    expect(readFileSync(join(out, 'paper.html'), 'utf8')).toContain(`href="${BASE}/paper.html"`);
-    expect(page).toMatch(/property="og:description" content="Cartoon smoke/);
-    const picture = /property="og:image" content="(.*?)"/.exec(page)![1];
-    expect(picture.startsWith(`${BASE}/`)).toBe(true);
-    expect(existsSync(join(out, picture.slice(BASE.length)))).toBe(true);
-    expect(readFileSync(join(out, 'oembed/lamp.json'), 'utf8')).toContain(`${BASE}/embed.html#v=1&amp;preset=lamp`);
-    // Relative URLs only, so that it works in any folder.
-    expect(page.match(/(?:src|href)="(?!\.\/|https:\/\/example\.org)[^"]*"/g)).toBe(null);
   });
 });
 

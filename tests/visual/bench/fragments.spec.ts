@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`the bench counts the fragments of bodies: ${form}`, async ({ load }) => {
+  test(`the bench counts the fragments of bodies: ${form}${longIf(form === 'lobes')}`, async ({ load }) => {
     const cases = await load<typeof import('./fragments.cases.ts')>('/tests/visual/bench/fragments.cases.ts');
     const one = await cases.evaluate((module, shape) => module.bodies(shape, 1), form);
     const three = await cases.evaluate((module, shape) => module.bodies(shape, 3), form);

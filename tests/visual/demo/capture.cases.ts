@@ -70,11 +70,11 @@ export function still() {
 
 export function gif() {
   return untouched(async () => {
-    const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 1 }));
+    const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 0.5 }));
     const shown = await pixelsOf(await (await lamp()).picture());
     const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
     // The same moments without the transition of the loop back to the first one.
-    const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 1 }))));
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 0.5 }))));
     const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
     return {
       frameCount: frames.length,
@@ -212,21 +212,6 @@ export function drawing() {
         .filter((color) => !fills.includes(color)),
       error: meanDifference(await rasterised(text, picture), picture),
     };
-  });
-}
-
-/** Cancels a clip after its second frame. */
-export function cancelled() {
-  return untouched(async () => {
-    const controller = new AbortController();
-    let shares = 0;
-    const onProgress = () => void (++shares === 2 && controller.abort());
-    const task = { signal: controller.signal, onProgress };
-    const outcome = await capture(await lamp(), { ...PLAIN, format: 'zip', seconds: 5 }, task).then(
-      () => 'finished',
-      (error: Error) => error.name,
-    );
-    return { outcome, shares };
   });
 }
 

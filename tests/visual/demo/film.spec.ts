@@ -105,10 +105,7 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(new Set(Object.values(one)).size, 'no two frames are the same').toBe(32);
 });
 
-test('a frame is the picture of the PNG sequence of the page and of the poster, also in OpenEXR', async ({
-  blank,
-  load,
-}) => {
+test('a frame is the picture of the PNG sequence of the page and of the poster', async ({ blank, load }) => {
   const link = `?t=2.5${HASH}`;
   expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
   const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
@@ -128,7 +125,12 @@ test('a frame is the picture of the PNG sequence of the page and of the poster, 
   const { png } = await posters.evaluate((module, given) => module.poster(given), order);
   await session.send('Emulation.clearDeviceMetricsOverride');
   expect(first.equals(pixelsOf(Buffer.from(png, 'base64')))).toBe(true);
+});
 
+test('a frame in OpenEXR has the light of the PNG, and depths in metres @long', async () => {
+  const link = `?t=2.5${HASH}`;
+  expect(await film(link, '0', 'png', '--scale', '2')).toMatchObject({ status: 0 });
+  const first = pixelsOf(readFileSync(join(folder, 'png/frame-000000.png')));
   expect(await film(link, '0', 'exr', '--format', 'exr', '--layers', '--scale', '2')).toMatchObject({ status: 0 });
   const exr = exrIn('exr/frame-000000.exr');
   expect(Math.max(...exr.map((value, at) => Math.abs(value - linear(first[at], at))))).toBeLessThan(0.001);
@@ -176,15 +178,15 @@ test('supersampling averages light by coverage', async ({ load }) => {
 test('a stage shows the same frame in whatever order frames are asked for', async ({ load }) => {
   const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
   const orders = [
-    [30, 31, 32, 40, 60],
-    [60, 31, 40, 30, 32],
+    [30, 31, 40],
+    [40, 30, 31],
   ];
   const pictures = [];
   for (const order of orders) {
     pictures.push(await cases.evaluate((module, [hash, asked]) => module.sought(hash, asked), [HASH, order] as const));
   }
   expect(pictures[1]).toEqual(pictures[0]);
-  expect(new Set(Object.values(pictures[0])).size).toBe(5);
+  expect(new Set(Object.values(pictures[0])).size).toBe(3);
 });
 
 test('mistakes in a link end the run before the first frame', async () => {

@@ -26,7 +26,7 @@ test('no other file decides by pixels that it reads', () => {
 });
 
 for (const file of DECISIONS) {
-  const tag = longIf(/flipbook|svg/.test(file));
+  const tag = longIf(/flipbook|svg|layers/.test(file));
   test(`${file} decides the same by falsified pixels, and notices another truth${tag}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const decide = (noise: Parameters<Cases['decide']>[1], isOther: boolean) =>

@@ -1,10 +1,12 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./detail.cases.ts');
 const CASES = '/tests/visual/renderer/detail.cases.ts';
 
 for (const scene of ['train', 'wisp', 'lamp']) {
-  test(`small pictures have fewer triangles, and look the same: ${scene}`, async ({ load }) => {
+  test(`small pictures have fewer triangles, and look the same: ${scene}${longIf(scene === 'train')}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
     const { triangles, changed, pixels, after, other } = await cases.evaluate(
       (module, name) => module.pictures(name),

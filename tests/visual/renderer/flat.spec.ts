@@ -43,7 +43,7 @@ test('flat: a lone puff masks none of its own lit pixels', async ({ load }) => {
   expect(masked).toBe(0);
 });
 
-test('flat: a stage reports it and draws smoke, ink and shadow', async ({ load }) => {
+test('flat: a stage reports it and draws smoke, ink and shadow @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { writesDepth, ink, smoke, shadowed } = await cases.evaluate((module) => module.flatStage());
   expect(writesDepth).toBe(false);

@@ -8,8 +8,8 @@ const STEPS = 30;
 test('on twos, threes and fours puffs and their ink hold still, staggered, while surfaces move', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const every = Array.from({ length: STEPS }, (_, step) => step);
-  const ones = await cases.evaluate((module, steps) => module.changes(1, 1, steps), STEPS);
-  expect(ones).toEqual({ smoke: every, ball: every });
+  const ones = await cases.evaluate((module) => module.changes(1, 1, 5));
+  expect(ones).toEqual({ smoke: every.slice(0, 5), ball: every.slice(0, 5) });
   for (const hold of [2, 3, 4]) {
     const one = await cases.evaluate((module, [held, steps]) => module.changes(held, 1, steps), [hold, STEPS]);
     const length = (hold / 24) * 60;

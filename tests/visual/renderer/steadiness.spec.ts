@@ -9,10 +9,10 @@ const CASES = '/tests/visual/renderer/steadiness.cases.ts';
  */
 const SLIVER = 12;
 
-test('no puff pops in the lamp during half a second', async ({ load }) => {
+test('no puff pops in the lamp during a quarter of a second', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const report = await cases.evaluate((module) => module.timePassing('lamp', 240, 30));
-  console.log('lamp, half a second:', report);
+  const report = await cases.evaluate((module) => module.timePassing('lamp', 240, 15));
+  console.log('lamp, a quarter of a second:', report);
   expect(report.bodies).toBeGreaterThan(50);
   expect(report.smoke).toBeGreaterThan(3_000);
   expect(report.largest).toBeLessThanOrEqual(SLIVER);

@@ -8,7 +8,9 @@ for (const [lobes, failsSelfTest] of [
   [10, true],
 ] as const) {
   const puffs = `${failsSelfTest ? 'flat ' : ''}puffs of ${lobes} lobes`;
-  test(`all programs of a picture are compiled in advance, and none twice: ${puffs}`, async ({ load }) => {
+  test(`all programs of a picture are compiled in advance, and none twice: ${puffs}${longIf(lobes === 6)}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>('/tests/visual/stage/programs.cases.ts');
     const { ahead, drawing } = await cases.evaluate((module, given) => module.programsOfWisp(...given), [
       lobes,
@@ -25,7 +27,7 @@ for (const [preset, strokes] of [
   ['cloudscape', 3],
   ['train', 3],
 ] as const) {
-  const tag = longIf(preset === 'cloudscape');
+  const tag = longIf(preset !== 'train');
   test(`light that follows the form, and strokes, are compiled in advance: ${preset}${tag}`, async ({ load }) => {
     const cases = await load<Cases>('/tests/visual/stage/programs.cases.ts');
     const { ahead, drawing } = await cases.evaluate((module, name) => module.programsOfPreset(name), preset);

@@ -19,7 +19,7 @@ const RENDERERS = '/tests/visual/stage/renderers.cases.ts';
 const TIMES = '/tests/visual/stage/times.cases.ts';
 
 for (const seconds of [1, 3, 6]) {
-  test(`the lamp after ${seconds} s`, async ({ load }, testInfo) => {
+  test(`the lamp after ${seconds} s${longIf(seconds === 3)}`, async ({ load }, testInfo) => {
     const cases = await load<Pictures>(PICTURES);
     const picture = await cases.evaluateHandle((module, time) => module.lampPicture(time), seconds);
     const { colors, commonest, pixels } = await cases.evaluate((module, blob) => module.census(blob), picture);
@@ -106,7 +106,7 @@ for (const speed of [1, 0.5, 0.25]) {
   });
 }
 
-test('a take on another stage has the same hashes and the same picture', async ({ load }) => {
+test('a take on another stage has the same hashes and the same picture @long', async ({ load }) => {
   const cases = await load<Times>(TIMES);
   const { hashes, rates, inputs, changed } = await cases.evaluate((module) => module.replayTake());
   expect(hashes[1]).toBe(hashes[0]);
@@ -114,14 +114,6 @@ test('a take on another stage has the same hashes and the same picture', async (
   // Rate, nudge, blow, steer, and the release by the spring after the nudge.
   expect(inputs).toEqual([5, 5]);
   expect(changed).toBe(0);
-});
-
-test('a take repeats the path of a ball that the pointer drags', async ({ load }) => {
-  const cases = await load<Times>(TIMES);
-  const { lived, again, still, held } = await cases.evaluate((module) => module.replayDrag());
-  expect(held).toEqual(Array<string>(14).fill('rigid'));
-  expect(again).toBe(lived);
-  expect(lived).not.toBe(still);
 });
 
 test('seeking back and forth reaches the same states, with all user input', async ({ load }) => {

@@ -1,6 +1,6 @@
 /** Stages over time: playback speed, seeks in both directions, replayed takes. */
 import type { Simulator } from '../../../src/simulator/simulator.ts';
-import { createStage, type Stage } from '../../../src/stage/stage.ts';
+import { createStage } from '../../../src/stage/stage.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';
 import { differing, HEIGHT, lampStage, pixelsOf, SMALL, WIDTH } from './stage.cases.ts';
 
@@ -91,38 +91,4 @@ export async function seekBack(): Promise<{ straight: string[]; again: string[];
   const bytes = stage.stats.historyBytes;
   stage.dispose();
   return { straight, again, bytes, rates };
-}
-
-/**
- * A ball dragged by the pointer while smoke rises, and its replay as a take: the hashes, and the hash without the drag.
- */
-export async function replayDrag(): Promise<Record<'lived' | 'again' | 'still', string> & { held: unknown[] }> {
-  const [first, second, still] = await Promise.all([1, 2, 3].map(() => lampStage(new OffscreenCanvas(WIDTH, HEIGHT))));
-  const [x, y] = ballOn(first);
-  first.step(60);
-  const held = [first.pointer({ type: 'down', id: 1, x, y })];
-  for (let move = 1; move <= 12; ++move) {
-    held.push(first.pointer({ type: 'move', id: 1, x: x - 9 * move, y: y - 3 * move }));
-    first.step(2);
-  }
-  held.push(first.pointer({ type: 'up', id: 1, x, y }));
-  first.step(60);
-  second.playTake(first.take().toBytes());
-  second.step(144);
-  still.step(144);
-  const hashes = { lived: first.hash(), again: second.hash(), still: still.hash() };
-  for (const stage of [first, second, still]) stage.dispose();
-  return { ...hashes, held };
-}
-
-/** Position of the first pixel, from the top left, at which the pointer hits the ball. */
-function ballOn(stage: Stage): [x: number, y: number] {
-  for (let y = 0; y < HEIGHT; y += 2) {
-    for (let x = 0; x < WIDTH; x += 2) {
-      const hit = stage.pointer({ type: 'down', id: 9, x, y });
-      stage.pointer({ type: 'cancel', id: 9, x, y });
-      if (hit) return [x, y];
-    }
-  }
-  throw new Error('there is no ball in the picture');
 }

@@ -147,7 +147,7 @@ for (const kind of ['pane', 'sprite'] as const) {
 }
 
 for (const place of ['canvas', 'target'] as const) {
-  test(`the state of the renderer is restored: ${place}`, async ({ load }) => {
+  test(`the state of the renderer is restored: ${place}${longIf(place === 'target')}`, async ({ load }) => {
     const cases = await load<Output>(OUTPUT);
     const { before, after, changed, drawn } = await cases.evaluate(
       (module, where) => module.stateAsFound(where),
@@ -177,7 +177,9 @@ test('two cameras draw the same smoke independently', async ({ load }) => {
 });
 
 for (const samples of [0, 4]) {
-  test(`a linear half float target with ${samples} samples holds the same picture`, async ({ load }) => {
+  test(`a linear half float target with ${samples} samples holds the same picture${longIf(samples === 0)}`, async ({
+    load,
+  }) => {
     const cases = await load<Output>(OUTPUT);
     const { changed, smoke } = await cases.evaluate((module, count) => module.inTarget(count), samples);
     expect(smoke).toBeGreaterThan(1000);
@@ -187,7 +189,8 @@ for (const samples of [0, 4]) {
 }
 
 for (const kind of ['rigid', 'bones', 'instances', 'proxies'] as const) {
-  test(`objects that are hidden or not in the scene cast no shadow: ${kind}`, async ({ load }) => {
+  const tag = longIf(kind === 'instances' || kind === 'proxies');
+  test(`objects that are hidden or not in the scene cast no shadow: ${kind}${tag}`, async ({ load }) => {
     const cases = await load<Shadow>(SHADOW);
     const { there, back, ...gone } = await cases.evaluate((module, which) => module.shadowsOfGone(which), kind);
     expect(there).toBeGreaterThan(100);
@@ -200,7 +203,7 @@ for (const [kind, most] of [
   ['outputBuffer', 500],
   ['reversedDepth', 20],
 ] as const) {
-  test(`a renderer with ${kind} shows the same picture`, async ({ load }) => {
+  test(`a renderer with ${kind} shows the same picture${longIf(kind === 'outputBuffer')}`, async ({ load }) => {
     const cases = await load<Output>(OUTPUT);
     expect(await cases.evaluate((module, which) => module.otherRenderer(which), kind)).toBeLessThan(most);
   });

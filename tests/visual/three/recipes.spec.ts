@@ -7,7 +7,7 @@ type Recipes = typeof import('./recipes.cases.ts');
 const LARGEST = 60_000;
 
 for (const recipe of ['composer', 'mirror', 'fog', 'bursts'] as const) {
-  const tag = longIf(recipe === 'mirror' || recipe === 'fog');
+  const tag = longIf(recipe !== 'composer');
   test(`the recipe ${recipe} shows the picture of the documentation${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Recipes>('/tests/visual/three/recipes.cases.ts');
     const picture = await bytesOf(await cases.evaluateHandle((module, name) => module.pictureOf(name), recipe));

@@ -64,7 +64,7 @@ test('a mirror shows smoke and its shadow, and keeps its picture where it is in 
   expect(black).toBe(0);
 });
 
-test('a face of a CubeCamera shows smoke and its shadow', async ({ load }) => {
+test('a face of a CubeCamera shows smoke and its shadow @long', async ({ load }) => {
   const cases = await load<Targets>(TARGETS);
   const { difference, distinct, smoke } = await cases.evaluate((module) => module.byCubeCamera());
   expect(smoke).toBeGreaterThan(2000);
@@ -87,7 +87,7 @@ test('SSAOPass leaves smoke as it is @long', async ({ load }) => {
   expect(darkened / smoke).toBeLessThan(0.05);
 });
 
-test('BokehPass blurs smoke with what is behind it, and leaves it sharp in focus', async ({ load }) => {
+test('BokehPass blurs smoke with what is behind it, and leaves it sharp in focus @long', async ({ load }) => {
   const cases = await load<Composers>(COMPOSERS);
   const { sharp, blurred, smoke } = await cases.evaluate((module) => module.byBokeh());
   expect(smoke).toBeGreaterThan(2000);

@@ -38,13 +38,11 @@ export async function together(
   kind: 'perspective' | 'orthographic',
   values: Values = { ...HANGING, 'style.gradient': 'height' },
 ): Promise<Record<string, number>> {
-  const [first, moved, large] = [
+  const [first, moved] = [
     await pictures(kind, values, () => {}),
-    await pictures(kind, values, (rig) => {
+    await pictures(kind, values, (rig, camera, fog) => {
       rig.position.set(30, -12, 7);
       rig.rotation.set(0.8, -0.4, 2.1);
-    }),
-    await pictures(kind, values, (rig, camera, fog) => {
       rig.scale.setScalar(2);
       enlarge(camera);
       fog.near *= 2;
@@ -54,7 +52,6 @@ export async function together(
   const changed = (pixels: Pixels) => changedPixels(pixels, first.smoke, 8);
   return {
     moved: changed(moved.smoke),
-    large: changed(large.smoke),
     rotated: changed(first.rotated),
     without: changed(first.without),
   };

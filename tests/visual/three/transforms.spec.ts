@@ -11,7 +11,7 @@ for (const kind of ['perspective', 'orthographic'] as const) {
     expect(seen.without).toBeGreaterThan(2000);
     expect(seen.rotated).toBeGreaterThan(300);
     // Of 28,000 pixels: an edge may fall to the other side of a sample.
-    for (const same of [seen.moved, seen.large]) expect(same).toBeLessThan(10);
+    expect(seen.moved).toBeLessThan(10);
   });
 }
 

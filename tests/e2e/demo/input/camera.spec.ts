@@ -110,7 +110,7 @@ test('a gesture is undone in one step, and presets of a scene keep the view', as
   });
 });
 
-test('a camera moved while an edit is pending is stored in the same link', async ({ page }) => {
+test('a camera moved while an edit is pending is stored in the same link @long', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const { edited, orbited } = await page.evaluate(() => {
     const stage = window.cartoonSmoke!;
@@ -125,7 +125,7 @@ test('a camera moved while an edit is pending is stored in the same link', async
   await expectValue(page, 'puff.size', 2);
 });
 
-test('a link to this moment shows the same frame, with the same camera', async ({ page, browser }) => {
+test('a link to this moment shows the same frame, with the same camera @long', async ({ page, browser }) => {
   await open(page, `?paused=1${LIGHT}`);
   await ask(page, (stage) => stage.set({ 'camera.distance': 9 }));
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
@@ -152,7 +152,7 @@ test('a link to this moment shows the same frame, with the same camera', async (
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger orbits the camera, stored in the link as one step', async ({ page }) => {
+  test('a finger orbits the camera, stored in the link as one step @long', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const drag = await fingerOf(page);
     await drag({ x: 60, y: 500 }, { x: 140, y: 480 });

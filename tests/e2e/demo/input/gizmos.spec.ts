@@ -85,7 +85,7 @@ test('handles of sun, wind, emitter and vortex follow the mouse and the keys', a
   await expect(page.locator('.gizmo').filter({ visible: true })).toHaveCount(0);
 });
 
-test('a vortex is attached to the propeller, follows it with its handle, and is detached', async ({ page }) => {
+test('a vortex is attached to the propeller, follows it with its handle, and is detached @long', async ({ page }) => {
   await page.setViewportSize({ width: 690, height: 480 });
   const smoke = '#v=1&preset=airplane&emission.rate=20&puff.variations=1&simulation.maxParticles=300';
   await open(page, `?paused=1&t=1${smoke}&vortices.0.circulation=2&vortices.0.position.y=0.7`);
@@ -121,7 +121,7 @@ test('a vortex is attached to the propeller, follows it with its handle, and is 
 test.describe('by touch', () => {
   test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
 
-  test('handles follow a finger', async ({ page }) => {
+  test('handles follow a finger @long', async ({ page }) => {
     await open(page, `?paused=1${LAMP}`);
     await page.getByRole('button', { name: 'Handles' }).tap();
     await expectAllGestures(page, await fingerOf(page));

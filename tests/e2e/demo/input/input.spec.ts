@@ -189,7 +189,7 @@ test.describe('on a phone', () => {
   });
 });
 
-test('V cycles through the debug views and names them', async ({ page }) => {
+test('V cycles through the debug views and names them @long', async ({ page }) => {
   await open(page, `?paused=1&t=1&view=unlit${LIGHT}`);
   await expect(page.getByText('Unlit: the colours in shadow.')).toBeVisible();
   await page.keyboard.press('v');
@@ -199,7 +199,7 @@ test('V cycles through the debug views and names them', async ({ page }) => {
   await expect(page.locator('.legend')).toBeHidden();
 });
 
-test('smoke resumes after a sheet that is reopened at once, and its capture completes', async ({ page }) => {
+test('smoke resumes after a sheet that is reopened at once, and its capture completes @long', async ({ page }) => {
   await open(page, LIGHT);
   await page.keyboard.press('c');
   const sheet = page.getByRole('dialog', { name: 'Capture the smoke' });

@@ -39,7 +39,7 @@ test('forces and items of the scene are edited in the panel', async ({ page }) =
   });
 });
 
-test('smoke blows where an added wind blows', async ({ page }) => {
+test('smoke blows where an added wind blows @long', async ({ page }) => {
   const hashWith = async (link: string) => {
     await open(page, `?paused=1&t=3${LIGHT}${link}`);
     await expectSteps(page, 180);

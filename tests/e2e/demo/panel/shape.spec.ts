@@ -72,7 +72,9 @@ test('a mesh replaces the puffs, the link reports that it cannot contain it, and
   await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
 });
 
-test('an open or invalid mesh is rejected with a message, and the puffs stay', async ({ page }) => {
+test('an open or invalid mesh is rejected with a message and the puffs stay, until a mesh is dropped on the page', async ({
+  page,
+}) => {
   await open(page, `?paused=1${LIGHT}`);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
@@ -94,10 +96,6 @@ test('an open or invalid mesh is rejected with a message, and the puffs stay', a
     /huge\.obj has 17 MB\. The limit is 16 MB\./,
   );
   await expect(page.locator('.own-shape-name')).toBeHidden();
-});
-
-test('a mesh is dropped on the page', async ({ page }) => {
-  await open(page, `?paused=1${LIGHT}`);
   await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], 'dropped.obj'));

@@ -84,7 +84,7 @@ test('script in every text value does not change the values', async ({ page }) =
   expect(Object.values(values).filter((value) => String(value).includes('ran'))).toEqual([]);
 });
 
-test('the worst links also work on a fresh page', async ({ page }) => {
+test('the worst links also work on a fresh page @long', async ({ page }) => {
   const [long, , bomb, zeros] = await hostileLinks();
   for (const { link, notified } of [long, bomb, zeros]) {
     await open(page, `?paused=1${SMALL}${link}`);

@@ -1,7 +1,6 @@
 import type { Page } from '@playwright/test';
 import { packBytes } from '../../../../src/parameters/packing.ts';
 import { expect, knowGestures, test } from '../../../support/fixtures.ts';
-import { TAKE, TAKE_HASH } from '../../../support/sim/recordedTake.ts';
 import { ask, ballPlace, closeSheet, crawl, expectValue, hold, LAMP, LIGHT, messagesOf, open } from '../page.ts';
 
 test.use({ viewport: { width: 320, height: 240 } });
@@ -133,8 +132,4 @@ test('an invalid moment keeps the look, with a notice', async ({ page }) => {
   });
   const tooMany = await packBytes(Uint8Array.from(bytes));
   await expectRejected(tooMany, 'it needs room for 60000 particles. The limit for links is 50000.');
-  await test.step('a recorded moment is shown', async () => {
-    await open(page, `?paused=1#v=1&preset=wisp&puff.variations=1&take=${TAKE}`);
-    await expect.poll(() => shown(page)).toMatchObject({ steps: 60, hash: TAKE_HASH });
-  });
 });

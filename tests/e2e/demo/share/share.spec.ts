@@ -98,7 +98,7 @@ test('the share dialog of the platform is offered if it exists, and manual copyi
   expect(await page.evaluate(selected)).toBe(link.length);
 });
 
-test('a take too long for a link becomes a file, which restores the moment', async ({ page }) => {
+test('a take too long for a link becomes a file, which restores the moment @long', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
   await ask(page, (stage) => {
     // A visible stage draws a picture after each step.
@@ -177,7 +177,7 @@ test('looks are saved, shown again, renamed, exported, and removed with undo', a
   await expect.poll(colors).toBeGreaterThan(20);
 });
 
-test('saved looks that cannot be read are set aside, not lost', async ({ page }) => {
+test('saved looks that cannot be read are set aside, not lost @long', async ({ page }) => {
   await page.addInitScript(() => {
     // An opaque origin has no storage.
     if (origin !== 'null') localStorage.setItem('cartoon-smoke.presets', '[{"id": "x", "name": 7}, 3');

@@ -42,7 +42,7 @@ const FAULTS: Record<string, (page: Page) => Promise<unknown>> = {
 
 for (const [fault, provoke] of Object.entries(FAULTS)) {
   for (const thread of ['main', 'worker']) {
-    const tag = longIf(thread === 'worker' && fault !== 'missing');
+    const tag = longIf((thread === 'worker') !== (fault === 'missing'));
     test(`a simulator that is ${fault} leaves the poster and emits a LoadError: ${thread}${tag}`, async ({
       page,
       openPage,
@@ -81,7 +81,7 @@ const SCRIPTS = {
 };
 
 for (const [file, rest] of Object.entries(SCRIPTS)) {
-  const tag = longIf(!['stage.js', 'core.js', 'onPage.js'].includes(file));
+  const tag = longIf(!['stage.js', 'onPage.js'].includes(file));
   test(`without ${file} there is the poster and a LoadError: at once if it is rejected, else within a minute${tag}`, async ({
     page,
     openPage,
@@ -105,7 +105,7 @@ for (const [file, rest] of Object.entries(SCRIPTS)) {
   });
 }
 
-test('a file that arrives after its timeout is available to other smoke', async ({ page, openPage }) => {
+test('a file that arrives after its timeout is available to other smoke @long', async ({ page, openPage }) => {
   await page.clock.install();
   const asked = page.waitForRequest('**/dist/stage.js');
   let answer = () => Promise.resolve();

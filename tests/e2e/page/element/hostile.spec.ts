@@ -22,7 +22,7 @@ const OWN = [
 const SCRIPT = `javascript:document.body.remove()`;
 const VALUES = ['', '0', '1', '-1', '1e308', 'NaN', '-Infinity', '\u0000', '9'.repeat(400), 'lamp', 'box', '#ffffff', '*', 'html', '::before', '#v=1&preset=fog&take=AAAA', '#v=1&z=AAAA', `<img src=x onerror="${SCRIPT}">`, SCRIPT, '__proto__', '0:1,1:0', '0:333344,1:ffffff', '{}', '\ud800', 'constructor']; // prettier-ignore
 
-test('5,000 hostile attributes change nothing outside the element, and the smoke continues', async ({
+test('2,000 hostile attributes change nothing outside the element, and the smoke continues', async ({
   page,
   openPage,
 }) => {
@@ -42,7 +42,7 @@ test('5,000 hostile attributes change nothing outside the element, and the smoke
         state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
         return list[state % list.length];
       };
-      for (let round = 0; round < 50; round++) {
+      for (let round = 0; round < 20; round++) {
         for (let count = 0; count < 100; count++) {
           const name = pick(pick([own, attributes, attributes, attributes]));
           // Scenes with rigids would need requests; other tests cover them.

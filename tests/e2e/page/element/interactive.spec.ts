@@ -88,7 +88,7 @@ test.describe('by touch', () => {
     expect((await eye(page)).azimuth).toBe(azimuth);
   });
 
-  test('a page can give it all swipes', async ({ page, openPage }) => {
+  test('a page can give it all swipes @long', async ({ page, openPage }) => {
     await opened(page, openPage, 'cartoon-smoke::part(canvas) { touch-action: none }');
     const swipe = await fingerOf(page);
     await swipe({ x: 150, y: 160 }, { x: 150, y: 60 });

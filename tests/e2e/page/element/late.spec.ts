@@ -157,7 +157,7 @@ test.describe('with all pixels', () => {
   });
 });
 
-test('a click on its button does not open the link around it', async ({ page, openPage }) => {
+test('a click on its button does not open the link around it @long', async ({ page, openPage }) => {
   await openPage(`<a href="#elsewhere"><cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke></a>`);
   await stands(page);
   await page.getByRole('button', { name: 'Pause smoke' }).click();
@@ -165,7 +165,7 @@ test('a click on its button does not open the link around it', async ({ page, op
   expect(await page.evaluate(() => location.hash)).toBe('');
 });
 
-test('a camera drag that ends out of view does not continue with the pointer', async ({ page, openPage }) => {
+test('a camera drag that ends out of view does not continue with the pointer @long', async ({ page, openPage }) => {
   await openPage(
     `<cartoon-smoke ${WISP} paused interactive style="position: absolute; inset: 0 auto auto 0; width: 300px; height: 200px"></cartoon-smoke>`,
   );
@@ -192,7 +192,7 @@ test('a camera drag that ends out of view does not continue with the pointer', a
   await page.mouse.up();
 });
 
-test('a drag that ends before its reply shows no grab cursor', async ({ page, openPage }) => {
+test('a drag that ends before its reply shows no grab cursor @long', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${WISP} paused interactive ${SIZE}></cartoon-smoke>`);
   await stands(page);
   const held = await smokeOn(page).evaluate(async (smoke: CartoonSmokeElement) => {
@@ -233,7 +233,7 @@ test('an invalid origin is rejected at once, and nothing is thrown when the fram
 test.describe('with prefers-reduced-motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } });
 
-  test('another preset shows its still frame, too', async ({ page, openPage }) => {
+  test('another preset shows its still frame, too @long', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${WISP} ${SIZE}></cartoon-smoke>`);
     await stands(page);
     await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => (smoke.preset = 'air'));

@@ -180,7 +180,10 @@ test('smoke rises from elements that are hovered or focused, and from no other',
   await expect.poll(values).toMatchObject({ 'emitters.0.share': 1, 'emitters.1.share': 0, 'emission.rate': RATE });
 });
 
-test('smoke rises from an element that was hovered or focused before the smoke loaded', async ({ page, openPage }) => {
+test('smoke rises from an element that was hovered or focused before the smoke loaded @long', async ({
+  page,
+  openPage,
+}) => {
   await openPage(`<cartoon-smoke ${AIR} paused emit-on="hover"></cartoon-smoke>
     ${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}`);
   await stands(page);
@@ -191,7 +194,10 @@ test('smoke rises from an element that was hovered or focused before the smoke l
   await expect.poll(() => risingOn(page)).toEqual([true, false, true]);
 });
 
-test('an element emits while it is hovered or focused; focus by a click does not count', async ({ page, openPage }) => {
+test('an element emits while it is hovered or focused; focus by a click does not count @long', async ({
+  page,
+  openPage,
+}) => {
   await openPage(`${['a', 'b', 'c'].map((id, index) => box(id, 60 + 170 * index, 380, 100, 40)).join('')}
     <cartoon-smoke ${AIR} paused emit-from="button" emit-on="hover"></cartoon-smoke>`);
   await stands(page);
@@ -216,7 +222,7 @@ test('an element emits while it is hovered or focused; focus by a click does not
 test.describe('by touch', () => {
   test.use({ hasTouch: true });
 
-  test('a tap on a hover emitter emits for a moment', async ({ page, openPage }) => {
+  test('a tap on a hover emitter emits for a moment @long', async ({ page, openPage }) => {
     await page.clock.install();
     await page.addInitScript(gpuKeepsUp);
     await openPage(`<cartoon-smoke ${AIR} emit-from="button" emit-on="hover"></cartoon-smoke>${box('a', 60, 380, 100, 40)}

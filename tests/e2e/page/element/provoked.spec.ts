@@ -32,7 +32,7 @@ for (const thread of ['main', 'worker'] as const) {
     await expectBack({ load, blank }, 2, thread);
   });
 
-  test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread}${tag}`, async ({
+  test(`a context lost too often, or not restored after the start, ends the smoke until other smoke starts: ${thread} @long`, async ({
     load,
     blank,
   }) => {
@@ -91,8 +91,7 @@ for (const thread of ['main', 'worker'] as const) {
 
 for (const thread of ['main', 'worker'] as const) {
   for (const place of ['the page', 'a canvas of the page'] as const) {
-    const tag = longIf(thread === 'worker' || place !== 'the page');
-    test(`puff() on ${place} draws on a new context after one that is lost for good: ${thread}${tag}`, async ({
+    test(`puff() on ${place} draws on a new context after one that is lost for good: ${thread} @long`, async ({
       load,
       blank,
     }) => {
@@ -118,7 +117,7 @@ for (const thread of ['main', 'worker'] as const) {
 
 test('puff() draws on a canvas whose last puff was disposed', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  for (const round of [1, 2, 3]) {
+  for (const round of [1, 2]) {
     const puff = await cases.evaluateHandle((module) => module.ownPuff());
     const call = await cases.evaluateHandle((module, one) => module.puffs(one), puff);
     await puff.evaluate((one) => one.dispose());

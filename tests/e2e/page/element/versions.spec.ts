@@ -42,7 +42,7 @@ test('the second version leaves the element to the first, with a notice', async 
   expect(lines).toEqual([]);
 });
 
-test('the second version works under another tag beside the first', async ({ page, openPage }) => {
+test('the second version works under another tag beside the first @long', async ({ page, openPage }) => {
   const lines = watchConsole(page);
   await serveOther(page);
   await openPage(`<cartoon-smoke ${SMOKE}></cartoon-smoke><other-smoke ${SMOKE}></other-smoke>

@@ -212,8 +212,8 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
   const call = () => page.evaluate(() => puff({ x: 160, y: 120 }, { count: 300, speed: 0.1, duration: 60 }));
   const amounts = async () => {
     const found = [];
-    for (let at = 0; at < 8; at++) {
-      await frames(page, 5);
+    for (let at = 0; at < 4; at++) {
+      await frames(page, 4);
       found.push((await smoke(page)).amount);
     }
     return found;
@@ -221,7 +221,7 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
   // The smoke of preload().
   let held = await holdAfter(page, 'set');
   let over = call();
-  expect(await amounts()).toEqual(Array(8).fill(0));
+  expect(await amounts()).toEqual(Array(4).fill(0));
   await held.release();
   await visibleSmoke(page);
   // That of a call.
@@ -229,11 +229,11 @@ test('never shows the smoke before a call again', async ({ page, host }) => {
   await page.evaluate(() => puff.clear());
   await over;
   await expect.poll(async () => (await smoke(page)).amount).toBe(0);
-  expect(await amounts()).toEqual(Array(8).fill(0));
+  expect(await amounts()).toEqual(Array(4).fill(0));
   await held.release();
   held = await holdAfter(page, 'set');
   over = call();
-  expect(await amounts()).toEqual(Array(8).fill(0));
+  expect(await amounts()).toEqual(Array(4).fill(0));
   await held.release();
   await visibleSmoke(page);
   await page.evaluate(() => puff.clear());
@@ -326,7 +326,7 @@ test('preload draws hidden smoke, because drivers compile shaders at their first
   await over;
 });
 
-test('an element that goes away in mid-puff does not stop it', async ({ page, host }) => {
+test('an element that goes away in mid-puff does not stop it @long', async ({ page, host }) => {
   await host();
   const box = (await page.locator('#button').boundingBox())!;
   const over = page.evaluate(async () => {
@@ -376,7 +376,7 @@ test('invalid arguments reject with a ParameterError that lists what is accepted
   }
 });
 
-test('draws on a canvas of the page', async ({ page, host }) => {
+test('draws on a canvas of the page @long', async ({ page, host }) => {
   await host({
     body: '<canvas id="own" style="display: block !important; opacity: 1; width: 200px !important; height: 150px"></canvas>',
   });
@@ -464,7 +464,7 @@ test('a context that is lost for good rejects with a ContextError, and vanish hi
 });
 
 for (const target of ['button', 'dialog button']) {
-  test(`its canvas is not printed: ${target}${longIf(target === 'button')}`, async ({ page, host }) => {
+  test(`its canvas is not printed: ${target} @long`, async ({ page, host }) => {
     await host({ body: `${BODY}<dialog><button>Press</button></dialog>` });
     await page.evaluate(() => document.querySelector('dialog')!.showModal());
     const call = { count: 300, speed: 0.1, duration: 60 };
@@ -488,11 +488,7 @@ for (const [kind, options, isOurs] of [
   ['a page with an element of this ID', { body: '<p id="puff">Text</p>' }, true],
   ['a page with a global of its own', { body: '<script>window.puff = () => "own"</script>' }, false],
 ] as const) {
-  test(`the script for CDNs sets window.puff: ${kind}${longIf(kind === 'a plain page')}`, async ({
-    page,
-    host,
-    server,
-  }) => {
+  test(`the script for CDNs sets window.puff: ${kind}${longIf(isOurs)}`, async ({ page, host, server }) => {
     const url = '/package/dist/cartoon-smoke.min.js';
     await host({ ...options, script: `<script type="module" src="${url}"></script>` });
     await page.waitForFunction(() => customElements.get('cartoon-smoke'));

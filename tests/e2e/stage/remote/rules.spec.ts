@@ -67,7 +67,7 @@ test('without WebGL2 in workers smoke runs on the main thread, with a new canvas
   await expectMain(page, 1);
 });
 
-test('a browser without OffscreenCanvas has smoke on the main thread', async ({ page }) => {
+test('a browser without OffscreenCanvas has smoke on the main thread @long', async ({ page }) => {
   await page.addInitScript(() => {
     delete (globalThis as { OffscreenCanvas?: unknown }).OffscreenCanvas;
     delete (HTMLCanvasElement.prototype as { transferControlToOffscreen?: unknown }).transferControlToOffscreen;
@@ -117,7 +117,7 @@ test('a context that is not restored emits one ContextError, and can still be re
   await expect.poll(() => device.evaluate(({ isUsable }) => isUsable)).toBe(true);
 });
 
-test('a device disposed while its context was lost releases the restored context', async ({ page }) => {
+test('a device disposed while its context was lost releases the restored context @long', async ({ page }) => {
   await openUnder(page);
   const devices = await loadModule<typeof import('../../../../src/renderer/gpu/device.ts')>(
     page,

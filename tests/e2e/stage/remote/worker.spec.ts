@@ -115,7 +115,7 @@ test.describe('on a separate page', () => {
     expect(message).toContain('out of order');
   });
 
-  test('a worker sends heartbeats during many steps', async ({ load, blank }) => {
+  test('a worker sends heartbeats during many steps @long', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     // The heartbeat is not under test: the page's clock stops before its timeout.
     await blank.clock.install({ time: 0 });
@@ -134,7 +134,7 @@ test.describe('on a separate page', () => {
     expect(await said.jsonValue()).toEqual(Array(20).fill('beat'));
   });
 
-  test('all stages recover from a context that is lost twice', async ({ load, blank }) => {
+  test('all stages recover from a context that is lost twice @long', async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     const opened = await cases.evaluateHandle(async (module) => {
       const two = await Promise.all([module.open(), module.open()]);

@@ -1,5 +1,5 @@
 import type { Style } from '../../../../src/renderer/style.ts';
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./puffs.cases.ts');
 const CASES = '/tests/visual/renderer/passes/puffs.cases.ts';
@@ -11,7 +11,8 @@ type NearPlane = typeof import('./nearPlane.cases.ts');
 const NEAR_PLANE = '/tests/visual/renderer/passes/nearPlane.cases.ts';
 
 for (const light of ['sun', 'lamp'] as const) {
-  test(`puffs with bites under a ${light} mask none of their own lit pixels`, async ({ load }) => {
+  const tag = longIf(light === 'lamp');
+  test(`puffs with bites under a ${light} mask none of their own lit pixels${tag}`, async ({ load }) => {
     const cases = await load<LonePuffs>(LONE_PUFFS);
     const report = await cases.evaluate(
       (module, kind) => module.selfMasked('lobes', kind, 200, undefined, { tones: 3, isEroded: true }),
@@ -22,7 +23,9 @@ for (const light of ['sun', 'lamp'] as const) {
   });
 }
 
-test('puffs with twelve lobes have bites only on GPUs with more varyings than WebGL 2 guarantees', async ({ load }) => {
+test('puffs with twelve lobes have bites only on GPUs with more varyings than WebGL 2 guarantees @long', async ({
+  load,
+}) => {
   const cases = await load<LonePuffs>(LONE_PUFFS);
   const [guaranteed, more] = await cases.evaluate((module) => [15, 17].map(module.bittenPixels));
   expect(guaranteed).toEqual({ differing: 0, error: 0 });
@@ -53,7 +56,8 @@ for (const form of ['lobes', 'billboards'] as const) {
     });
 
     for (const light of ['sun', 'lamp'] as const) {
-      test(`unshadowed puffs under a ${light} mask none of their own lit pixels`, async ({ load }) => {
+      const tag = longIf(light === 'sun');
+      test(`unshadowed puffs under a ${light} mask none of their own lit pixels${tag}`, async ({ load }) => {
         const cases = await load<LonePuffs>(LONE_PUFFS);
         const report = await cases.evaluate((module, input) => module.selfMasked(...input, 200), [
           form,

@@ -1,10 +1,10 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./debugViews.cases.ts');
 const CASES = '/tests/visual/renderer/passes/debugViews.cases.ts';
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`${form}: lit, unlit, ink and counts show the targets`, async ({ load }) => {
+  test(`${form}: lit, unlit, ink and counts show the targets${longIf(form === 'billboards')}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const { wrong, judged, error } = await cases.evaluate((module, shape) => module.compareViews(shape), form);
     expect(error).toBe(0);

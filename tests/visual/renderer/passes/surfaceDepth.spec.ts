@@ -1,10 +1,10 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./surfaceDepth.cases.ts');
 const CASES = '/tests/visual/renderer/passes/surfaceDepth.cases.ts';
 
 for (const form of ['lobes', 'billboards'] as const) {
-  test(`${form}: the outline of a puff on a floor is closed`, async ({ load }) => {
+  test(`${form}: the outline of a puff on a floor is closed${longIf(form === 'billboards')}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     for (const { name, fill, ink, leaked, connected } of await cases.evaluate(
       (module, shape) => module.onFloor(shape),

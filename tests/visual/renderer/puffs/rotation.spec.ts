@@ -1,4 +1,4 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 import { expectReference } from '../../../support/reference.ts';
 
 type Cases = typeof import('./rotation.cases.ts');
@@ -18,7 +18,9 @@ const BAKED = [64, 256, 1024].map((views) => ({
 }));
 
 for (const by of ['orbit', 'roll'] as const) {
-  test(`silhouette, normals, depth and ink are continuous under a small ${by}`, async ({ load }) => {
+  test(`silhouette, normals, depth and ink are continuous under a small ${by}${longIf(by === 'roll')}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, input) => module.rotating(...input), [by, STEP, 80] as const);
     console.log(`${by} by ${STEP} degrees:`, report);

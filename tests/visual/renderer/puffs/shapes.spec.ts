@@ -1,5 +1,5 @@
 import type { Values } from '../../../../src/parameters/parameter.ts';
-import { expect, longIf, test } from '../../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./shapes.cases.ts');
 const CASES = '/tests/visual/renderer/puffs/shapes.cases.ts';
@@ -29,8 +29,7 @@ const CHANGED: readonly Values[] = [
 ];
 
 for (const values of CHANGED) {
-  const tag = longIf('puff.seed' in values);
-  test(`knobs change a still picture to that of a new stage, and back: ${Object.keys(values).join()}${tag}`, async ({
+  test(`knobs change a still picture to that of a new stage, and back: ${Object.keys(values).join()} @long`, async ({
     load,
   }) => {
     const cases = await load<Cases>(CASES);

@@ -10,7 +10,7 @@ for (const [look, scale] of [
   ['strokes', 1],
   ['simplified', 1],
 ] as const) {
-  const tag = longIf(scale === 1 && look !== 'strokes');
+  const tag = longIf(scale === 1);
   test(`renderer.clippingPlanes cut smoke where it is: ${look}, scale ${scale}${tag}`, async ({ load }) => {
     const cases = await load<Clipping>(CLIPPING);
     const { results, first } = await cases.evaluate((module, input) => module.cuts(...input), [look, scale] as const);

@@ -9,7 +9,7 @@ const DEVIATION = 6;
 
 test('a patch of shade vanishes below the size that the Gaussian says, and grows out of nothing', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const radii = Array.from({ length: 13 }, (_, step) => DEVIATION * (GONE_BELOW - 0.3 + 0.1 * step));
+  const radii = [-0.3, -0.2, -0.1, 0, 0.1, 0.3, 0.6, 0.9].map((step) => DEVIATION * (GONE_BELOW + step));
   for (const pixelRatio of [1, 2]) {
     const areas = await cases.evaluate((module, given) => module.shadowAreas(...given), [
       radii,

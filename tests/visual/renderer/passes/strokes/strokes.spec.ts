@@ -179,7 +179,7 @@ test('the opacity of a stroke changes by at most 1/6 in 1/60 s @long', async ({ 
   expect.soft(Math.max(...changes)).toBeLessThan(1 / 6);
 });
 
-test('a stroke that is reached by a seek equals that of playback to the bit', async ({ load }) => {
+test('a stroke that is reached by a seek equals that of playback to the bit @long', async ({ load }) => {
   const cases = await load<Seek>('/tests/visual/renderer/passes/strokes/seek.cases.ts');
   const { ink, ...differing } = await cases.evaluate((module) => module.seekToStrokes());
   expect.soft(ink).toBeGreaterThan(20);

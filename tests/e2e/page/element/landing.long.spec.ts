@@ -2,7 +2,6 @@
 import { readFileSync } from 'node:fs';
 import type { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 import { expect, MODULES, stands, test } from '../../../support/embed.ts';
-import { longIf } from '../../../support/fixtures.ts';
 
 const SOURCE = readFileSync(new URL('../../../../examples/landing/index.html', import.meta.url), 'utf8');
 // Fewer particles and paused at the first step: these tests check the page.
@@ -21,8 +20,7 @@ for (const size of [
   { width: 1024, height: 700 },
   { width: 390, height: 844 },
 ]) {
-  const tag = longIf(size.width > 390);
-  test(`smoke covers a landing page of ${size.width} pixels without blocking it${tag}`, async ({ page, openPage }) => {
+  test(`smoke covers a landing page of ${size.width} pixels without blocking it`, async ({ page, openPage }) => {
     await page.setViewportSize(size);
     await openPage(LANDING, { script: `${STYLE}${SHIFT}${MODULES}` });
     await stands(page);
