@@ -500,7 +500,7 @@ fn points(puff: &Puff, eye: &Observer, ink: f64, random: &mut Random) -> Vec<[f6
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn culled_puffs_lie_behind_those_that_stay(

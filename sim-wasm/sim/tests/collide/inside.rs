@@ -6,14 +6,24 @@ use sim::math::vector::Vector;
 use sim::rigids::{RigidKind, RigidShape};
 
 #[test]
+fn none_of_1000_particles_is_ever_inside_a_moving_rigid() {
+    expect_none_inside(1000);
+}
+
+#[test]
+#[ignore = "takes half a minute"]
 fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
+    expect_none_inside(5000);
+}
+
+fn expect_none_inside(count: usize) {
     for (name, shape, distance) in shapes() {
         let mut cloud = Cloud {
             drag: 3.0,
-            ..Cloud::new(5000)
+            ..Cloud::new(count)
         };
         let rigid = cloud.rigids.add(kinematic(shape)).unwrap();
-        while cloud.particles.alive() < 5000 {
+        while cloud.particles.alive() < count {
             let k = cloud.particles.alive() * 3;
             let place = Vector::new(random(k, 1), random(k, 2), random(k, 3)).unit_or(Vector::Y)
                 * (1.2 + 1.5 * random(k, 4).abs());
@@ -31,17 +41,17 @@ fn none_of_5000_particles_is_ever_inside_a_moving_rigid() {
             cloud.rigids.move_to(rigid, Pose { position, rotation }).unwrap();
             cloud.step(40.0);
             let frame = Frame::new(&cloud.pose(0));
-            for i in 0..5000 {
+            for i in 0..count {
                 let radius = cloud.particles.size[i];
                 let gap = distance(frame.local_from_world(cloud.position(i)));
                 assert!(
                     excess(gap, radius) <= 0.0,
                     "{name}, step {step}, particle {i}: {gap} of {radius}"
                 );
-                touches += u32::from(gap < radius * 1.01);
+                touches += usize::from(gap < radius * 1.01);
             }
         }
-        assert!(touches > 50_000, "{name} was hardly touched: {touches}");
+        assert!(touches > 10 * count, "{name} was hardly touched: {touches}");
     }
 }
 

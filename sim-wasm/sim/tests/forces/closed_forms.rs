@@ -145,7 +145,7 @@ fn circle(settings: &[(&str, f64)], r: f32, turns: f64) -> (f64, f64) {
 
 #[test]
 fn a_vortex_keeps_the_distance_over_20_turns() {
-    for circulation in [1.0, 4.0, 40.0] {
+    for circulation in [4.0, 40.0] {
         let vortex = [("vortices.0.circulation", circulation), ("vortices.0.reach", 8.0)];
         for r in [0.05_f32, 0.25, 0.5, 1.0, 2.0] {
             let (least, greatest) = circle(&vortex, r, 20.0);
