@@ -113,7 +113,7 @@ test('captures are started from the sheet and do not change the smoke', async ({
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test('a finger reaches the whole sheet', async ({ page }) => {
+  test('a finger reaches the whole sheet @long', async ({ page }) => {
     await open(page, `?paused=1${LAMP}`);
     await page.getByRole('button', { name: 'Capture' }).tap();
     await sheet(page).getByLabel('Format').selectOption('zip');

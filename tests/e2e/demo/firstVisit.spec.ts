@@ -58,7 +58,7 @@ test('shortcuts of a single character can be turned off, which lasts', async ({ 
   await expect(gallery).toBeHidden();
 });
 
-test('a random look is another scene in the style of a third preset, and can be undone', async ({ page }) => {
+test('a random look is another scene in the style of a third preset, and can be undone @long', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const [base, ...others] = presets.filter(({ name }) => name !== 'air');
   const models = presets.filter(({ name }) => name !== base.name);

@@ -142,7 +142,7 @@ test('moves through templates and other documents without errors, and looks the 
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('smoke taller than the largest possible canvas is drawn', async ({ page, openPage }) => {
+  test('smoke taller than the largest possible canvas is drawn @long', async ({ page, openPage }) => {
     await openPage(`<cartoon-smoke ${WISP} paused start="3" style="width: 200px; height: 150px"></cartoon-smoke>`);
     await stands(page);
     const heights = () =>
@@ -262,7 +262,7 @@ test.describe('with prefers-reduced-motion', () => {
     expect(await smokeOn(page).evaluate((smoke: CartoonSmokeElement) => smoke.playing)).toBe(false);
   });
 
-  test('a user who presses play while the smoke loads gets motion', async ({ page, openPage }) => {
+  test('a user who presses play while the smoke loads gets motion @long', async ({ page, openPage }) => {
     const request = await hold(page, 'session.js');
     await openPage(`<cartoon-smoke ${AIR} ${SIZE}></cartoon-smoke>
       <button onclick="document.querySelector('cartoon-smoke').play()">Go</button>`);

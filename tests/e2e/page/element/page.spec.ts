@@ -258,7 +258,7 @@ test('boxes of the page override attributes that change later, until they are re
   await expect.poll(values).toMatchObject({ 'emission.rate': 50, 'emitters.0.position.x': 3, 'light.azimuth': 12 });
 });
 
-test('collapsed elements are no obstacles', async ({ page, openPage }) => {
+test('collapsed elements are no obstacles @long', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${AIR} paused collide="h2"></cartoon-smoke>
     <details style="position: absolute; left: 170px; top: 85px"><summary>More</summary><h2>A headline</h2></details>`);
   await stands(page);

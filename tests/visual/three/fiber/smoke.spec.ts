@@ -39,7 +39,7 @@ test('unmounting leaves no handle and no object on the GPU', async ({ load }) =>
   ]);
 });
 
-test('emitters come and go, more than there can be at a time', async ({ load }) => {
+test('emitters come and go, more than there can be at a time @long', async ({ load }) => {
   const cases = await load<Smoke>(SMOKE);
   const { errors, grown } = await cases.evaluate((module) => module.manyEmitters());
   expect(errors).toEqual([]);
