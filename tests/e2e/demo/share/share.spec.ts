@@ -73,7 +73,9 @@ test('the sheet copies link and code, shows a QR code, and works by keyboard', a
   await closeSheet(page);
 });
 
-test('the share dialog of the platform is offered if it exists, and manual copying as a fallback @long', async ({ page }) => {
+test('the share dialog of the platform is offered if it exists, and manual copying as a fallback @long', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     Object.assign(window, { handed: [] });
     const share = ({ url }: ShareData) =>

@@ -70,7 +70,10 @@ test('accepts properties set before its definition, and reflects later ones', as
   expect(await element.evaluate((smoke: CartoonSmokeElement) => Reflect.get(smoke, 'styleTones'))).toBe(3);
 });
 
-test('rejects calls with values out of range, and changes nothing; a clone is an independent element', async ({ page, openPage }) => {
+test('rejects calls with values out of range, and changes nothing; a clone is an independent element', async ({
+  page,
+  openPage,
+}) => {
   await openPage(`<cartoon-smoke ${WISP} paused emission-rate="33"></cartoon-smoke>`);
   await stands(page);
   const report = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
