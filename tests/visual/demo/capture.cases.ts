@@ -215,6 +215,21 @@ export function drawing() {
   });
 }
 
+/** Cancels a clip after its second frame. */
+export function cancelled() {
+  return untouched(async () => {
+    const controller = new AbortController();
+    let shares = 0;
+    const onProgress = () => void (++shares === 2 && controller.abort());
+    const task = { signal: controller.signal, onProgress };
+    const outcome = await capture(await lamp(), { ...PLAIN, format: 'zip', seconds: 5 }, task).then(
+      () => 'finished',
+      (error: Error) => error.name,
+    );
+    return { outcome, shares };
+  });
+}
+
 /** The error without an encoder. */
 export function withoutEncoder() {
   return untouched(async () => {

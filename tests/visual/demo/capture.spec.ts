@@ -84,6 +84,11 @@ test('a drawing has the flat colours in named groups, and looks like the picture
   expect(report.isUntouched).toBe(true);
 });
 
+test('a cancelled clip ends at once and does not change the smoke', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.cancelled());
+  expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
+});
+
 test('without an encoder the page reports it and suggests an alternative', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());
   expect(report.message).toContain('cannot encode Video (MP4) at 160 \u00d7 120 pixels. Use');
