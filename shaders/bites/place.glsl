@@ -1,5 +1,6 @@
 // Places the bites of a puff that dissolves: three balls that grow with its erosion and are cut out of its lobes. Two bites lie
-// on opposite sides and leave a cup, then a ring; the third opens the ring to a hook. They turn and stretch like lobes.
+// on opposite sides and leave a cup, then a ring; the third opens the ring to a hook. They turn and stretch like lobes. Where
+// `isTorn`, they lie about the axis of the stretch instead, before and behind the puff on opposite sides, and leave tatters along it.
 
 // Centres of the first and of the third bite in the frame of the puff.
 const vec3 FIRST_BITE = vec3(0.69, 0.92, 0.0);
@@ -20,8 +21,25 @@ float erosionOf(uvec4 attributes) {
   return float(attributes.w >> 24u) / 255.0;
 }
 
+#ifdef DEFORMED
+uniform bool isTorn;
+
+// A vector after the rotation along the shortest arc that turns the x axis to `axis`.
+vec3 turnedFromX(vec3 axis, vec3 vector) {
+  vec3 across = vec3(0.0, -axis.z, axis.y);
+  vec3 turned = cross(across, vector);
+  return vector + turned + cross(across, turned) / max(1.0 + axis.x, 1e-4);
+}
+#endif
+
 // The centres of the first and of the third bite in another frame.
 mat2x3 bitesIn(mat3 frameFromPuff) {
+#ifdef DEFORMED
+  if (isTorn) {
+    vec3 axis = normalize(stretchOf(attributes.w).xyz * worldFromPuff(attributes));
+    return mat2x3(frameFromPuff * turnedFromX(axis, FIRST_BITE), frameFromPuff * turnedFromX(axis, THIRD_BITE));
+  }
+#endif
   return mat2x3(frameFromPuff * FIRST_BITE, frameFromPuff * THIRD_BITE);
 }
 

@@ -1,5 +1,6 @@
 import { Color as ThreeColor, type IUniform } from 'three';
 import type { StyleUniforms } from './gpu/frameView.ts';
+import { MAX_STRETCH } from '../base/constants.ts';
 import type { PuffForm } from './gpu/puffTextures.ts';
 import { writeColor, type Color, type Tone } from './gpu/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
@@ -65,6 +66,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   isDeformed: boolean;
   /** Whether puffs have bites as they dissolve. */
   isEroded: boolean;
+  /** Whether the bites lie along the stretch of a puff instead of turning with it. */
+  isTorn: boolean;
   /** World heights between which the gradient 'height' runs, metres. */
   gradientHeights: readonly [bottom: number, top: number];
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
@@ -102,7 +105,8 @@ export function styleOf(values: Values): Style {
     isEroded:
       values['puff.form'] === 'lobes' &&
       values['style.renderer'] === 'nailboards' &&
-      values['emission.dissolve'] === 'erode',
+      (values['emission.dissolve'] === 'erode' || values['emission.dissolve'] === 'tear'),
+    isTorn: values['emission.dissolve'] === 'tear',
     gradientHeights: [gradientBottom, gradientTop],
     stops: ramp,
     isBlended: rampBlend,
@@ -116,7 +120,9 @@ export function styleOf(values: Values): Style {
 
 /** As the simulator decides it: `is_deformed` in sim-wasm/sim/src/arrange/rows.rs. */
 export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' | 'isDeformed'> {
-  const [rotation, stretch, billow] = (['turn', 'stretch', 'billow'] as const).map((name) => values[`puff.${name}`]!);
+  const [rotation, moving, billow] = (['turn', 'stretch', 'billow'] as const).map((name) => values[`puff.${name}`]!);
+  const endsStretched = values['emission.dissolve'] === 'tear' || values['emission.dissolve'] === 'thin';
+  const stretch = endsStretched ? MAX_STRETCH : moving;
   const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };
 }

@@ -113,12 +113,21 @@ function latestCapOf({ form }: Style): number {
   return form === 'lobes' ? lobes.caps.latestCap : billboards.latestCap;
 }
 
-function puffsAsObject({ form, isDeformed, isEroded, billow, stretch }: Style): object {
+function puffsAsObject({ form, isDeformed, isEroded, isTorn, billow, stretch }: Style): object {
   const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
   const { width, height, values } = startCaps;
   const depth = (isDeformed ? spreadOf(stretch) : 1) * (isEroded ? bakedPuffs().lobes.reach : puffs.depth);
   const tallest = isDeformed ? spreadOf(stretch) * bakedPuffs().lobes.reach : 1;
-  return { ...puffs, depth, tallest, isDeformed, isEroded, billow, startCaps: { width, height, values: [...values] } };
+  return {
+    ...puffs,
+    depth,
+    tallest,
+    isDeformed,
+    isEroded,
+    isTorn,
+    billow,
+    startCaps: { width, height, values: [...values] },
+  };
 }
 
 function lobePuffs() {

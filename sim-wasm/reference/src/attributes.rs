@@ -8,7 +8,7 @@ use sim::arrange::row_layout::{
     TURN_LARGEST, VARIATION,
 };
 
-use crate::scene::Bands;
+use crate::scene::{Bands, Puffs};
 
 const TINTS: usize = 3;
 const SEEDS: f64 = 256.0;
@@ -69,6 +69,13 @@ impl PackedAttributes {
         stretching(self.stretch())
             * DMat3::from_quat(self.turn())
             * DMat3::from_axis_angle(axis.normalize(), self.roll())
+    }
+
+    /// The axis of the stretch in the puff's frame if bites lie along it.
+    pub fn torn_along(self, puffs: &Puffs) -> Option<DVec3> {
+        let (axis, ratio) = self.stretch();
+        let rotation = stretching((axis, ratio)).inverse() * self.world_from_puff();
+        puffs.is_torn.then(|| (rotation.transpose() * axis).normalize())
     }
 
     /// The turn by the air: a quaternion without its largest component.

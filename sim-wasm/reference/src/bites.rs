@@ -1,6 +1,6 @@
 //! The bites of a puff that dissolves: three balls that grow with its erosion and are cut out of its lobes.
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 /// See src/base/constants.ts.
 const FIRST_BITE: [f64; 3] = [0.69, 0.92, 0.0];
@@ -18,10 +18,12 @@ pub struct Lobe {
     pub radius: f64,
 }
 
-/// The bites at an erosion, mapped from the puff's frame. Their radii are those of an unstretched puff.
-pub fn bites(erosion: f64, map: DMat3) -> Vec<Lobe> {
-    let first = DVec3::from(FIRST_BITE);
-    let centers = [first, -first, DVec3::from(THIRD_BITE)];
+/// The bites at an erosion, mapped from the puff's frame. Their radii are those of an unstretched puff. With `torn_along`, the
+/// axis of the stretch in the puff's frame, they lie about this axis.
+pub fn bites(erosion: f64, torn_along: Option<DVec3>, map: DMat3) -> Vec<Lobe> {
+    let turn = torn_along.map_or(DQuat::IDENTITY, |axis| DQuat::from_rotation_arc(DVec3::X, axis));
+    let first = turn * DVec3::from(FIRST_BITE);
+    let centers = [first, -first, turn * DVec3::from(THIRD_BITE)];
     let bite = |(index, center): (usize, DVec3)| {
         let grown = (erosion - BITE_STARTS[index]) / (1.0 - BITE_STARTS[index]);
         (grown > 0.0).then(|| Lobe {

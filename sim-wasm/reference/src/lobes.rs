@@ -52,7 +52,7 @@ impl Lobes {
         let unstretched = unstretched(stretching);
         let (variation, age, erosion) = (attributes.variation(), attributes.age(), attributes.erosion());
         let bites = if puffs.is_eroded && erosion > FIRST_START {
-            bites::bites(erosion, unstretched * view_from_puff)
+            bites::bites(erosion, attributes.torn_along(puffs), unstretched * view_from_puff)
         } else {
             Vec::new()
         };

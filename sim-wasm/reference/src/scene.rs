@@ -140,6 +140,8 @@ pub struct Puffs {
     pub billow: f64,
     /// Whether they have bites.
     pub is_eroded: bool,
+    /// Whether the bites lie along the stretch.
+    pub is_torn: bool,
     /// Maximum height over the nailboard (radii).
     pub tallest: f64,
     /// Maximum visible depth behind the centre plane (radii).

@@ -62,7 +62,7 @@ impl Eaten {
             axis: (from_world * axis).normalize(),
             growth: growth * row.radius / ratio.sqrt(),
             lobes: scene.puffs.lobes[variation].iter().enumerate().map(lobe).collect(),
-            bites: bites::bites(erosion, from_puff),
+            bites: bites::bites(erosion, attributes.torn_along(&scene.puffs), from_puff),
         })
     }
 

@@ -126,7 +126,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'emission.lifetime': 'duration length age time fade',
   'emission.growthTime': 'grow expand swell',
   'emission.density': 'opacity transparency opaque transparent alpha thickness thick thin fade',
-  'emission.dissolve': 'fade vanish disappear erode opacity',
+  'emission.dissolve': 'fade vanish disappear erode opacity tear strand tatter',
   'emission.entrainment': 'expand spread widen grow',
   'emission.company': 'group cluster neighbours stragglers crumbs end',
   'puff.size': 'scale radius diameter big small large tiny',

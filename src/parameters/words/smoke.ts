@@ -42,8 +42,8 @@ export const smokeWords: WordsOf<Rows> = {
   },
   'emission.dissolve': {
     label: 'Dissolving',
-    text: 'How puffs end as their density falls: they shrink, or holes open and leave crescents, rings and hooks. Billboards and the renderer selle have no holes.',
-    options: { shrink: 'Shrink', erode: 'Erode' },
+    text: 'How puffs end as their density falls: they shrink; holes open and leave crescents, rings and hooks; they tear along their motion; or they shrink and thin to strands. Billboards and the renderer selle have no holes.',
+    options: { shrink: 'Shrink', erode: 'Erode', tear: 'Tear', thin: 'Thin' },
   },
   'emission.entrainment': {
     label: 'Entrainment',

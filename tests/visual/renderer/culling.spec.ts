@@ -51,7 +51,7 @@ test('culling changes no pixel of puffs that turn, stretch and unfold', async ({
 
 test('culling changes no pixel of puffs that are eroded @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
-  const values: Values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'erode' };
+  const values: Values = { 'simulation.maxParticles': 800, 'emission.rate': 150, 'emission.dissolve': 'tear' };
   const comparisons = await cases.evaluate(
     (module, input) => module.compareScene(input, 5, ['scene', 'above', 'inside', 'behind']),
     values,

@@ -76,6 +76,7 @@ const DISSOLVING: readonly (readonly [SceneName, readonly Mode[]])[] = [
     [
       { ...ERODED, ...STRETCHED },
       { ...ERODED, ...UNFOLDING, tones: 3 },
+      { ...ERODED, ...STRETCHED, isTorn: true },
     ],
   ],
 ];

@@ -7,10 +7,11 @@ use crate::math::scalar::greater;
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
 
-/// Packed turn and stretch of particle `i`, `back` seconds before the current state.
+/// Packed turn and stretch of particle `i`, `back` seconds before the current state, by its
+/// [`dissolution`](crate::particles::radius::RadiusLaw::dissolution).
 // Called from several loops; inlining would repeat it in each.
 #[inline(never)]
-pub(super) fn packed(law: &FlowLaw, particles: &Particles, i: usize, back: f32) -> [u32; 2] {
+pub(super) fn packed(law: &FlowLaw, particles: &Particles, i: usize, back: f32, dissolution: f32) -> [u32; 2] {
     let Some(flow) = &particles.flow else {
         return [0; 2];
     };
@@ -18,14 +19,19 @@ pub(super) fn packed(law: &FlowLaw, particles: &Particles, i: usize, back: f32) 
     let speed = length(velocity);
     [
         packed_turn(turn),
-        packed_stretch(velocity, speed, law.ratio(particles, i, speed)),
+        packed_stretch(
+            velocity,
+            speed,
+            law.ratio(particles, i, speed, dissolution),
+            law.strand > 1.0,
+        ),
     ]
 }
 
-/// Direction in an octahedral map, then the ratio of the axes. 0 without stretch.
-fn packed_stretch(velocity: [f32; 3], speed: f32, ratio: f32) -> u32 {
+/// Direction in an octahedral map, then the ratio of the axes. 0 without stretch, unless it `has_direction` nevertheless.
+fn packed_stretch(velocity: [f32; 3], speed: f32, ratio: f32, has_direction: bool) -> u32 {
     let steps = ((ratio - 1.0) / (MAX_STRETCH - 1.0) * STRETCH.max as f32 + 0.5) as u32;
-    if steps == 0 {
+    if steps == 0 && !has_direction {
         return 0;
     }
     let [x, y, z] = velocity.map(|component| component / greater(speed, 1e-20));

@@ -70,8 +70,9 @@ impl RowSampler {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);
         let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
-        let [turn, stretch] = self.flow(particles, i);
-        let erosion = fraction(self.radii.erosion(age, particles.lifetime[i]), EROSION);
+        let dissolution = self.radii.dissolution(age, particles.lifetime[i]);
+        let [turn, stretch] = self.flow(particles, i, dissolution);
+        let erosion = fraction(self.radii.erosion(dissolution), EROSION);
         [
             ROLL.packed(roll(attributes, age)) | worn,
             constant(attributes),
@@ -80,10 +81,10 @@ impl RowSampler {
         ]
     }
 
-    fn flow(&self, particles: &Particles, i: usize) -> [u32; 2] {
+    fn flow(&self, particles: &Particles, i: usize, dissolution: f32) -> [u32; 2] {
         let back = (1.0 - self.blend) * self.dt;
         self.flow
-            .map_or([0; 2], |law| deformation::packed(&law, particles, i, back))
+            .map_or([0; 2], |law| deformation::packed(&law, particles, i, back, dissolution))
     }
 
     /// The packed attributes of particle `i` for the eye, by its [`RowSampler::shape`].

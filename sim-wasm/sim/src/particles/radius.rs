@@ -4,7 +4,7 @@
 //! is t (2 - t) for t = age / growthTime up to 1. Growth is steepest at birth, so that smoke leaves a nozzle as a stem
 //! instead of a string of specks. Growth times below [`MIN_GROWTH_TIME`] are raised to it, except for the integrator
 //! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`. With
-//! `emission.dissolve` `erode`, a puff keeps its radius and is eroded instead, until the density is [`ERODED_DENSITY`]; the
+//! `emission.dissolve` `erode` or `tear`, a puff keeps its radius and is eroded instead, until the density is [`ERODED_DENSITY`]; the
 //! factor is then density / [`ERODED_DENSITY`].
 //!
 //! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
@@ -13,7 +13,7 @@
 
 use wide::f32x4;
 
-use crate::layout::parameters::settings::Integrator;
+use crate::layout::parameters::settings::{Dissolve, Integrator};
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{positive_part, smaller};
@@ -25,8 +25,8 @@ pub const MIN_GROWTH_TIME: f32 = 0.1;
 
 /// Density from which an eroded puff shrinks, so that its last piece vanishes without a jump.
 pub const ERODED_DENSITY: f32 = 0.25;
-/// Density at which the erosion of a puff begins; it is complete at [`ERODED_DENSITY`].
-pub const EROSION_DENSITY: f32 = 0.75;
+/// Density at which a puff begins to dissolve; this is complete at [`ERODED_DENSITY`].
+pub const DISSOLVING_DENSITY: f32 = 0.75;
 
 /// The radius of a particle as a function of size and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
         let growth_time = parameters.emission.growth_time as f32;
-        let erodes = parameters.emission.dissolve == 1.0;
+        let erodes = Dissolve::from_parameter(parameters.emission.dissolve).erodes();
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
         Self {
             puff_size: parameters.puff.size as f32,
@@ -82,13 +82,15 @@ impl RadiusLaw {
         self.gain > 1.0
     }
 
-    /// Erosion of a particle at `age` of `lifetime` (s); it has not begun up to 0 and is complete from 1 on. 0 if puffs only shrink.
-    pub fn erosion(&self, age: f32, lifetime: f32) -> f32 {
-        if !self.erodes() {
-            return 0.0;
-        }
-        let lost = EROSION_DENSITY - self.density(greater(age, 0.0) / lifetime);
-        lost / (EROSION_DENSITY - ERODED_DENSITY)
+    /// Erosion of a particle by its [`RadiusLaw::dissolution`]; 0 if puffs only shrink.
+    pub fn erosion(&self, dissolution: f32) -> f32 {
+        if self.erodes() { dissolution } else { 0.0 }
+    }
+
+    /// How far a particle is dissolved at `age` of `lifetime` (s); this has not begun up to 0 and is complete from 1 on.
+    pub fn dissolution(&self, age: f32, lifetime: f32) -> f32 {
+        let lost = DISSOLVING_DENSITY - self.density(greater(age, 0.0) / lifetime);
+        lost / (DISSOLVING_DENSITY - ERODED_DENSITY)
     }
 
     // Inlined twice, the curve would take more space.

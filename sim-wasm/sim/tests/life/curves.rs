@@ -58,7 +58,7 @@ fn eroded(stops: &[(f64, f64)], worn: f64) -> (f64, f64) {
     // Rows have the erosion between 0 and 1.
     (
         f64::from(radius),
-        f64::from(law.erosion(age, lifetime as f32)).clamp(0.0, 1.0),
+        f64::from(law.erosion(law.dissolution(age, lifetime as f32))).clamp(0.0, 1.0),
     )
 }
 
@@ -76,7 +76,7 @@ fn an_eroded_puff_keeps_its_radius_until_its_erosion_is_complete() {
         let found = eroded(&[], worn);
         assert!((found.0 - radius).abs() < 1e-4, "radius {} at {worn}", found.0);
         assert!((found.1 - erosion).abs() < 1e-4, "erosion {} at {worn}", found.1);
-        assert_eq!(RadiusLaw::new(&parameters(&[])).erosion(worn as f32, 1.0), 0.0);
+        assert_eq!(RadiusLaw::new(&parameters(&[])).erosion(erosion as f32), 0.0);
     }
     // By a curve that ends earlier.
     let (radius, erosion) = eroded(&[(0.0, 1.0), (0.4, 0.5), (0.6, 0.125)], 0.4);

@@ -127,6 +127,43 @@ fn the_stretch_rises_with_the_speed_to_its_limit() {
 }
 
 #[test]
+fn a_moving_puff_that_tears_or_thins_ends_longer() {
+    // Dissolving, a speed (m/s) and the ratio at the end.
+    for (dissolve, speed, end) in [
+        (0.0, 4.0, 1.0),
+        (1.0, 4.0, 1.0),
+        (2.0, 4.0, 2.4),
+        (3.0, 4.0, 4.0),
+        (3.0, 0.0, 1.0),
+    ] {
+        let settings = [("emission.dissolve", dissolve), ("emission.growthTime", 0.0)];
+        let mut simulator = simulator(1, 1, &[STILL, &settings]);
+        simulator.add(&Newborn {
+            slip: [speed, 0.0, 0.0],
+            lifetime: 4.0,
+            ..newborn([0.0; 3])
+        });
+        let mut ratios = Vec::new();
+        loop {
+            steps(&mut simulator, 1);
+            let Some((_, attributes)) = rows(&mut simulator, 1.0).first().copied() else {
+                break;
+            };
+            ratios.push(ratio(attributes));
+        }
+        let worn = |share: f64| ratios[(share * ratios.len() as f64) as usize];
+        assert_eq!(worn(0.2), 1.0, "before it dissolves");
+        assert!(
+            (worn(0.5) - (3.0 + end) / 4.0).abs() < 0.1,
+            "{} halfway to {end}",
+            worn(0.5)
+        );
+        assert!((worn(0.9) - end).abs() < 0.02, "{} instead of {end}", worn(0.9));
+        assert!(ratios.is_sorted(), "{ratios:?}");
+    }
+}
+
+#[test]
 fn a_newborn_is_round_and_the_stretch_is_continuous() {
     let mut simulator = thrown(&[("puff.stretch", 4.0)], 2.25);
     let mut before = 1.0;

@@ -12,6 +12,7 @@ pub struct Emission {
     pub lifetime: f64,
     pub growth_time: f64,
     pub entrainment: f64,
+    /// See [`Dissolve`].
     pub dissolve: f64,
     pub company: f64,
     pub size_spread: f64,
@@ -23,7 +24,8 @@ impl Item for Emission {
         number("lifetime", "s", [0.1, 60.0], 7.0, |e: &mut Self| &mut e.lifetime),
         number("growthTime", "s", [0.0, 30.0], 2.6, |e: &mut Self| &mut e.growth_time),
         number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
-        number("dissolve", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.dissolve).named(&["shrink", "erode"]),
+        number("dissolve", "1", [0.0, 3.0], 0.0, |e: &mut Self| &mut e.dissolve)
+            .named(&["shrink", "erode", "tear", "thin"]),
         number("company", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.company),
         number("sizeSpread", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.size_spread),
     ];
@@ -173,6 +175,36 @@ impl Item for Resistance {
         number("rate", "1/s", [0.0, 1000.0], 1.5, |d: &mut Self| &mut d.rate),
         number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic),
     ];
+}
+
+/// How puffs end as their density falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dissolve {
+    /// Puffs shrink.
+    Shrink,
+    /// Holes open in them.
+    Erode,
+    /// Holes open along the motion of a puff, and it stretches.
+    Tear,
+    /// Puffs shrink and stretch to strands.
+    Thin,
+}
+
+impl Dissolve {
+    /// The value of `emission.dissolve`, in the order of its names.
+    pub fn from_parameter(value: f64) -> Self {
+        match value {
+            1.0 => Self::Erode,
+            2.0 => Self::Tear,
+            3.0 => Self::Thin,
+            _ => Self::Shrink,
+        }
+    }
+
+    /// Whether holes open.
+    pub fn erodes(self) -> bool {
+        matches!(self, Self::Erode | Self::Tear)
+    }
 }
 
 /// The integrator of particle motion.
