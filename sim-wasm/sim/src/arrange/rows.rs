@@ -36,8 +36,11 @@ impl RowSampler {
     /// Age (s) of particle `i`; negative before birth.
     pub fn age(&self, particles: &Particles, i: usize) -> f32 {
         let age = particles.held.as_ref().map_or(&particles.age, |held| &held.age);
-        let haste = particles.company.as_ref().map_or(0.0, |company| company.haste[i]);
-        age[i] - (1.0 - self.blend) * (self.dt + haste)
+        let extra_ageing = particles
+            .company
+            .as_ref()
+            .map_or(0.0, |company| company.extra_ageing[i]);
+        age[i] - (1.0 - self.blend) * (self.dt + extra_ageing)
     }
 
     /// Place and radius of particle `i`. The radius is 0 before birth.

@@ -1,7 +1,7 @@
 //! A particle in the broad phase.
 
+use crate::collide::broad_phase::GridLocation;
 use crate::collide::contact::Obstacle;
-use crate::collide::survey::GridLocation;
 use crate::math::bounds::WideBounds;
 use crate::math::vector::Vector;
 use crate::particles::Particles;

@@ -6,7 +6,7 @@
 //! particle is interpolated linearly between the eight nearest cells, without the particle's own volume.
 //!
 //! With s from 0 at the share [`LATE`] of life to 1 at [`LATE`] + [`LATE_SPAN`], and q = min(1, (share of space filled by
-//! other puffs) / [`CROWD`]), a particle ages 1 + company s ([`LONELY`] (1 - q) - [`CALM`] q) times as fast.
+//! other puffs) / [`CROWD`]), a particle ages 1 + company s ([`ALONE_PACE`] (1 - q) - [`GROUP_PACE`] q) times as fast.
 
 use wide::f32x4;
 
@@ -18,15 +18,15 @@ use crate::particles::Particles;
 use crate::particles::company::{Company, SIDE};
 use crate::particles::radius::RadiusLaw;
 
-/// Steps between two surveys.
+/// Steps between two updates.
 pub const PERIOD: u64 = 32;
 /// Share of life at which company begins to matter, and the share over which it reaches its full effect.
 pub const LATE: f32 = 0.35;
 pub const LATE_SPAN: f32 = 0.25;
 /// Additional pace of ageing without company.
-pub const LONELY: f32 = 4.0;
+pub const ALONE_PACE: f32 = 4.0;
 /// Reduction of the pace of ageing inside a group.
-pub const CALM: f32 = 0.35;
+pub const GROUP_PACE: f32 = 0.35;
 /// Share of space that smoke fills inside a group.
 pub const CROWD: f32 = 0.5;
 /// Minimum length of a cell (m), so that cells can be counted in the whole world.
@@ -36,12 +36,12 @@ const BALL: f32 = 4.188_790_3;
 
 /// Determines anew how fast each particle ages, if `emission.company` is above 0.
 #[inline(never)]
-pub fn survey(particles: &mut Particles, parameters: &Parameters) {
+pub fn update(particles: &mut Particles, parameters: &Parameters) {
     let Some(mut company) = particles.company.take() else {
         return;
     };
     let alive = particles.alive();
-    let Company { haste, cells } = &mut *company;
+    let Company { extra_ageing, cells } = &mut *company;
     let radii = RadiusLaw::new(parameters);
     let mean = particles.size[..alive].iter().sum::<f32>() / greater(alive as f32, 1.0);
     let length = greater(2.0 * mean * radii.puff_size, MIN_CELL);
@@ -56,10 +56,10 @@ pub fn survey(particles: &mut Particles, parameters: &Parameters) {
     }
     let full = parameters.emission.company as f32 * STEP as f32;
     let per_volume = BALL / (CROWD * length * length * length);
-    for (block, haste) in blocks_mut(haste, blocks.count()).iter_mut().enumerate() {
+    for (block, extra_ageing) in blocks_mut(extra_ageing, blocks.count()).iter_mut().enumerate() {
         let late = blocks.late(block);
-        *haste = [0.0; LANES];
-        if late == *haste {
+        *extra_ageing = [0.0; LANES];
+        if late == *extra_ageing {
             continue;
         }
         let (corners, shares) = blocks.cells(block, -0.5);
@@ -70,14 +70,14 @@ pub fn survey(particles: &mut Particles, parameters: &Parameters) {
                 let share = shares.map(|share| share[lane]);
                 let around = around(cells, corner, share, volumes[lane]);
                 let crowd = lesser(around * per_volume, 1.0);
-                haste[lane] = full * late[lane] * (LONELY * (1.0 - crowd) - CALM * crowd);
+                extra_ageing[lane] = full * late[lane] * (ALONE_PACE * (1.0 - crowd) - GROUP_PACE * crowd);
             }
         }
     }
     particles.company = Some(company);
 }
 
-/// What the survey reads of particles, in blocks.
+/// What the update reads of particles, in blocks.
 struct Blocks<'p> {
     places: [&'p [[f32; LANES]]; 3],
     life: [&'p [[f32; LANES]]; 3],

@@ -90,9 +90,9 @@ fn age(particles: &mut Particles, ageing: &Ageing, first: usize, len: usize) -> 
         *temperature = (f32x4::new(*temperature) * ageing.cooling).to_array();
     }
     if let Some(company) = company {
-        let haste = &blocks(&company.haste, first + len)[first..];
-        for (age, haste) in blocks_mut(age, first + len)[first..].iter_mut().zip(haste) {
-            *age = (f32x4::new(*age) + f32x4::new(*haste)).to_array();
+        let extra_ageing = &blocks(&company.extra_ageing, first + len)[first..];
+        for (age, extra_ageing) in blocks_mut(age, first + len)[first..].iter_mut().zip(extra_ageing) {
+            *age = (f32x4::new(*age) + f32x4::new(*extra_ageing)).to_array();
         }
     }
     dead

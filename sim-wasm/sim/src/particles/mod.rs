@@ -133,7 +133,7 @@ impl Particles {
             flow.reset(i);
         }
         if let Some(company) = &mut self.company {
-            company.haste[i] = 0.0;
+            company.extra_ageing[i] = 0.0;
         }
         self.alive += 1;
         true
@@ -154,7 +154,7 @@ impl Particles {
             flow.columns.iter_mut().for_each(|column| column.swap(i, last));
         }
         if let Some(company) = &mut self.company {
-            company.haste.swap(i, last);
+            company.extra_ageing.swap(i, last);
         }
         self.alive = last;
     }
@@ -249,8 +249,8 @@ impl Particles {
         if let Some(company) = &self.company {
             let mut copy = Box::new(Company::new(resized.x.len()));
             kept.iter()
-                .zip(&mut copy.haste)
-                .for_each(|(i, haste)| *haste = company.haste[*i]);
+                .zip(&mut copy.extra_ageing)
+                .for_each(|(i, extra_ageing)| *extra_ageing = company.extra_ageing[*i]);
             resized.company = Some(copy);
         }
         resized

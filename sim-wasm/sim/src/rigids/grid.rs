@@ -6,7 +6,7 @@
 
 use wide::{f32x4, i32x4};
 
-use crate::collide::survey::{GridLocation, NearLanes, ParticleExtent, SweptBoxes};
+use crate::collide::broad_phase::{GridLocation, NearLanes, ParticleExtent, SweptBoxes};
 use crate::math::bounds::{Bounds, WideBounds};
 use crate::math::simd::LANES;
 use crate::math::vector::Vector;

@@ -1,9 +1,9 @@
 //! The rigids of one simulator.
 
+use crate::collide::broad_phase::{NearLanes, ParticleExtent, SweptBoxes};
 use crate::collide::contact::{Material, Obstacle};
 use crate::collide::core::Core;
 use crate::collide::shapes::{Collider, Nearest};
-use crate::collide::survey::{NearLanes, ParticleExtent, SweptBoxes};
 use crate::collide::swept_particle::SweptParticle;
 use crate::layout::error::ParameterError;
 use crate::layout::limits::STEP;

@@ -1,7 +1,7 @@
 //! The particles near selected rigids: those with a boundary layer, or those that feel smoke. A separate grid keeps all
 //! other rigids free of cost.
 
-use crate::collide::survey::{SweptBoxes, extent, for_each_near};
+use crate::collide::broad_phase::{SweptBoxes, extent, for_each_near};
 use crate::math::bounds::{Bounds, WideBounds};
 use crate::math::vector::Vector;
 use crate::particles::Particles;

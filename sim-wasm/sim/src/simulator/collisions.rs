@@ -1,8 +1,8 @@
 //! Collision of all particles with all obstacles of a step.
 
 use crate::collide::analytic::AnalyticShape;
+use crate::collide::broad_phase::{self, NearLanes, SweptBoxes};
 use crate::collide::contact::{Action, Obstacle, Pass, Traveller};
-use crate::collide::survey::{self, NearLanes, SweptBoxes};
 use crate::collide::swept_particle::{self, SweptParticle};
 use crate::math::bounds::WideBounds;
 use crate::math::scalar::greater;
@@ -63,7 +63,7 @@ pub fn resolve(
     scratch.obstacles.extend(colliders);
     #[cfg(feature = "rigids")]
     if rigids.count() > 0 {
-        rigids.prepare(&survey::extent(particles, radii));
+        rigids.prepare(&broad_phase::extent(particles, radii));
         scratch.near.reserve(rigids.count() + scratch.obstacles.len());
     }
     let obstacles = Obstacles {
@@ -75,7 +75,7 @@ pub fn resolve(
         return;
     }
     let look = |swept_boxes: &SweptBoxes| obstacles.look(swept_boxes);
-    survey::for_each_near(particles, radii, look, |particles, i, location| {
+    broad_phase::for_each_near(particles, radii, look, |particles, i, location| {
         let swept_particle = SweptParticle::new(particles, i, radii, location);
         if !obstacles.find_near(&swept_particle, &mut scratch.near) {
             // Colliders are found in their order, rigids are not.

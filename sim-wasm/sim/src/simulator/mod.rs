@@ -226,7 +226,7 @@ impl Simulator {
         self.active_inputs.advance();
         self.steps += 1;
         if self.steps.is_multiple_of(company::PERIOD) {
-            company::survey(&mut self.particles, &self.parameters);
+            company::update(&mut self.particles, &self.parameters);
         }
         hold::follow(&mut self.particles, self.steps, self.parameters.style.hold as u64);
         self.parts.end();
@@ -373,7 +373,7 @@ impl Simulator {
             .iter()
             .for_each(|attributes| hash.word(*attributes));
         if let Some(company) = &self.particles.company {
-            hash.floats(&company.haste[..self.particles.alive()]);
+            hash.floats(&company.extra_ageing[..self.particles.alive()]);
         }
         let debts = self.births.debts();
         debts.iter().for_each(|debt| hash.long(debt.owed.to_bits()));

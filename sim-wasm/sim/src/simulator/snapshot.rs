@@ -232,7 +232,7 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         column[..alive].iter().for_each(|word| body.word(*word));
     }
     if let Some(company) = &particles.company {
-        write_column(body, &company.haste[..alive]);
+        write_column(body, &company.extra_ageing[..alive]);
     }
 }
 
@@ -263,7 +263,7 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
         read_words(reader, &mut column[..alive])?;
     }
     if let Some(company) = &mut particles.company {
-        read_column(reader, &mut company.haste[..alive])?;
+        read_column(reader, &mut company.extra_ageing[..alive])?;
     }
     particles.set_alive(alive);
     Ok(particles)

@@ -2,7 +2,7 @@
 
 use crate::common::{LIVELY, STEP, STILL, assert_close, newborn, simulator, steps};
 use sim::Simulator;
-use sim::life::company::{CALM, LATE, LATE_SPAN, LONELY, PERIOD};
+use sim::life::company::{ALONE_PACE, GROUP_PACE, LATE, LATE_SPAN, PERIOD};
 use sim::particles::Newborn;
 
 const LIFETIME: f64 = 8.0;
@@ -57,7 +57,7 @@ fn a_lone_puff_ends_after_the_time_of_the_closed_form() {
     for company in [0.3, 1.0] {
         let mut simulator = still(company);
         add(&mut simulator, [0.3, -0.7, 1.1]);
-        let expected = life_with(company as f32 * LONELY);
+        let expected = life_with(company as f32 * ALONE_PACE);
         let tolerance = PERIOD as f64 * STEP / expected;
         assert_close("lone life", seconds_until(&mut simulator, 0), expected, tolerance);
     }
@@ -67,7 +67,7 @@ fn a_lone_puff_ends_after_the_time_of_the_closed_form() {
 fn the_middle_of_a_group_outlives_its_time_as_the_closed_form_says() {
     let mut simulator = still(1.0);
     add_group(&mut simulator, [-20.0, 0.0, 3.0]);
-    let expected = life_with(-CALM);
+    let expected = life_with(-GROUP_PACE);
     assert_close("life in a group", seconds_until(&mut simulator, 20), expected, 0.03);
 }
 
@@ -91,8 +91,11 @@ fn a_restored_state_ages_alike_and_the_pace_of_ageing_is_part_of_the_hash() {
     let company = [("emission.company", 0.7), ("emission.sizeSpread", 0.8)];
     let mut original = simulator(500, 3, &[LIVELY, &company]);
     steps(&mut original, 107);
-    let haste = &original.particles().company.as_ref().unwrap().haste[..original.alive()];
-    assert!(haste.iter().any(|haste| *haste > 0.0) && haste.iter().any(|haste| *haste < 0.0));
+    let extra_ageing = &original.particles().company.as_ref().unwrap().extra_ageing[..original.alive()];
+    assert!(
+        extra_ageing.iter().any(|extra_ageing| *extra_ageing > 0.0)
+            && extra_ageing.iter().any(|extra_ageing| *extra_ageing < 0.0)
+    );
     let mut restored = Simulator::new(500, 9).unwrap();
     restored.restore(&original.save()).unwrap();
     assert_eq!(restored.hash(), original.hash());
