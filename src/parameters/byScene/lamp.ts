@@ -21,13 +21,14 @@ const curl: Values = {
   'style.form': 0.5,
 };
 
-/** Smoke of which stragglers end first. */
+/** Smoke of which stragglers end first, and that ends in strands. */
 const together: Values = {
   ...curl,
   'emission.rate': 26,
   'emission.entrainment': 0.05,
   'emission.sizeSpread': 0.3,
   'emission.company': 0.85,
+  'emission.dissolve': 'thin',
 };
 
 /** Puffs without ink that holes open in. They keep their size longer than those that shrink. */
@@ -83,6 +84,7 @@ export const lampPresets: readonly Preset[] = [
     values: {
       ...curl,
       ...eroding,
+      'emission.dissolve': 'tear',
       'emission.lifetime': 9,
       'emission.rate': 22,
       'forces.buoyancy': 0.7,
@@ -111,12 +113,13 @@ export const lampPresets: readonly Preset[] = [
     name: 'lamp-storm',
     values: {
       ...curl,
-      'emission.rate': 42,
+      'emission.rate': 46,
       'emission.lifetime': 4.5,
       'emission.density': '0:1,.85:.6,1:0',
-      'emission.entrainment': 0.15,
+      'emission.entrainment': 0.2,
       'emission.sizeSpread': 0.2,
       'emission.company': 1,
+      'emission.dissolve': 'thin',
       'style.smokeColor': '#8f96a8',
       'style.inkColor': '#14151c',
       'style.outlineWidth': 2.8,

@@ -13,6 +13,7 @@ const smoke: Values = {
   'puff.stretch': 1.4,
   'puff.billow': 0.5,
   'emission.density': '0:1,.85:.45,1:0',
+  'emission.dissolve': 'thin',
   'emitters.0.lifetimeVariation': 0.05,
   'style.simplify': 3,
   'style.form': 0.4,
