@@ -15,8 +15,6 @@ const SIZES = [
   { width: 1920, height: 1080, suffix: '.hd' },
 ];
 const STEPS = 360;
-/** As PLAIN_LOOK, but with the same smoke. */
-const { 'emission.dissolve': _, ...PLAIN } = PLAIN_LOOK;
 
 export async function measureLooks(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
@@ -29,7 +27,7 @@ export async function measureLooks(quick: boolean): Promise<Figure[]> {
 async function measureLook(preset: string, width: number, height: number, suffix: string, rounds: number) {
   const name = `render.look.${preset}${suffix}`;
   const choice = { width, height, smoothEdges: true, ownLook: true };
-  const [own, plain] = [await prepared(preset, choice), await prepared(preset, { ...choice, values: PLAIN })];
+  const [own, plain] = [await prepared(preset, choice), await prepared(preset, { ...choice, values: PLAIN_LOOK })];
   own.redraw({ cull: false });
   const quarks = new QuarksScene(own.passes.bodies.places.slice(), own.scene.surfaces, transformsOf(own));
   const camera: PerspectiveCamera = own.camera();
