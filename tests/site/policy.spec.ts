@@ -53,7 +53,7 @@ test('panel, gallery, handles, statistics, views and notices', async ({ page }) 
   await expect.poll(() => page.evaluate(() => window.cartoonSmoke!.get().scene)).toBe('wisp');
 });
 
-test('sheets for sharing and capture, files and own presets', async ({ page }) => {
+test('sheets for sharing and capture, files and own presets @long', async ({ page }) => {
   await open(page, `?paused=1&t=0.5${LIGHT}`);
   await expectSteps(page, 30);
   await page.getByRole('button', { name: 'Save this look' }).click();

@@ -26,14 +26,6 @@ test.afterEach(async ({ page }) => {
   rmSync(folder, { recursive: true });
 });
 
-test('runs from any folder, because its addresses are relative', async ({ page }) => {
-  const missing: string[] = [];
-  page.on('response', (response) => response.status() >= 400 && missing.push(response.url()));
-  await page.goto(`${server.address}#v=1&preset=lamp&emission.rate=40&simulation.maxParticles=500`);
-  await smokes(page);
-  expect(missing).toEqual([]);
-});
-
 test('lists the licences of its parts and links to its source', async ({ page }) => {
   await page.goto(`${server.address}?paused=1${WISP}`);
   await page.getByRole('button', { name: 'Help' }).click();

@@ -56,12 +56,6 @@ it('links to the repository of package.json, its homepage and its issues', () =>
   });
 });
 
-it('has types for each way of resolving modules', () => {
-  const checker = join(ROOT, 'node_modules/@arethetypeswrong/cli/dist/index.js');
-  const check = () => execFileSync(process.execPath, [checker, archive, '--profile', 'esm-only', '--quiet']);
-  expect(check).not.toThrow();
-}, 120_000);
-
 it('exports by name each type that a public signature names', () => {
   const { hidden, exported } = hiddenTypes(join(FOLDER, 'types'), [
     'index.d.ts',

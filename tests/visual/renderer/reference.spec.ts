@@ -69,7 +69,13 @@ const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
 ];
 const ERODED = { isEroded: true };
 const DISSOLVING: readonly (readonly [SceneName, readonly Mode[]])[] = [
-  ['eroded', [ERODED, { ...ERODED, tones: 3, inkSwell: 0.7, boil: 0.5 }, { ...ERODED, volumes: 'counted' }]],
+  [
+    'eroded',
+    [
+      { ...ERODED, tones: 3, inkSwell: 0.7, boil: 0.5 },
+      { ...ERODED, volumes: 'counted' },
+    ],
+  ],
   ['erodedByLamp', [{ ...ERODED, outlineWidth: 4 }]],
   [
     'erodedAndDeformed',

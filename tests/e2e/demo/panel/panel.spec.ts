@@ -133,7 +133,7 @@ test.describe('on a phone', () => {
     await expect(panelOf(page)).toBeHidden();
   }
 
-  test('the sheet can be raised, lowered, closed and searched', async ({ page }) => {
+  test('the sheet can be raised, lowered, closed and searched @long', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     await test.step('a finger raises, lowers and closes the sheet', async () => {
       await expectSheet(page, await fingerOf(page));

@@ -57,7 +57,9 @@ test('a take reaches the same hash in another browser, also at an earlier moment
   await context.close();
 });
 
-test('a moment of another scene, opened by the address bar, stays there until the next edit', async ({ page }) => {
+test('a moment of another scene, opened by the address bar, stays there until the next edit @long', async ({
+  page,
+}) => {
   await open(page, '?paused=1#v=1&preset=wisp&puff.variations=1&simulation.maxParticles=300');
   await ask(page, (stage) => stage.blow({ x: 150, y: 120, dx: 9, dy: -4 }));
   await ask(page, (stage) => stage.step(45));
