@@ -41,6 +41,16 @@ const HEADSETS = [
 ];
 
 /**
+ * Extensions that no pass uses. Each waits for the GPU twice.
+ * @type {Removal[]}
+ */
+const EXTENSIONS = [
+  { pattern: /^\t\t\tgetExtension\( '(?!EXT_color_buffer_float)\w+' \);$/gm, atLeast: 5 },
+  { pattern: /extensions\.has\( 'EXT_texture_filter_anisotropic' \) === true/g, replacement: 'false', atLeast: 2 },
+  { pattern: /extensions\.has\( 'OES_texture_float_linear' \) === false/g, replacement: 'false', atLeast: 2 },
+];
+
+/**
  * Assignments to classes of animation and of loaders, because of which a bundler keeps the classes.
  * @type {Removal[]}
  */
@@ -62,6 +72,7 @@ export function smallThree({ hasLoaders = false } = {}) {
   return [
     without('shaders', RENDERER, SHADERS),
     without('headsets', RENDERER, HEADSETS),
+    without('extensions', RENDERER, EXTENSIONS),
     ...(hasLoaders ? [] : [without('animation', CORE, ANIMATION)]),
     without('json', CORE, JSON_METHODS),
   ];

@@ -80,6 +80,7 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   if (hasStrokes(style)) await compile(...shadersOf(codeOf('strokes').strokeMaterials(eye, isDeformed)));
   await programs.finished(renderer);
   await device.testDepth();
+  await nextTask();
   if (device.writesDepth) return;
   await compile(bodies(true));
   await programs.finished(renderer);

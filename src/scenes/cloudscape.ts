@@ -1,3 +1,5 @@
+import { finished, inPieces, type Work } from '../base/work.ts';
+import type { SurfaceDescription } from '../renderer/passes/surface.ts';
 import { atan2 } from '../simulator/exact/arc.ts';
 import { cos, sin } from '../simulator/exact/sine.ts';
 import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
@@ -29,14 +31,27 @@ const SKY: Vector = [5.6, 2.75, -3];
 const [SAILS, RAYS, FACE] = [0, 1, 2];
 
 /** Clouds drift over a meadow while the sun moves from one side to the other and back. */
-export function cloudscape(): Scene {
+export const cloudscape = (): Scene => finished(building());
+
+/** Like {@link cloudscape}, but keeps the page responsive: most visits to it begin here. */
+export const buildCloudscape = (): Promise<Scene> => inPieces(building());
+
+function* building(): Work<Scene> {
+  const emissionSurfaces = [cumuli(CLOUDS)];
+  yield;
+  emissionSurfaces.push(cumuli(CLOUDS.map(([x, ...rest]) => [x + WIDTH, ...rest] as const)));
+  const surfaces: SurfaceDescription[] = [];
+  for (const build of [hills, () => windmill(SAILS), () => sheep(FLOCK), () => sun(RAYS, FACE)]) {
+    yield;
+    surfaces.push(...build());
+  }
   return {
     name: 'cloudscape',
     rig: RIG,
     rigids: [],
     rigidNames: [],
-    emissionSurfaces: [cumuli(CLOUDS), cumuli(CLOUDS.map(([x, ...rest]) => [x + WIDTH, ...rest] as const))],
-    surfaces: [...hills(), ...windmill(SAILS), ...sheep(FLOCK), ...sun(RAYS, FACE)],
+    emissionSurfaces,
+    surfaces,
     parts: [
       { name: 'Windmill sails', pose: (seconds) => placement(AXLE, [0, 0, 0.9 * WIND * seconds]) },
       { name: 'Sun rays', pose: (seconds) => placement(sunPlace(seconds), [0, 0, sunAngle(seconds)]) },

@@ -17,7 +17,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   rocket: { hasRigids: true, load: async () => (await import('./rocket.ts')).rocket() },
   genie: { hasRigids: true, load: async () => (await import('./genie.ts')).genie() },
   dust: { hasRigids: true, load: async () => (await import('./dust.ts')).dust() },
-  cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).cloudscape() },
+  cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).buildCloudscape() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
   air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };

@@ -1,7 +1,6 @@
 import { missingContext, requireCanvas, type DeviceCanvas } from '../renderer/gpu/device.ts';
 import type { Fault } from '../renderer/gpu/faults.ts';
 import { requireOptions } from '../base/errors.ts';
-import { nextTask } from '../base/work.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { defaults, validate } from '../parameters/values.ts';
 import { fetchExtras } from '../renderer/extraPasses.ts';
@@ -26,10 +25,8 @@ export async function openStage(canvas: DeviceCanvas, options: StageOptions): Pr
   try {
     const opened = await openFor(values, { size, pixelRatio, view }, options, presenting);
     const presenter = await presenting;
-    const { device } = presenter;
     if (import.meta.env.DEV && options.fault) await provoke(options.fault, presenter, opened);
-    if (!device.isRecoverable) throw missingContext();
-    await nextTask();
+    if (!presenter.device.isRecoverable) throw missingContext();
     const running = new RunningScene(presenter, opened, values, options);
     running.isSeen = options.visible ?? true;
     running.resize(...size, pixelRatio);

@@ -69,10 +69,9 @@ export class Device {
 
   /** @internal Runs the self test for `writesDepth` without blocking. */
   async testDepth(): Promise<void> {
-    if (!this.isUsable || this.hasPassed !== undefined) return;
+    if (this.hasPassed !== undefined) return;
     const read = drawDepthTest(this.renderer);
-    await executed(this.renderer.getContext() as WebGL2RenderingContext);
-    if (this.isUsable) this.hasPassed = read();
+    if (await executed(this.renderer.getContext() as WebGL2RenderingContext)) this.hasPassed = read();
   }
 
   /** False while the context is lost and after disposal: nothing can be drawn then. */
@@ -192,5 +191,5 @@ export async function contextAhead(canvas: DeviceCanvas): Promise<void> {
 }
 
 function contextOf(canvas: DeviceCanvas): WebGL2RenderingContext | null {
-  return canvas.getContext('webgl2', { antialias: false, depth: false }) as WebGL2RenderingContext | null;
+  return canvas.getContext('webgl2', { antialias: false, depth: false });
 }

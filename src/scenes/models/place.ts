@@ -32,13 +32,13 @@ export function placed(
 /** Merges several meshes into one. */
 export function merged(...meshes: readonly TriangleMesh[]): TriangleMesh {
   const together = (indicesOf: (mesh: TriangleMesh) => Uint32Array): Uint32Array => {
-    let next = 0;
-    const all = meshes.flatMap((mesh) => {
-      const first = next;
-      next += mesh.positions.length / 3;
-      return Array.from(indicesOf(mesh), (index) => index + first);
-    });
-    return Uint32Array.from(all);
+    const all: number[] = [];
+    let first = 0;
+    for (const mesh of meshes) {
+      for (const index of indicesOf(mesh)) all.push(first + index);
+      first += mesh.positions.length / 3;
+    }
+    return new Uint32Array(all);
   };
   return {
     positions: inOne(meshes.map(({ positions }) => positions)),

@@ -21,6 +21,7 @@ const patches = smallThree() as unknown as readonly Patch[];
 const CHANGES: Readonly<Record<string, (code: string) => string>> = {
   shaders: (code) => code.replace(/^(?:var|const) (?=[\w$]+ = ")/gm, 'let '),
   headsets: (code) => code.replaceAll('WebXRManager', 'XRManager'),
+  extensions: (code) => code.replaceAll('getExtension', 'extensionNamed'),
   animation: (code) => code.replaceAll('KeyframeTrack.prototype', 'KeyframeTrack.base'),
   json: (code) => code.replaceAll('toJSON', 'serialize'),
 };
