@@ -68,7 +68,7 @@ test.each(LOOKS)('they are baked in pieces if %o shows them, and only then', (lo
 });
 
 test('start caps are baked for lobes that do not turn, stretch or unfold, and only for them', () => {
-  const still = { 'puff.turn': 0, 'puff.stretch': 1, 'puff.billow': 0, 'emission.dissolve': 'shrink' };
+  const still = { 'puff.turn': 0, 'puff.stretch': 1, 'puff.billow': 0, 'emission.dissolve': 'shrink' } as const;
   const moving = ['puff.turn', 'puff.stretch', 'puff.billow'].map((key) =>
     pieces({ ...still, [key]: 1.5, 'puff.seed': 61 }),
   );
