@@ -3,6 +3,8 @@
 //! place: x, y, z in world space (m) and radius (m), blended between the steps. attributes: the fields of
 //! [`ATTRIBUTE_BITS`].
 
+pub use crate::layout::limits::MAX_STRETCH;
+
 /// Floats per row of places.
 pub const PLACE_FLOATS: usize = 4;
 
@@ -76,9 +78,6 @@ pub const QUATERNION_STEPS: f32 = 720.0;
 
 /// The word of a puff that does not turn.
 pub const NO_ROTATION: u32 = 3 << 30 | 512 << 20 | 512 << 10 | 512;
-
-/// Greatest ratio of the axes of a stretched puff.
-pub const MAX_STRETCH: f32 = 4.0;
 
 /// All fields by name.
 #[cfg(not(target_family = "wasm"))]

@@ -17,6 +17,9 @@ pub const COLLIDER_LIMIT: usize = 256;
 /// Maximum speed of the surface of a collider or a kinematic rigid (m/s): up to it no particle can pass through.
 pub const TOP_SPEED: f32 = 120.0;
 
+/// Greatest ratio of the axes of a stretched puff.
+pub const MAX_STRETCH: f32 = 4.0;
+
 pub(crate) fn check_capacity(capacity: u32) -> Result<usize, ParameterError> {
     if (1..=CAPACITY_LIMIT).contains(&capacity) {
         return Ok(capacity as usize);

@@ -8,8 +8,7 @@
 
 use wide::f32x4;
 
-use crate::arrange::row_layout::MAX_STRETCH;
-use crate::layout::limits::STEP;
+use crate::layout::limits::{MAX_STRETCH, STEP};
 use crate::layout::parameters::settings::Dissolve;
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::{greater, lesser};
