@@ -31,7 +31,7 @@ export async function loadOnce(browser, address) {
   }
 }
 
-/** The loop of tests/support/longTasks.ts: 28 ms on the machine that the limits of the tests were measured on. */
+/** A fixed loop that tells how fast the machine is, ms. */
 function work() {
   const start = performance.now();
   let state = 1;
