@@ -8,8 +8,11 @@ export const rocketPresets: readonly Preset[] = [
       'emission.rate': 60,
       'emission.lifetime': 7,
       'emission.growthTime': 0.7,
-      // Few puffs that take in air, so that the smoke rolls over the ground in large billows.
-      'emission.entrainment': 0.25,
+      // Few large puffs, so that the smoke rolls over the ground in billows. The exhaust of the descent travels far through the
+      // air: with more entrainment it fills the picture.
+      'emission.entrainment': 0.05,
+      'emitters.0.size': 0.62,
+      'emitters.0.inherit': 0.3,
       'emission.sizeSpread': 0.6,
       'emission.company': 1,
       'emission.density': '0:.55,.3:1,.75:.75,1:0',
