@@ -37,6 +37,8 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
+    /// Whether puffs do more than shrink as their density falls.
+    dissolves: bool,
     /// Factor on the density, which is at most 1 after it; more than 1 if puffs are eroded before they shrink.
     gain: f32,
 }
@@ -45,7 +47,7 @@ impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
         let growth_time = parameters.emission.growth_time as f32;
-        let erodes = Dissolve::from_parameter(parameters.emission.dissolve).erodes();
+        let dissolve = Dissolve::from_parameter(parameters.emission.dissolve);
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
         Self {
             puff_size: parameters.puff.size as f32,
@@ -55,7 +57,8 @@ impl RadiusLaw {
                 growth_time.max(MIN_GROWTH_TIME)
             },
             curve: Curve::new(parameters.density.items()),
-            gain: if erodes { 1.0 / ERODED_DENSITY } else { 1.0 },
+            dissolves: dissolve != Dissolve::Shrink,
+            gain: if dissolve.erodes() { 1.0 / ERODED_DENSITY } else { 1.0 },
         }
     }
 
@@ -65,6 +68,7 @@ impl RadiusLaw {
             puff_size,
             growth_time,
             curve: None,
+            dissolves: false,
             gain: 1.0,
         }
     }
@@ -88,7 +92,11 @@ impl RadiusLaw {
     }
 
     /// How far a particle is dissolved at `age` of `lifetime` (s); this has not begun up to 0 and is complete from 1 on.
+    /// 0 if puffs only shrink.
     pub fn dissolution(&self, age: f32, lifetime: f32) -> f32 {
+        if !self.dissolves {
+            return 0.0;
+        }
         let lost = DISSOLVING_DENSITY - self.density(greater(age, 0.0) / lifetime);
         lost / (DISSOLVING_DENSITY - ERODED_DENSITY)
     }
