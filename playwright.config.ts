@@ -39,8 +39,8 @@ export default defineConfig<object, WorkerOptions>({
   ...(isLong ? { grep: LONG } : { grepInvert: LONG }),
   forbidOnly: true,
   retries: 0,
-  // Tests mostly wait for the page, so four workers fit on two cores. The long tests run alone.
-  workers: isLong ? 1 : 4,
+  // Tests mostly wait for the page, so four workers fit on two cores. The long tests compute more.
+  workers: isLong ? 2 : 4,
   // Sufficient for slow machines. A longer timeout costs time only when a test fails.
   timeout: isLong ? 900_000 : 600_000,
   expect: { timeout: 120_000 },
