@@ -39,7 +39,7 @@ export default defineConfig<object, WorkerOptions>({
   ...(isLong ? { grep: LONG } : { grepInvert: LONG }),
   forbidOnly: true,
   retries: 0,
-  // Tests mostly wait for the page, so four workers fit on two cores. The long tests compute more.
+  // Tests mostly wait for the page, so four workers fit on two cores. The long tests use more processor time.
   workers: isLong ? 2 : 4,
   // Sufficient for slow machines. A longer timeout costs time only when a test fails.
   timeout: isLong ? 900_000 : 600_000,

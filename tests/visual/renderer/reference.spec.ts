@@ -19,7 +19,7 @@ const FIRE = [
 
 const BILLBOARDS = { form: 'billboards' } as const;
 
-/** A few modes of each scene; the long test covers every mode of every scene. */
+/** A few modes of each scene; reference.long.spec.ts covers every mode, also those without combined settings. */
 const CLUSTERS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{ tones: 3, inkSwell: 0.7 }]],
   ['offAxis', [{ outlines: false }]],
@@ -32,13 +32,6 @@ const LIGHTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLamp', [{ tones: 1, outlineWidth: 5, innerLine: 0.15, innerTaper: 2, boil: 0.8 }]],
   ['byLampAmongPuffs', [{ tones: 3 }]],
   ['backlit', [{ gradient: 'height' }, { gradient: 'screen' }]],
-];
-/** Settings that those above combine. */
-const PLAIN: readonly (readonly [SceneName, readonly Mode[]])[] = [
-  ['perspective', [{}, { tones: 1 }]],
-  ['touching', [{}]],
-  ['byLamp', [{}]],
-  ['backlit', [{ tones: 3 }]],
 ];
 const MANY: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['lampAmongPuffs', [{}, BILLBOARDS]],
@@ -128,7 +121,6 @@ test.beforeAll(buildReference);
 for (const [what, scenes, reversedDepth] of [
   ['puffs among solids', CLUSTERS, false],
   ['puffs that touch solids, by a lamp, against the light', LIGHTS, false],
-  ['puffs with one setting at a time', PLAIN, false],
   ['puffs that turn, stretch and unfold', DEFORMED, false],
   ['puffs that are eroded, also while they turn and stretch', DISSOLVING, false],
   ['billboards', ON_BOARDS, false],
@@ -141,7 +133,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs with the light of their whole form', FORMS, false],
   ['the lamp', LAMPS, false],
 ] as const) {
-  const isRare = new Set([PLAIN, LAMPS, MANY, MORE_BOARDS, MORE_COUNTED]).has(scenes);
+  const isRare = new Set([LAMPS, MANY, MORE_BOARDS, MORE_COUNTED]).has(scenes);
   const tag = longIf(reversedDepth || isRare);
   test(`${what}: the picture equals the reference${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);

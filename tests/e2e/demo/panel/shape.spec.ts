@@ -92,7 +92,7 @@ test('an open or invalid mesh is rejected with a message and the puffs stay, unt
     /torn\.glb could not be read/,
   );
   await rejected(cubeScene('parts.gltf', 'https://example.org/cube.bin'), /refers to other files/);
-  // By its path, because Playwright sends a buffer as text.
+  // Passed by its path, because Playwright encodes a buffer in base64.
   const huge = testInfo.outputPath('huge.obj');
   writeFileSync(huge, Buffer.alloc(17 * 1024 * 1024, ' '));
   await rejected(huge, /huge\.obj has 17 MB\. The limit is 16 MB\./);
