@@ -1,6 +1,7 @@
 import type { BakedPuffs } from './gpu/puffTextures.ts';
 import { FIRST_BORDER } from './gpu/ramps.ts';
 import { bakingLobes } from './puffs/bake/bakeLobes.ts';
+import type { Precision } from './puffs/billboards/layers.ts';
 import { LruCache } from './puffs/lru.ts';
 import { LOBE_SHAPES } from './puffs/lobeShapes.ts';
 import type { PuffShape } from './puffs/shapes.ts';
@@ -18,6 +19,8 @@ export interface PuffParts {
   readonly caps?: boolean;
   /** Billboards, if their code is loaded. */
   readonly billboards?: boolean;
+  /** Of the layers of billboards. */
+  readonly precision?: Precision;
 }
 
 /** Bakes puffs like {@link bakingPuffs}, but synchronously. Defaults to the built-in shapes. */
@@ -30,12 +33,13 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
  * @param shapes one for each variation
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
-  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  yield* sharing(key, () => cache.making(key, () => bakingNew(shapes)));
+  const { precision = 16 } = parts;
+  const key = JSON.stringify([precision, ...shapes.map(({ lobes }) => lobes)]);
+  yield* sharing(key, () => cache.making(key, () => bakingNew(shapes, precision)));
   const puffs = cache.get(key)!;
   const { caps, billboards } = loaded;
   if (parts.caps && caps) yield* sharing(`caps ${key}`, () => caps.bakingCaps(shapes, FIRST_BORDER));
-  if (parts.billboards) yield* billboards?.bakingBillboards(shapes) ?? [];
+  if (parts.billboards) yield* billboards?.bakingBillboards(shapes, precision) ?? [];
   return puffs;
 }
 
@@ -51,7 +55,7 @@ function* sharing(key: string, begin: () => Work<unknown>): Work<void> {
 }
 
 /** The code of start caps and of billboards must be loaded when they are read, see `fetchExtras`. */
-function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
+function* bakingNew(shapes: readonly PuffShape[], precision: Precision): Work<BakedPuffs> {
   const lobes = yield* bakingLobes(shapes);
   let caps: BakedPuffs['lobes']['caps'] | undefined;
   let billboards: BakedPuffs['billboards'] | undefined;
@@ -64,7 +68,7 @@ function* bakingNew(shapes: readonly PuffShape[]): Work<BakedPuffs> {
       },
     },
     get billboards() {
-      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes));
+      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes, precision));
       return billboards;
     },
   };

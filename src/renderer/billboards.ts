@@ -10,7 +10,13 @@ import { FIRST_BORDER } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { castersOf } from './puffs/billboards/casters.ts';
 import { LruCache } from './puffs/lru.ts';
-import { bakingLayers, samplePuff, type PuffLayers, type PuffSample } from './puffs/billboards/layers.ts';
+import {
+  bakingLayers,
+  samplePuff,
+  type Precision,
+  type PuffLayers,
+  type PuffSample,
+} from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
 import { billboardShapes, type PuffShape } from './puffs/shapes.ts';
 import { solidsOf } from './puffs/bake/solids.ts';
@@ -32,13 +38,13 @@ const cache = new LruCache<BillboardPuffs>(4);
  * Bakes billboards in steps of a few milliseconds, or returns them from the LRU cache.
  * @param shapes viewed from +z
  */
-export function bakingBillboards(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
-  const key = JSON.stringify(shapes.map(({ lobes }) => lobes));
-  return cache.making(key, () => baking(billboardShapes(shapes)));
+export function bakingBillboards(shapes: readonly PuffShape[], precision: Precision = 16): Work<BillboardPuffs> {
+  const key = JSON.stringify([precision, ...shapes.map(({ lobes }) => lobes)]);
+  return cache.making(key, () => baking(billboardShapes(shapes), precision));
 }
 
-function* baking(shapes: readonly PuffShape[]): Work<BillboardPuffs> {
-  const layers = yield* bakingLayers(shapes);
+function* baking(shapes: readonly PuffShape[], precision: Precision): Work<BillboardPuffs> {
+  const layers = yield* bakingLayers(shapes, { precision });
   const tables: Float32Array[] = [];
   let latest = 0;
   for (let layer = 0; layer < layers.count; layer++) {

@@ -78,9 +78,10 @@ export class LivePuffs {
     this.variations = Math.max(this.variations, values['puff.variations'] as number);
     const { own, variations } = this;
     const design = designOf(values);
+    const parts = partsOf(values);
     return {
-      key: JSON.stringify(own ?? [design, variations]),
-      begin: () => bakingPuffs(own ?? designedShapes(design, variations), partsOf(values)),
+      key: JSON.stringify([parts.precision, own ?? [design, variations]]),
+      begin: () => bakingPuffs(own ?? designedShapes(design, variations), parts),
     };
   }
 }
@@ -92,7 +93,11 @@ export function showsBillboards(values: Values): boolean {
 
 function partsOf(values: Values): PuffParts {
   const isLobes = values['puff.form'] === 'lobes';
-  return { caps: isLobes && !deformationOf(values).isDeformed, billboards: showsBillboards(values) };
+  return {
+    caps: isLobes && !deformationOf(values).isDeformed,
+    billboards: showsBillboards(values),
+    precision: values['puff.precision'],
+  };
 }
 
 function designOf(values: Values): PuffDesign {

@@ -40,6 +40,7 @@ export const puffRows = [
   simulated('puff.stretch'),
   simulated('puff.billow'),
   choice('puff.form', 'style', 'lobes', ['lobes', 'billboards']),
+  choice('puff.precision', 'style', 16, [16, 8]),
   lobeShape('lumpiness', 0.8),
   lobeShape('flatness', 0.2),
   lobeShape('roughness', 0.6),

@@ -96,6 +96,12 @@ export const smokeWords: WordsOf<Rows> = {
     text: 'Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper.',
     options: { lobes: 'Lobes', billboards: 'Billboards' },
   },
+  'puff.precision': {
+    label: 'Precision',
+    text: 'Bits of the normals and depths of billboards; the paper has 8. Lobes are exact.',
+    options: { 16: '16 bits', 8: '8 bits' },
+    isBaked: true,
+  },
   'puff.lumpiness': {
     label: 'Lumpiness',
     text: 'How far lobes stand out of a puff: 0 is nearly a ball, 1 a bunch of balls.',

@@ -36,9 +36,10 @@ export class BillboardTextures implements FormTextures {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
     this.normalDepth.format = RGBAFormat;
-    this.normalDepth.type = HalfFloatType;
+    const isBytes = layers.normalDepth instanceof Uint8Array;
+    this.normalDepth.type = isBytes ? UnsignedByteType : HalfFloatType;
     // Half-float textures can be filtered in every context, but mipmap generation needs a color-renderable format.
-    smooth(this.normalDepth, context.getExtension('EXT_color_buffer_float') !== null);
+    smooth(this.normalDepth, isBytes || context.getExtension('EXT_color_buffer_float') !== null);
     this.colorCoverage = new DataArrayTexture(layers.colorCoverage, layers.size, layers.size, layers.count);
     this.colorCoverage.format = RGBAFormat;
     this.colorCoverage.type = UnsignedByteType;

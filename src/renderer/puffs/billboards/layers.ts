@@ -2,11 +2,11 @@
  * Bakes puff shapes to the texture layers that the shaders read, one layer per shape, after section 4.1 of McGuire and
  * Fein (2006): one RGBA texture for normal and depth, one for colour and coverage.
  *
- * - `normalDepth` (half floats): rgb = (N + 1) / 2, a = d + 0.5 (Eq. 1). N is the unit view-space normal of the
- *   unrolled puff, d the relief in quad widths, positive towards the viewer. The paper's 8 bits cause visible steps of
- *   0.8 % of the quad width where puffs intersect at grazing angles. Half floats make them eight times finer and are
- *   filterable on all devices. Texels outside the silhouette repeat the nearest inside value, so that linear filtering
- *   never mixes in background.
+ * - `normalDepth`: rgb = (N + 1) / 2, a = d + 0.5 (Eq. 1), as half floats, or with a precision of 8 bits as integers, as
+ *   in the paper. N is the unit view-space normal of the unrolled puff, d the relief in quad widths, positive towards the
+ *   viewer. 8 bits cause visible steps of 0.4 % of the quad width where puffs intersect at grazing angles. Half floats
+ *   make them eight times finer and are filterable on all devices. Texels outside the silhouette repeat the nearest
+ *   inside value, so that linear filtering never mixes in background.
  * - `colorCoverage` (bytes): rgb = C, white. Shaders select the ink by distance; ink painted into C would turn grey
  *   when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
  *   negative inside. A distance field keeps edge and ink crisp at any size; a mask would not.
@@ -18,6 +18,9 @@ import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterise, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import type { PuffShape } from '../shapes.ts';
 import { finished, type Work } from '../../../base/work.ts';
+
+/** Bits of normals and depths: 16 for half floats, 8 for the integers of the paper. */
+export type Precision = 16 | 8;
 
 /**
  * Range of the coverage channel in particle radii, half inside and half outside the silhouette. The outer half is the
@@ -49,23 +52,33 @@ export interface PuffLayers {
   readonly pad: number;
   /** Signed distance = (coverage - 0.5) * distanceRange, in particle radii, negative inside the silhouette. */
   readonly distanceRange: number;
-  /** RGBA half floats, 4 * size * size per layer. */
-  readonly normalDepth: Uint16Array;
+  /** RGBA, 4 * size * size per layer: half floats, or bytes that hold 255 times the value. */
+  readonly normalDepth: Uint16Array | Uint8Array;
   /** RGBA bytes, 4 * size * size per layer. */
   readonly colorCoverage: Uint8Array;
   /** One entry per layer. */
   readonly figures: readonly PuffFigures[];
 }
 
-/** Rasterises the shapes into layers of `size` by `size` texels (default 128). Pure and deterministic. */
-export function bakePuffs(shapes: readonly PuffShape[], options?: { size?: number }): PuffLayers {
+interface LayerOptions {
+  /** Texels along each side of a layer, default 128. */
+  readonly size?: number;
+  /** Bits of each channel of `normalDepth`, default 16. */
+  readonly precision?: Precision;
+}
+
+/** Rasterises the shapes into layers. Pure and deterministic. */
+export function bakePuffs(shapes: readonly PuffShape[], options?: LayerOptions): PuffLayers {
   return finished(bakingLayers(shapes, options));
 }
 
 /** As {@link bakePuffs}, in slices of a few milliseconds. */
-export function* bakingLayers(shapes: readonly PuffShape[], { size = 128 } = {}): Work<PuffLayers> {
+export function* bakingLayers(
+  shapes: readonly PuffShape[],
+  { size = 128, precision = 16 }: LayerOptions = {},
+): Work<PuffLayers> {
   const texels = size * size;
-  const normalDepth = new Uint16Array(4 * texels * shapes.length);
+  const normalDepth = new (precision === 8 ? Uint8Array : Uint16Array)(4 * texels * shapes.length);
   const colorCoverage = new Uint8Array(4 * texels * shapes.length);
   const figures: PuffFigures[] = [];
   for (const [layer, shape] of shapes.entries()) {
@@ -91,8 +104,9 @@ export function* bakingLayers(shapes: readonly PuffShape[], { size = 128 } = {})
   };
 }
 
-function writeNormalDepth(raster: PuffRaster, layer: Uint16Array): void {
+function writeNormalDepth(raster: PuffRaster, layer: Uint16Array | Uint8Array): void {
   const { size, normals, depths } = raster;
+  const encoded = layer instanceof Uint8Array ? (share: number) => Math.round(255 * share) : toHalf;
   const { nearest } = nearestCells(
     Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0)),
     1,
@@ -100,8 +114,8 @@ function writeNormalDepth(raster: PuffRaster, layer: Uint16Array): void {
   );
   for (let texel = 0; texel < size * size; texel++) {
     const from = nearest[texel];
-    for (let axis = 0; axis < 3; axis++) layer[4 * texel + axis] = toHalf((normals[3 * from + axis] + 1) / 2);
-    layer[4 * texel + 3] = toHalf(depths[from] + 0.5);
+    for (let axis = 0; axis < 3; axis++) layer[4 * texel + axis] = encoded((normals[3 * from + axis] + 1) / 2);
+    layer[4 * texel + 3] = encoded(depths[from] + 0.5);
   }
 }
 
@@ -168,29 +182,26 @@ export function samplePuff(layers: PuffLayers, layer: number, x: number, y: numb
   const bottom = Math.min(size - 2, Math.floor(v));
   const texel = 4 * (layer * size * size + bottom * size + left);
   const [right, up] = [u - left, v - bottom];
-  const nx = filteredHalf(layers, texel, right, up) * 2 - 1;
-  const ny = filteredHalf(layers, texel + 1, right, up) * 2 - 1;
-  const nz = filteredHalf(layers, texel + 2, right, up) * 2 - 1;
+  const nx = filtered(layers.normalDepth, size, texel, right, up) * 2 - 1;
+  const ny = filtered(layers.normalDepth, size, texel + 1, right, up) * 2 - 1;
+  const nz = filtered(layers.normalDepth, size, texel + 2, right, up) * 2 - 1;
   const scale = 1 / Math.sqrt(nx * nx + ny * ny + nz * nz);
   return {
     normal: [nx * scale, ny * scale, nz * scale],
-    height: (filteredHalf(layers, texel + 3, right, up) - 0.5) * 2 * pad,
-    distance: (filteredByte(layers, texel + 3, right, up) / 255 - 0.5) * distanceRange,
+    height: (filtered(layers.normalDepth, size, texel + 3, right, up) - 0.5) * 2 * pad,
+    distance: (filtered(layers.colorCoverage, size, texel + 3, right, up) - 0.5) * distanceRange,
   };
 }
 
-function filteredHalf({ size, normalDepth }: PuffLayers, at: number, right: number, up: number): number {
+function filtered(data: Uint16Array | Uint8Array, size: number, at: number, right: number, up: number): number {
   const above = at + 4 * size;
-  const low = fromHalf(normalDepth[at]) * (1 - right) + fromHalf(normalDepth[at + 4]) * right;
-  const high = fromHalf(normalDepth[above]) * (1 - right) + fromHalf(normalDepth[above + 4]) * right;
-  return low * (1 - up) + high * up;
+  const [a, b, c, d] = [data[at], data[at + 4], data[above], data[above + 4]];
+  if (data instanceof Uint8Array) return blended(a, b, c, d, right, up) / 255;
+  return blended(fromHalf(a), fromHalf(b), fromHalf(c), fromHalf(d), right, up);
 }
 
-function filteredByte({ size, colorCoverage }: PuffLayers, at: number, right: number, up: number): number {
-  const above = at + 4 * size;
-  const low = colorCoverage[at] * (1 - right) + colorCoverage[at + 4] * right;
-  const high = colorCoverage[above] * (1 - right) + colorCoverage[above + 4] * right;
-  return low * (1 - up) + high * up;
+function blended(a: number, b: number, c: number, d: number, right: number, up: number): number {
+  return (a * (1 - right) + b * right) * (1 - up) + (c * (1 - right) + d * right) * up;
 }
 
 /** Half floats (IEEE 754 binary16), in the format of WebGL's HALF_FLOAT textures. */

@@ -128,6 +128,31 @@ describe('the layers of all shapes', () => {
     expect(values.filter((value) => !(value >= 0 && value <= 1))).toEqual([]);
   });
 
+  test('with 8 bits hold the integers of Eq. 1, within half a step of N and d as half floats', () => {
+    const printed = bakePuffs(FRONTS, { precision: 8 });
+    expect(printed.normalDepth).toBeInstanceOf(Uint8Array);
+    const worst = { N: 0, d: 0 };
+    printed.normalDepth.forEach((byte, at) => {
+      const share = fromHalf(layers.normalDepth[at]);
+      if (at % 4 === 3) worst.d = Math.max(worst.d, Math.abs(byte / 255 - 0.5 - (share - 0.5)));
+      else worst.N = Math.max(worst.N, Math.abs((2 * byte) / 255 - 1 - (2 * share - 1)));
+    });
+    // A half float between 1/2 and 1 is itself rounded by up to 2^-12.
+    for (const [step, error, rounding] of [
+      [2 / 255, worst.N, 2 ** -11],
+      [1 / 255, worst.d, 2 ** -12],
+    ]) {
+      expect(error).toBeLessThanOrEqual(step / 2 + rounding);
+      expect(error).toBeGreaterThan(0.45 * step);
+    }
+    for (const [x, y] of places.filter((_, at) => at % 7 === 0)) {
+      const [rough, fine] = [printed, layers].map((each) => samplePuff(each, 0, x, y));
+      expect(Math.abs(rough.height - fine.height)).toBeLessThanOrEqual((1 / 510 + 2 ** -12) * 2 * PUFF_PAD);
+      expect(rough.normal.reduce((sum, n, axis) => sum + n * fine.normal[axis], 0)).toBeGreaterThan(0.9999);
+      expect(rough.distance).toBe(fine.distance);
+    }
+  });
+
   test('are reproducible, with a quarter of the texels at half the size', () => {
     const again = bakePuffs(FRONTS);
     expect(again.normalDepth).toEqual(layers.normalDepth);

@@ -131,6 +131,19 @@ export async function bringShape(): Promise<{ lobes: number; billboards: number;
   return report;
 }
 
+/** Pixels of billboards that 8 bits change, and that 16 bits then leave changed. */
+export async function changePrecision(): Promise<{ changed: number; back: number }> {
+  const stage = await stageOf({ 'puff.form': 'billboards' });
+  stage.step(300);
+  const before = await pixelsOf(stage);
+  stage.set({ 'puff.precision': 8 });
+  const changed = differing(before, await pixelsOf(stage));
+  stage.set({ 'puff.precision': 16 });
+  const back = differing(before, await pixelsOf(stage));
+  stage.dispose();
+  return { changed, back };
+}
+
 /**
  * Changes a parameter while a stage plays with a stopped clock: the number of frames until the picture changes, and its
  * difference from the picture of a paused stage. Each read of the time advances it by one millisecond, so the result

@@ -55,6 +55,14 @@ test('a custom shape is drawn in both forms, can be removed, and is not part of 
   expect(report.hash).toBe(true);
 });
 
+test('8 bits in place of half floats move only seams and borders of light on billboards', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { changed, back } = await cases.evaluate((module) => module.changePrecision());
+  expect(changed).toBeGreaterThan(10);
+  expect(changed).toBeLessThan(200);
+  expect(back).toBe(0);
+});
+
 test('new puffs are baked in pieces while smoke plays', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const report = await cases.evaluate((module) => module.changeWhilePlaying());
