@@ -79,12 +79,17 @@ void main() {
   vec2 here = surfaceHere(clipFromView);
   bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
-  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), gradientAt(gradientPosition, viewZ));
+  float position = gradientAt(gradientPosition, viewZ);
+  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), position);
   Shades shades = shade(normal, towardsLight, ramps, material, gradient, vec4(rimColor, rim));
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, material, shades.isFilled, shades.isRim, ink > 0.0, radius));
+  if (ink == 0.0) {
+    unlit.rgb = paint.rgb;
+    lit.rg = packPosition(position);
+  }
 #endif
 
   float outside = distanceOutside * radius;

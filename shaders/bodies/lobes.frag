@@ -221,12 +221,17 @@ void main() {
   normal = stretchedNormal(projection, normal);
 #endif
 
-  vec3 gradient = mix(gradientFactor, vec3(1.0), gradientAt(pointAndGradient.z, viewZ));
+  float position = gradientAt(pointAndGradient.z, viewZ);
+  vec3 gradient = mix(gradientFactor, vec3(1.0), position);
   Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, vec4(rimColor, rim));
   unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
   lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
 #ifdef SHADING
   shading = packShading(Shading(shades.facing, depthsAndRamp.w, shades.isFilled, shades.isRim, ink > 0.0, radius));
+  if (ink == 0.0) {
+    unlit.rgb = vec3(1.0);
+    lit.rg = packPosition(position);
+  }
 #endif
 
 #ifdef FLAT

@@ -14,6 +14,18 @@ const float MATERIALS_HIGH = 16.0;
 // Range of the base 2 logarithm of the radius, metres.
 const vec2 LOG_RADII = vec2(-10.0, 6.0);
 
+// The two colours of a pixel of smoke without ink hold its gradient instead, which does not depend on the light: the
+// unlit one the colour C of Eq. 2, and the lit one the position along the gradient in two bytes of red and green.
+vec2 packPosition(float position) {
+  float number = floor(65535.0 * position + 0.5);
+  float high = floor(number / 256.0);
+  return vec2(high, number - 256.0 * high) / 255.0;
+}
+
+float unpackPosition(vec2 bytes) {
+  return dot(bytes, vec2(65280.0, 255.0)) / 65535.0;
+}
+
 vec4 packShading(Shading shading) {
   float flags = float(shading.isFilled) + 2.0 * float(shading.isRim) + 4.0 * float(shading.isInk);
   float high = floor(shading.material / 256.0);

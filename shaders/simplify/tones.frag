@@ -2,12 +2,13 @@ precision highp float;
 precision highp int;
 
 // The second half of the smoothing, along columns, and the choice of a tone from the smoothed light. Output:
-// display-encoded colour, not premultiplied. The gradient of a pixel is the factor between its colour and its ramp.
+// display-encoded colour, not premultiplied.
 uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform sampler2D shading;
 uniform sampler2D ramps;
 uniform vec3 deepShadow;
+uniform vec3 gradientFactor;
 uniform vec3 rimColor;
 uniform float litFrom;
 #ifdef FORM
@@ -85,7 +86,6 @@ void main() {
 #ifdef FORM
   light = leaning(light, at);
 #endif
-  vec3 plain = rampAt(own.material, own.isFilled ? 2.0 : 0.0, own.facing);
-  vec3 gradient = shadowed.rgb / max(plain, 1.0 / 255.0);
+  vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
   pixel = vec4(min(toneOf(light, own.material) * gradient, 1.0), shadowed.a);
 }

@@ -78,7 +78,7 @@ function drawBodies(
 ): Texture | undefined {
   const isShaded = isSimplified(style);
   if (isShaded) targets.beginShading(renderer);
-  body.draw(renderer, geometry, surfaceDepth);
+  body.draw(renderer, geometry, surfaceDepth, isShaded);
   return isShaded ? targets.endShading(renderer) : undefined;
 }
 

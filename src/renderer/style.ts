@@ -6,7 +6,7 @@ import { writeColor, type Color, type Tone } from './gpu/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
 import { styleRows } from '../parameters/rows/style.ts';
 import { defaults } from '../parameters/values.ts';
-import { parseColor, parseStops, surfaceShadowOf, type SurfaceToning } from './palette.ts';
+import { parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
 export type Renderer = 'nailboards' | 'selle';
@@ -139,18 +139,22 @@ function fieldOf({ kind }: Parameter, value: Value | undefined): unknown {
 
 /**
  * Uniforms of a style, for the shaders of all passes: each number, toggle and colour that is a field of {@link Style},
- * by its name, and `inkPixels`.
+ * by its name, `inkPixels` and `gradientFactor`.
  */
 export function styleUniforms(): StyleUniforms {
   const uniforms = Object.entries(styleOf(defaults())).flatMap(([name, value]): [string, IUniform][] => {
     if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
     return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
   });
-  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 } };
+  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 }, gradientFactor: { value: new ThreeColor() } };
 }
 
 /** @param pixelRatio pixels of the target for each CSS pixel */
-export function setStyle({ inkPixels, ...uniforms }: StyleUniforms, style: Style, pixelRatio: number): void {
+export function setStyle(
+  { inkPixels, gradientFactor, ...uniforms }: StyleUniforms,
+  style: Style,
+  pixelRatio: number,
+): void {
   // The rim is light, which smoke without shading does not show.
   const fields: Readonly<Record<string, unknown>> = { ...style, rim: style.shading ? style.rim : 0 };
   for (const [name, uniform] of Object.entries(uniforms)) {
@@ -158,6 +162,15 @@ export function setStyle({ inkPixels, ...uniforms }: StyleUniforms, style: Style
     else uniform.value = fields[name];
   }
   inkPixels.value = inkPixelsOf(style, pixelRatio);
+  gradientFactor.value.fromArray(gradientFactorOf(style));
+}
+
+/** Fills from the gradient's colour at its low end to the smoke's own colour at its high end. */
+function gradientFactorOf(style: Style): number[] {
+  const smokeColor = smokeColorOf(style);
+  return style.gradientColor.map((channel, index) =>
+    style.gradient === 'none' ? 1 : channel / Math.max(1, smokeColor[index]),
+  );
 }
 
 /** Width of outlines in pixels of the target; 0 without outlines. */

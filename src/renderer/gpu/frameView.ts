@@ -1,4 +1,14 @@
-import { Matrix4, Vector2, Vector3, Vector4, type Box3, type Camera, type IUniform, type Plane } from 'three';
+import {
+  Matrix4,
+  Vector2,
+  Vector3,
+  Vector4,
+  type Box3,
+  type Camera,
+  type Color as ThreeColor,
+  type IUniform,
+  type Plane,
+} from 'three';
 import { rowUniforms, type RowUniforms } from './drawnRows.ts';
 
 /** Maximum number of planes that cut off puffs. */
@@ -8,6 +18,8 @@ export const MAX_PLANES = 8;
 export interface StyleUniforms extends Record<string, IUniform> {
   /** Width of the outlines in pixels of the target; 0 draws no lines. */
   inkPixels: IUniform<number>;
+  /** Factor on display-encoded colours at the low end of the gradient; at its high end it is 1. */
+  gradientFactor: IUniform<ThreeColor>;
 }
 
 /** Uniforms of the style, the camera, the light, the target and the drawn rows. All passes of a smoke share one object. */

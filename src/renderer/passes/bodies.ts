@@ -14,7 +14,7 @@ import { DrawnRows, type RowGeometry } from '../gpu/drawnRows.ts';
 import type { FrameView } from '../gpu/frameView.ts';
 import { DEFORMED, withLobes, type Shaders } from '../gpu/programsAhead.ts';
 import type { PuffTextures } from '../gpu/puffTextures.ts';
-import type { Color, RampTexture } from '../gpu/ramps.ts';
+import type { RampTexture } from '../gpu/ramps.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
 
 /** The coordinate that a gradient fill follows. */
@@ -54,7 +54,6 @@ export class BodiesPass {
     drawing: { value: 0 },
     heights: { value: new Vector2() },
     gradientWeights: { value: new Vector3() },
-    gradientFactor: { value: new Vector3(1, 1, 1) },
   };
 
   private readonly puffUniforms = {
@@ -87,11 +86,9 @@ export class BodiesPass {
   /**
    * Selects the shaders of a puff form and binds the current puffs. A form that is not drawn is not uploaded.
    * @param billboards shaders of the billboards; without them, or if the puffs are flat, lobes are drawn
-   * @param isShaded whether puffs also write the shading of `Targets`
    */
-  setForm(billboards?: Shaders, isShaded = false): void {
+  setForm(billboards?: Shaders): void {
     this.billboards = this.isFlat ? undefined : billboards;
-    this.isShaded = isShaded;
     this.rows.bites = this.puffs.bites?.bodies;
     this.selectMaterial();
   }
@@ -105,24 +102,23 @@ export class BodiesPass {
     this.uniforms.drawing.value = drawing;
   }
 
-  /**
-   * Fills from `color` at the low end of the gradient to the smoke's own colour at the high end.
-   * @param bottom, top world heights, metres, between which the gradient 'height' runs
-   */
-  setGradient(gradient: Gradient, color: Color, smokeColor: Color, [bottom, top]: readonly [number, number]): void {
-    const { gradientFactor, heights, gradientWeights } = this.uniforms;
+  /** @param bottom, top world heights, metres, between which the gradient 'height' runs */
+  setGradient(gradient: Gradient, [bottom, top]: readonly [number, number]): void {
+    const { heights, gradientWeights } = this.uniforms;
     heights.value.set(bottom, Number(gradient === 'height') / Math.max(top - bottom, 1e-6));
     gradientWeights.value.set(Number(gradient === 'puff'), Number(gradient === 'screen'), Number(gradient === 'age'));
-    gradientFactor.value.fromArray(
-      color.map((channel, index) => (gradient === 'none' ? 1 : channel / Math.max(1, smokeColor[index]))),
-    );
   }
 
   /**
    * @param rows one quad for each row, or two (front and back) if the puffs are flat
    * @param surfaces depth of the surfaces that puffs may touch; without it puffs have no contact lines
+   * @param isShaded whether puffs also write the shading of `Targets`, and their gradient in place of their colours
    */
-  draw(renderer: WebGLRenderer, rows: RowGeometry, surfaces?: SurfaceDepth): void {
+  draw(renderer: WebGLRenderer, rows: RowGeometry, surfaces?: SurfaceDepth, isShaded = false): void {
+    if (this.isShaded !== isShaded) {
+      this.isShaded = isShaded;
+      this.selectMaterial();
+    }
     this.touch(surfaces);
     this.rows.draw(renderer, rows);
   }

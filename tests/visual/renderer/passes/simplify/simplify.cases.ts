@@ -2,6 +2,7 @@
 import { OrthographicCamera } from 'three';
 import type { PuffShape } from '../../../../../src/renderer/puffs/shapes.ts';
 import { parseStops } from '../../../../../src/renderer/palette.ts';
+import type { Style } from '../../../../../src/renderer/style.ts';
 import { Lab, type LabPicture, type LabPuff, type LabScene } from '../../../lab.ts';
 import { random } from '../../../random.ts';
 import { box } from '../../../solids.ts';
@@ -95,6 +96,42 @@ export function allTones(): { changed: number; added: string[] } {
   lab.dispose();
   const known = colors(plain);
   return { changed: differing(plain, smooth), added: Object.keys(colors(smooth)).filter((color) => !(color in known)) };
+}
+
+/** Distance from the nearest border of a tone from which a pixel is in the middle of it, pixels. */
+const MIDDLE = 10;
+
+/**
+ * A ball that is lit from the side, with a shadow on it: in the middle of the tones, the largest difference of a channel
+ * between smoothed light and plain light.
+ * @returns also the number of these pixels by the tone that they have without a gradient
+ */
+export function inMiddleOfTones(style: Partial<Style>): { largest: number; pixels: Record<string, number> } {
+  const scene = { ...sceneOf([LARGE], [disc(0.3, 0.3, 25)], 1, {}), towardsLight: [0.4, 0.5, 0.7] as const };
+  const lab = new Lab({ ...scene, puffs: [LARGE, LARGE] });
+  const given = { outlines: false, ...style };
+  const [tones, plain, smooth] = [{ ...given, gradient: 'none' } as const, given, { ...given, simplify: 3 }].map(
+    (drawn) => lab.draw({ ...scene, style: drawn }).pixels,
+  );
+  lab.dispose();
+  const color = (pixel: number) => tones.subarray(4 * pixel, 4 * pixel + 4).join();
+  const result = { largest: 0, pixels: {} as Record<string, number> };
+  for (let pixel = 0; pixel < WIDTH * HEIGHT; pixel++) {
+    if (tones[4 * pixel + 3] === 0 || around(pixel, MIDDLE).some((other) => color(other) !== color(pixel))) continue;
+    result.pixels[color(pixel)] = (result.pixels[color(pixel)] ?? 0) + 1;
+    for (let at = 4 * pixel; at < 4 * pixel + 4; at++) {
+      result.largest = Math.max(result.largest, Math.abs(plain[at] - smooth[at]));
+    }
+  }
+  return result;
+}
+
+/** The pixels of the picture within a distance along both axes. */
+function around(pixel: number, distance: number): number[] {
+  const steps = Array.from({ length: 2 * distance + 1 }, (_, step) => step - distance);
+  const [x, y] = [pixel % WIDTH, Math.floor(pixel / WIDTH)];
+  const isInside = (i: number, j: number) => i >= 0 && j >= 0 && i < WIDTH && j < HEIGHT;
+  return steps.flatMap((j) => steps.flatMap((i) => (isInside(x + i, y + j) ? [(y + j) * WIDTH + x + i] : [])));
 }
 
 /** Pixels that differ between a picture and the same one after another frame. */

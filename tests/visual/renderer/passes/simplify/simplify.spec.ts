@@ -76,6 +76,27 @@ test('smoothing adds no colours', async ({ load }) => {
   expect.soft(added).toEqual([]);
 });
 
+/** Display-encoded, as `0:000000,.5:ffffff` of the paper. */
+const BLACK_AND_WHITE = [
+  { from: 0, color: [0, 0, 0] },
+  { from: 0.5, color: [255, 255, 255] },
+] as const;
+const BY_HEIGHT = { gradient: 'height', gradientColor: [90, 160, 250], gradientHeights: [-0.7, 0.7] } as const;
+
+for (const [what, style] of [
+  ['a black tone of shadow', { stops: BLACK_AND_WHITE }],
+  ['a gradient on a black tone of shadow', { stops: BLACK_AND_WHITE, ...BY_HEIGHT }],
+  ['a gradient to a lighter colour', { smokeColor: [120, 90, 40], tones: 3, fill: 0.5, ...BY_HEIGHT }],
+] as const) {
+  test(`smoothing does not change the middle of tones, with ${what}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { largest, pixels } = await cases.evaluate((module, given) => module.inMiddleOfTones(given), style);
+    expect.soft(largest).toBeLessThanOrEqual(2);
+    expect.soft(Object.keys(pixels).length).toBeGreaterThan(1);
+    expect.soft(Math.min(...Object.values(pixels))).toBeGreaterThan(30);
+  });
+}
+
 test('a picture does not depend on the frame before it', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.repeated())).toBe(0);
