@@ -5,6 +5,9 @@ import { startWebKit } from './drivers/webkit.ts';
 import { blankPage, engine, inPage, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
 
+import { findPreset, presetValues } from '../../src/parameters/presets.ts';
+import type { CssCase } from './page/element.ts';
+
 type Page = typeof import('./page/element.ts');
 
 const ELEMENT = '/tests/engines/page/element.ts';
@@ -53,6 +56,32 @@ test('a morph of the page changes nothing that the user has paused or started', 
 test('a morph of the page changes nothing that a call of set() has changed', async ({ load }) => {
   const page = await load<Page>(ELEMENT);
   expect(await page.changesOverSet()).toEqual([]);
+});
+
+const COLOR = 'style.smokeColor';
+const BACKDROP = 'style.backdrop';
+const { [COLOR]: ownColor, [BACKDROP]: ownBackdrop, 'style.ramp': ownRamp } = presetValues(findPreset('wisp')!);
+const styleSheets: CssCase[] = [
+  { css: ':root { --cartoon-smoke-color: tomato }', values: { [COLOR]: '#ff6347', 'style.ramp': '' } },
+  { css: 'body { --cartoon-smoke-color: hsl(240 100% 50%) }', values: { [COLOR]: '#0000ff' } },
+  { css: 'cartoon-smoke { --cartoon-smoke-color: #0f08 }', values: { [COLOR]: '#00ff00' } },
+  { css: 'cartoon-smoke { color: #123; --cartoon-smoke-color: currentColor }', values: { [COLOR]: '#112233' } },
+  {
+    css: ':root { --brand: #fe0; --cartoon-smoke-backdrop: var(--brand) }',
+    values: { [COLOR]: ownColor, [BACKDROP]: '0:ffee00,1:ffee00', 'style.ramp': ownRamp },
+  },
+  {
+    css: '@media (min-width: 1px) { cartoon-smoke { --cartoon-smoke-backdrop: color(srgb 1 0 0.5) } }',
+    values: { [BACKDROP]: '0:ff0080,1:ff0080' },
+  },
+  { css: 'cartoon-smoke { --cartoon-smoke-color: 12px }', values: { [COLOR]: ownColor, [BACKDROP]: ownBackdrop } },
+  { css: 'cartoon-smoke { --cartoon-smoke-ink: red }', values: { 'style.inkColor': '#012345' } },
+  { css: '', values: { [COLOR]: ownColor } },
+];
+
+test('style sheets set colours, and attributes override them', async ({ load }) => {
+  const page = await load<Page>(ELEMENT);
+  expect(await page.valuesByCss(styleSheets)).toEqual(styleSheets.map(({ values }) => values));
 });
 
 const zoomed: Record<string, string>[] = [

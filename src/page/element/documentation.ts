@@ -155,6 +155,13 @@ export const cssParts = [
 ];
 
 export const cssProperties = [
+  {
+    name: '--cartoon-smoke-color',
+    description:
+      'Colour of the smoke in full light, any CSS colour. Overrides the colours of `preset` and `src`; the attribute `style-smoke-color` overrides it.',
+  },
+  { name: '--cartoon-smoke-ink', description: 'Colour of the lines, as `style-ink-color`.' },
+  { name: '--cartoon-smoke-backdrop', description: 'Colour of the backdrop, as `style-backdrop` with one colour.' },
   { name: '--cartoon-smoke-button-size', default: '36px', description: 'Width and height of the button.' },
   { name: '--cartoon-smoke-button-inset', default: '10px', description: 'Distance of the button from the corner.' },
   { name: '--cartoon-smoke-button-color', default: '#1d1720', description: 'Icon and border colour of the button.' },

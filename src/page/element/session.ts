@@ -7,6 +7,7 @@ import type { RemoteStage } from '../../stage/remote/contract.ts';
 import { openStage } from '../../stage/remote/openStage.ts';
 import { asSmokeError } from '../asSmokeError.ts';
 import { change } from './change.ts';
+import { CssColors } from './cssColors.ts';
 import type { SmokeEvents } from './events.ts';
 import { sizeOf, watchSize } from '../size.ts';
 import type { OnPage } from './layout/onPage.ts';
@@ -41,7 +42,9 @@ export interface SessionOwner {
  */
 export async function openSession(owner: SessionOwner, signal: AbortSignal): Promise<Session> {
   const { element, shell } = owner;
-  const attributes = await parseAttributes(element);
+  const colors = new CssColors(shell.container.getRootNode());
+  signal.addEventListener('abort', () => colors.dispose());
+  const attributes = await parseAttributes(element, colors.values());
   signal.throwIfAborted();
   const stage = await openStage(() => shell.makeCanvas(element.getAttribute('alt')), {
     values: attributes.values,
@@ -52,7 +55,7 @@ export async function openSession(owner: SessionOwner, signal: AbortSignal): Pro
     fault: owner.fault,
     signal,
   });
-  const session = new Session(owner, stage, attributes);
+  const session = new Session(owner, stage, attributes, colors);
   const end = () => session.dispose();
   signal.addEventListener('abort', end);
   if (signal.aborted) end();
@@ -66,6 +69,7 @@ export class Session {
   readonly stage: RemoteStage;
   private readonly owner: SessionOwner;
   private readonly playback: Playback;
+  private readonly colors: CssColors;
   private readonly endings: (() => void)[];
   private attributes: ParsedAttributes;
   /** Set once the element was interactive. */
@@ -76,19 +80,23 @@ export class Session {
   private isFollowing = false;
   private isDisposed = false;
 
-  constructor(owner: SessionOwner, stage: RemoteStage, attributes: ParsedAttributes) {
+  constructor(owner: SessionOwner, stage: RemoteStage, attributes: ParsedAttributes, colors: CssColors) {
     const { element, shell } = owner;
     this.owner = owner;
     this.stage = stage;
     this.attributes = attributes;
+    this.colors = colors;
+    colors.watch(() => this.requestValues());
     const isPaused = element.hasAttribute('paused');
     this.playback = new Playback(stage, isPaused, owner.isHeld, attributes.isPaused, (state) =>
       this.showPlaying(state),
     );
     this.endings = [
-      watchSize(shell.container, ({ width, height, pixelRatio }) =>
-        ignoreRejection(stage.resize(width, height, pixelRatio)),
-      ),
+      watchSize(shell.container, ({ width, height, pixelRatio }) => {
+        ignoreRejection(stage.resize(width, height, pixelRatio));
+        // Colours that change while the element has no box have no transition.
+        this.requestValues();
+      }),
       stage.on('error', (error) => {
         if (error instanceof LoadError) this.notifyMissing(error);
         else owner.fail(asSmokeError(error));
@@ -160,7 +168,9 @@ export class Session {
     while (this.isBehind && !this.isDisposed) {
       await Promise.resolve();
       this.isBehind = false;
-      const attributes = await parseAttributes(this.owner.element).catch((error: Error) => this.notifyMissing(error));
+      const attributes = await parseAttributes(this.owner.element, this.colors.values()).catch((error: Error) =>
+        this.notifyMissing(error),
+      );
       if (attributes) await this.applyAttributes(attributes);
     }
     this.isFollowing = false;

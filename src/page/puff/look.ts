@@ -2,6 +2,7 @@
 import { fetchValues } from '../../parameters/byScene/fetchValues.ts';
 import type { Value, Values } from '../../parameters/parameter.ts';
 import { defaults } from '../../parameters/values.ts';
+import { hexOfComputed } from '../cssColor.ts';
 
 const USUAL = 'air';
 /** Number of tints of the simulator. Not imported: the module of constants is in the file of the renderer. */
@@ -74,13 +75,7 @@ export function hexOf(color: string, element: Element = document.documentElement
   document.documentElement.append(probe);
   const computed = getComputedStyle(probe).backgroundColor;
   probe.remove();
-  const bytes = computed.startsWith('rgb') ? 1 : 255;
-  const channels = computed.replace('srgb', '').match(/none|-?[\d.]+(e-?\d+)?/g) ?? [];
-  const hex = (channel = '0') => {
-    const byte = Math.min(Math.max(Math.round(bytes * (Number.parseFloat(channel) || 0)), 0), 255);
-    return byte.toString(16).padStart(2, '0');
-  };
-  return `#${hex(channels[0])}${hex(channels[1])}${hex(channels[2])}`;
+  return hexOfComputed(computed);
 }
 
 /** What calls take from a preset. The rest of it is motion, which the effects have. */

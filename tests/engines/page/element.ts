@@ -311,3 +311,37 @@ export async function measuredIn(styles: Readonly<Record<string, string>>) {
   for (const each of [document.documentElement, document.body]) each.removeAttribute('style');
   return found;
 }
+
+/** A style sheet of the page, and the values that the smoke has with it. */
+export interface CssCase {
+  css: string;
+  values: Readonly<Record<string, unknown>>;
+}
+
+/** The values of smoke beside style sheets of the page, each in place of the one before. */
+export async function valuesByCss(cases: readonly CssCase[]): Promise<Readonly<Record<string, unknown>>[]> {
+  const sheet = new CSSStyleSheet();
+  document.adoptedStyleSheets.push(sheet);
+  sheet.replaceSync(cases[0].css);
+  const element = put({ preset: 'wisp', paused: '', 'style-ink-color': '#012345' });
+  const seen: Readonly<Record<string, unknown>>[] = [];
+  try {
+    await element.ready;
+    for (const { css, values } of cases) {
+      sheet.replaceSync(css);
+      const read = async () => {
+        const all = (await element.get()) as Record<string, unknown>;
+        return Object.fromEntries(Object.keys(values).map((key) => [key, all[key]]));
+      };
+      for (let tries = 0; tries < 400; tries++) {
+        if (JSON.stringify(await read()) === JSON.stringify(values)) break;
+        await new Promise((resolve) => setTimeout(resolve, 50));
+      }
+      seen.push(await read());
+    }
+  } finally {
+    element.remove();
+    document.adoptedStyleSheets.pop();
+  }
+  return seen;
+}

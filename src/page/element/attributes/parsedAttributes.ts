@@ -1,5 +1,5 @@
 import { notice, summarise, type Notice } from '../../../parameters/notice.ts';
-import type { Value } from '../../../parameters/parameter.ts';
+import type { Value, Values } from '../../../parameters/parameter.ts';
 import { fetchPreset, FIRST_PRESET } from '../../../parameters/byScene/fetchPreset.ts';
 import { findParameter } from '../../../parameters/table.ts';
 import { presetValues, readText } from '../../../parameters/values.ts';
@@ -22,14 +22,16 @@ const CHOICES = [
 ] as const;
 
 /**
- * Reads `src`, `preset`, `start` and the parameters. A link takes precedence over a preset, and parameter attributes
- * override both. Attributes have the same limits as links, because many pages let untrusted users write them.
+ * Reads `src`, `preset`, `start` and the parameters. A link takes precedence over a preset, CSS properties over both, and
+ * parameter attributes override all. Attributes have the same limits as links, because many pages let untrusted users write
+ * them.
+ * @param ofCss values that CSS properties set
  * @throws LoadError when the link parser cannot be fetched
  */
-export async function parseAttributes(element: Element): Promise<ParsedAttributes> {
+export async function parseAttributes(element: Element, ofCss: Values): Promise<ParsedAttributes> {
   const notices: Notice[] = [];
   const base = await readBase(element, notices);
-  const values: Record<string, Value> = { ...base.values };
+  const values: Record<string, Value> = { ...base.values, ...ofCss };
   for (const { name, value } of element.attributes) {
     const parameter = findParameter(keyOfAttribute.get(name) ?? '');
     if (!parameter) continue;

@@ -29,7 +29,8 @@ test.describe('with prefers-reduced-motion', () => {
 });
 
 test('on a page that scrolls', async ({ page, openPage }) => {
-  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`);
+  const style = '@media (prefers-color-scheme: dark) { :root { --cartoon-smoke-ink: white } }';
+  await openPage(`<cartoon-smoke ${WISP} ${BOX}></cartoon-smoke><div style="height: 3000px"></div>`, { style });
   await stands(page);
   const smoke = page.locator('cartoon-smoke');
   const steps = async () => (await smoke.evaluate((element: CartoonSmokeElement) => element.stats())).steps;
@@ -52,6 +53,15 @@ test('on a page that scrolls', async ({ page, openPage }) => {
       return heard;
     });
     expect(notified).toEqual([false, true]);
+  });
+  await test.step('its colours follow prefers-color-scheme', async () => {
+    const ink = () => smoke.evaluate(async (element: CartoonSmokeElement) => (await element.get())['style.inkColor']);
+    const light = await ink();
+    expect(light).not.toBe('#ffffff');
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await expect.poll(ink).toBe('#ffffff');
+    await page.emulateMedia({ colorScheme: 'light' });
+    await expect.poll(ink).toBe(light);
   });
   await test.step('its button is not printed', async () => {
     const frame = smoke.locator('.frame');
