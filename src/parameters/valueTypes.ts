@@ -16,6 +16,7 @@ export type PresetName =
   | 'airplane'
   | 'airplane-ukiyo-e'
   | 'airplane-air-show'
+  | 'airplane-corkscrew'
   | 'train'
   | 'train-night-mail'
   | 'train-rubber-hose'

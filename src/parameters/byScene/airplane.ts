@@ -1,5 +1,8 @@
 import type { Values, Preset } from '../parameter.ts';
 
+/** Number by which emitters and forces attach to the part Propeller. */
+const PROPELLER = 4096;
+
 /** Values shared by all presets of this scene. */
 const smoke: Values = {
   scene: 'airplane',
@@ -86,6 +89,52 @@ export const airplanePresets: readonly Preset[] = [
       'shedders.1.perSpeed': 1.2,
       'shedders.1.coreRadius': 0.4,
       'shedders.1.lifetime': 4,
+    },
+  },
+  {
+    name: 'airplane-corkscrew',
+    values: {
+      ...morning,
+      'emission.growthTime': 0.25,
+      'forces.turbulence': 0.3,
+      'simulation.maxParticles': 2000,
+      // The part Propeller sheds one smooth vortex, and the wing tips none.
+      'shedders.0.rigid': PROPELLER,
+      'shedders.0.position.x': -0.1,
+      'shedders.0.position.y': 0,
+      'shedders.0.perSpeed': 0,
+      'shedders.0.strength': 0.4,
+      'shedders.0.coreRadius': 0.6,
+      'shedders.0.viscosity': 0,
+      'shedders.0.lifetime': 4,
+      'shedders.1.rate': 0,
+      'emitters.1.share': 0.9,
+      // Smoke from two places at the tail, on either side of the axis of the vortex.
+      'emitters.4.rigid': 0,
+      'emitters.4.position.x': -1.5,
+      'emitters.4.position.y': 0.44,
+      'emitters.4.position.z': 0.22,
+      'emitters.4.speed': 0,
+      'emitters.4.temperature': 0,
+      'emitters.4.size': 0.27,
+      'emitters.4.sizeVariation': 0.1,
+      'emitters.4.share': 0.7,
+      'emitters.4.lifetime': 0.6,
+      'emitters.4.tint': 1,
+      'emitters.5.rigid': 0,
+      'emitters.5.position.x': -1.5,
+      'emitters.5.position.y': -0.34,
+      'emitters.5.position.z': -0.22,
+      'emitters.5.speed': 0,
+      'emitters.5.temperature': 0,
+      'emitters.5.size': 0.27,
+      'emitters.5.sizeVariation': 0.1,
+      'emitters.5.share': 0.7,
+      'emitters.5.lifetime': 0.6,
+      'emitters.5.tint': 2,
+      'style.tint1': '#ff8a70',
+      'style.tint2': '#fff0c0',
+      'camera.distance': 9.4,
     },
   },
 ];

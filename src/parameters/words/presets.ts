@@ -31,6 +31,7 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   airplane: { label: 'Airplane', text: 'A little biplane that parts the morning clouds. Steer it.' },
   'airplane-ukiyo-e': { label: 'Ukiyo-e', text: 'Indigo on rice paper, like a woodcut.' },
   'airplane-air-show': { label: 'Air show', text: 'Pink and yellow smoke rolls up behind the wings.' },
+  'airplane-corkscrew': { label: 'Corkscrew', text: 'The vortex of the propeller winds two ribbons of smoke.' },
   train: { label: 'Steam train', text: 'A toy train in a circle, with a puff for each piston stroke.' },
   'train-night-mail': { label: 'Night mail', text: 'Moonlight from behind on the last train of the day.' },
   'train-rubber-hose': {

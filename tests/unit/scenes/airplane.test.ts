@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { AIRSPEED, airplane, PROPELLER_SENSE } from '../../../src/scenes/airplane.ts';
 import { airplaneHull, HALF_SPAN, HUB, PROPELLER } from '../../../src/scenes/models/airplane.ts';
+import { placement } from '../../../src/scenes/models/place.ts';
 import type { Scene } from '../../../src/scenes/scene.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import type { RigidPart } from '../../../src/simulator/rigid.ts';
@@ -150,6 +151,16 @@ describe('in flight', () => {
     expect(Math.abs(still.behind)).toBeLessThan(0.2);
   });
 
+  test('in the look Corkscrew the part Propeller sheds the vortex that turns the smoke behind the tail', () => {
+    const elsewhere = { ...scene.parts![PROPELLER], pose: () => placement([0, 40, 0]) };
+    const [shed, without] = [scene, { ...scene, parts: [elsewhere] }].map((flown) => {
+      const values = presetValues(findPreset('airplane-corkscrew')!);
+      return meanSwirl([swirlIn(new Simulation(factory, flown, values, 1e6), 480)], 'behind');
+    });
+    expect(PROPELLER_SENSE * shed).toBeGreaterThan(0.9);
+    expect(Math.abs(without)).toBeLessThan(0.2);
+  });
+
   /** Mean speeds at which clouds move around the propeller axis, m/s, positive around the nose direction. */
   interface Swirl {
     /** Between the propeller and the leading edge of the wings, and behind the tail. */
@@ -161,8 +172,12 @@ describe('in flight', () => {
   function cloudsInFlight(seed: number, hasSlipstream: boolean): Swirl {
     const simulation = new Simulation(factory, scene, { ...presetValues(findPreset('airplane')!), seed }, 1e6);
     if (!hasSlipstream) simulation.simulator.set({ 'shedders.0.rate': 0 });
+    return swirlIn(simulation, 1200);
+  }
+
+  function swirlIn(simulation: Simulation, steps: number): Swirl {
     const swirl: Swirl = { beside: [], behind: [] };
-    for (let step = 0; step < 1200; step++) {
+    for (let step = 0; step < steps; step++) {
       simulation.advance(1);
       if (step >= 240 && step % 5 === 0) addSwirl(simulation.simulator, swirl);
     }
