@@ -16,18 +16,20 @@ export const VIEW = { width: 1280, height: 720 };
  * @property {string} head
  * @property {(index: number) => string} widget
  * @property {string} [event] that a widget fires with its first picture
+ * @property {boolean} [isSingle] whether it takes part with one widget only
  */
 
 /** @type {Contestant[]} */
 export const contestants = [
   { name: 'nothing', head: '', widget: () => `<div class="widget"></div>` },
   ours('worker'),
-  ours('main'),
+  { ...ours('main'), isSingle: true },
   {
     name: 'tsParticles',
     head: `<script src="/${SCRIPTS.tsParticles}"></script><script>addEventListener('load', ${startParticles.toString()})</script>`,
     widget: (index) => `<div class="widget" id="particles${index}"></div>`,
     event: 'stands',
+    isSingle: true,
   },
   {
     name: 'modelViewer',

@@ -32,7 +32,7 @@ export function report(all) {
     ...widgets.flatMap(memory),
     ...versus(all, 'tsParticles', 'embed.vsTsParticles', UNEQUAL.tsParticles),
     ...versus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
-    ...framesVersus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
+    ...ratesVersus(all, 'modelViewer', 'embed.vsModelViewer', UNEQUAL.modelViewer),
   ];
 }
 
@@ -83,7 +83,7 @@ function mainThread(measured) {
  * @param {Measured} measured
  */
 function framesASecond({ seen }) {
-  return seen.map(({ frames, seconds }) => frames / seconds);
+  return seen.map(({ frames, frameSeconds }) => frames / frameSeconds);
 }
 
 /**
@@ -137,7 +137,8 @@ function find(all, name, count) {
 }
 
 /**
- * Our frames a second divided by those of the other, for each number of widgets above one, by round.
+ * For each number of widgets above one, by round, ours divided by those of the other: frames of the page a second in
+ * which a widget was drawn, and drawings of a widget a second. They differ where widgets are drawn in turns.
  *
  * @param {Measured[]} all
  * @param {string} other
@@ -145,15 +146,37 @@ function find(all, name, count) {
  * @param {string} unequal
  * @returns {Figure[]}
  */
-function framesVersus(all, other, name, unequal) {
+function ratesVersus(all, other, name, unequal) {
   const several = all.filter((each) => each.name === OURS && each.count > 1);
-  return several.map((ours) => {
-    const theirs = framesASecond(find(all, other, ours.count));
-    const ratios = framesASecond(ours).map((frames, round) => frames / theirs[round]);
-    const goal = ours.count === 40 ? '; goal >= 1' : '';
-    const note = `frames a second${goal}; theirs: ${unequal}`;
-    return { name: `${name}.frames.${ours.count}`, unit: 'x', ...spread(ratios), note };
+  return several.flatMap((ours) => {
+    const { count } = ours;
+    const theirs = find(all, other, count);
+    const goal = count === 40 ? '; goal >= 1' : '';
+    /** @param {(of: Measured) => number[]} rate @param {(rates: string) => string} noteOf */
+    const figure = (rate, noteOf) => {
+      const [ofOurs, ofTheirs] = [rate(ours), rate(theirs)];
+      const rates = [ofOurs, ofTheirs].map((rounds) => spread(rounds).value.toFixed(1)).join(' and ');
+      return { unit: 'x', ...spread(ofOurs.map((value, round) => value / ofTheirs[round])), note: noteOf(rates) };
+    };
+    return [
+      {
+        name: `${name}.frames.${count}`,
+        ...figure(framesASecond, (rates) => `frames of the page a second, ${rates}${goal}; theirs: ${unequal}`),
+      },
+      {
+        name: `${name}.drawings.${count}`,
+        ...figure(drawingsASecond, (rates) => `drawings of a widget a second, ${rates}`),
+      },
+    ];
   });
+}
+
+/**
+ * By round, of one of several widgets.
+ * @param {Measured} measured
+ */
+function drawingsASecond({ seen, count }) {
+  return seen.map(({ drawings, frameSeconds }) => drawings / frameSeconds / count);
 }
 
 /**

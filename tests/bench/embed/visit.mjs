@@ -9,14 +9,17 @@ import { costOf } from './processes.mjs';
 const SETTLING_MS = 500;
 /** Share of a core that an idle browser uses. */
 const RESTING_SHARE = 0.1;
-/** Timeouts for slow frames, and for the first frame. */
+/** Timeouts for slow frames, for rest, and for the first frame. */
+const SEEN_MS = 5_000;
 const TIMEOUT_MS = 20_000;
 const LONG_TIMEOUT_MS = 120_000;
 
 /**
  * @typedef {object} Window
  * @property {number} seconds
- * @property {number} frames that were started, on either thread
+ * @property {number} frames in which something was drawn, on either thread
+ * @property {number} drawings of widgets that were copied to their canvases; 0 if a single one draws on its own
+ * @property {number} frameSeconds in which the frames and drawings were counted, by the clock of their thread
  * @property {number} mainMs milliseconds of work on the page's main thread
  * @property {number} processorSeconds of the renderer process and the GPU process
  *
@@ -64,7 +67,7 @@ export class Visit {
   }
 
   /**
-   * With the widgets in view: at least `ms`, then until `frames` frames are drawn, for at most 20 s in total.
+   * With the widgets in view: at least `ms`, then until `frames` frames are drawn, for at most 5 s in total.
    *
    * @param {number} frames
    * @param {number} ms
@@ -75,7 +78,7 @@ export class Visit {
     if (this.isAnimated) await this.waitForFrame();
     const begin = performance.now();
     let window = await this.measure(ms);
-    while (this.isAnimated && window.frames < frames && performance.now() - begin < TIMEOUT_MS)
+    while (this.isAnimated && window.frames < frames && performance.now() - begin < SEEN_MS)
       window = together(window, await this.measure(ms));
     if (this.isAnimated && window.frames === 0) throw new Error(`${this.page?.url()} draws nothing.`);
     return window;
@@ -101,13 +104,16 @@ export class Visit {
    * @returns {Promise<Window>}
    */
   async measure(ms) {
-    const framesBefore = await this.frames();
+    const countedBefore = await this.counted();
     const before = await this.state();
     await pause(ms);
     const after = await this.state();
+    const counted = await this.counted();
     return {
       seconds: after.seconds - before.seconds,
-      frames: (await this.frames()) - framesBefore,
+      frames: counted.frames - countedBefore.frames,
+      drawings: counted.drawings - countedBefore.drawings,
+      frameSeconds: counted.seconds - countedBefore.seconds,
       mainMs: 1000 * (after.taskSeconds - before.taskSeconds),
       processorSeconds: after.cost.seconds - before.cost.seconds,
     };
@@ -115,8 +121,9 @@ export class Visit {
 
   async waitForFrame() {
     const begin = performance.now();
-    const first = await this.frames();
-    while ((await this.frames()) === first && performance.now() - begin < LONG_TIMEOUT_MS) await pause(SETTLING_MS);
+    const { frames } = await this.counted();
+    while ((await this.counted()).frames === frames && performance.now() - begin < LONG_TIMEOUT_MS)
+      await pause(SETTLING_MS);
   }
 
   /** @param {0 | 1} end of the page */
@@ -138,12 +145,12 @@ export class Visit {
     return { cost: await costOf(this.session), taskSeconds, seconds: performance.now() / 1000 };
   }
 
-  /** Frames drawn so far, on either thread. */
-  async frames() {
+  /** What was drawn so far, on either thread. */
+  async counted() {
     const page = this.openPage();
     // Query the page only if there is no worker.
     const [worker] = page.workers();
-    return worker ? worker.evaluate(framesSoFar) : page.evaluate(framesSoFar);
+    return worker ? worker.evaluate(countedSoFar) : page.evaluate(countedSoFar);
   }
 
   openPage() {
@@ -157,6 +164,8 @@ function together(one, other) {
   return {
     seconds: one.seconds + other.seconds,
     frames: one.frames + other.frames,
+    drawings: one.drawings + other.drawings,
+    frameSeconds: one.frameSeconds + other.frameSeconds,
     mainMs: one.mainMs + other.mainMs,
     processorSeconds: one.processorSeconds + other.processorSeconds,
   };
@@ -200,21 +209,45 @@ async function arrived(count) {
   return scope.failure;
 }
 
-/** Runs in a page or worker: counts frames with at least one requested callback. */
+/** Runs in a page or worker: counts frames in which something is drawn, and pictures copied to canvases. */
 function countFrames() {
   const scope = /** @type {any} */ (globalThis);
   const ask = requestAnimationFrame.bind(globalThis);
   let latest = 0;
-  scope.frames = 0;
+  let isCounted = true;
+  scope.frames = scope.drawings = 0;
   scope.requestAnimationFrame = (/** @type {FrameRequestCallback} */ callback) =>
     ask((now) => {
-      if (now > latest) scope.frames += 1;
+      if (now > latest) isCounted = false;
       latest = now;
       callback(now);
     });
+  const draw = () => {
+    if (!isCounted) scope.frames += 1;
+    isCounted = true;
+  };
+  const copy = () => (scope.drawings += 1);
+  const watched = /** @type {const} */ ([
+    ['WebGL2RenderingContext', 'drawElements', draw],
+    ['WebGL2RenderingContext', 'drawArrays', draw],
+    ['CanvasRenderingContext2D', 'clearRect', draw],
+    ['OffscreenCanvasRenderingContext2D', 'clearRect', draw],
+    ['CanvasRenderingContext2D', 'drawImage', copy],
+    ['ImageBitmapRenderingContext', 'transferFromImageBitmap', copy],
+  ]);
+  for (const [context, method, happen] of watched) {
+    // A worker does not have all of them.
+    const { prototype } = scope[context] ?? { prototype: {} };
+    const original = prototype[method];
+    prototype[method] = /** @this {any} */ function (/** @type {any[]} */ ...given) {
+      happen();
+      return original.apply(this, given);
+    };
+  }
 }
 
-/** @returns {number} */
-function framesSoFar() {
-  return /** @type {any} */ (globalThis).frames ?? 0;
+/** @returns {{ frames: number, drawings: number, seconds: number }} */
+function countedSoFar() {
+  const { frames = 0, drawings = 0 } = /** @type {any} */ (globalThis);
+  return { frames, drawings, seconds: performance.now() / 1000 };
 }
