@@ -3,6 +3,7 @@ import type { Fault } from '../renderer/gpu/faults.ts';
 import type { DebugView, Quality } from '../parameters/quality.ts';
 import type { Values } from '../parameters/parameter.ts';
 import type { LoadProgress } from '../simulator/load.ts';
+import type { Turns } from './frameLoop.ts';
 import type { StageStats } from './stats.ts';
 
 export interface StageOptions extends DeviceOptions {
@@ -38,6 +39,8 @@ export interface StageOptions extends DeviceOptions {
   onProgress?: (progress: LoadProgress) => void;
   /** Called after each simulator step, including each step of a batch. */
   onStep?: () => void;
+  /** @internal Which frames are drawn while playing. Default: all. */
+  turns?: Turns;
   /** @internal A fault to inject at startup, for testing error handling. Ignored in production builds. */
   fault?: Fault;
 }

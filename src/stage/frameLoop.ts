@@ -4,12 +4,39 @@ import { Governor } from './governor.ts';
 /** With a frame rate limit, a frame may be this much early: display timing is not exact to the millisecond. */
 const EARLY_MS = 4;
 
+/** Limits frames to a rate. */
+export class Pace {
+  readonly intervalMs: number;
+  private dueAt = 0;
+
+  constructor(framesPerSecond = Infinity) {
+    this.intervalMs = 1000 / framesPerSecond;
+  }
+
+  /** @param now milliseconds, as from requestAnimationFrame */
+  isDue(now: number): boolean {
+    if (now < this.dueAt - EARLY_MS) return false;
+    this.dueAt = Math.max(this.dueAt + this.intervalMs, now);
+    return true;
+  }
+}
+
+/** Frames of a stage that shares them with other stages of its thread. */
+export interface Turns {
+  /** Whether no stage of the thread steps or draws in this frame. */
+  isClosed(now: number): boolean;
+  /** Whether the stage draws in this frame. Asked once for each frame that it plays. */
+  takeTurn(now: number): boolean;
+  /** Whether frames can still be made shorter by drawing fewer of the stages in each. */
+  readonly canSpread: boolean;
+}
+
 /** Callbacks of a frame loop. */
 export interface FrameTasks {
   /** Whether earlier frames are still being drawn, so that the next frame is skipped. */
   readonly isBehind: boolean;
-  /** Takes this many steps (often 0) and draws the result. */
-  frame(steps: number): void;
+  /** Takes this many steps (often 0) and draws the result, unless it is not the turn of the stage. */
+  frame(steps: number, isDrawn: boolean): void;
   /** Called when a frame throws; the loop is stopped. */
   fail(error: Error): void;
 }
@@ -20,18 +47,22 @@ export class FrameLoop {
   /** Whether frames are skipped, for example during a seek. */
   isHeld = false;
   private readonly tasks: FrameTasks;
+  private readonly turns: Turns | undefined;
   private readonly governor: Governor;
-  private readonly intervalMs: number;
+  private readonly pace: Pace;
   private request = 0;
-  private dueAt = 0;
   private isRunning = false;
   private hasViewers = true;
 
-  /** @param frameRate maximum frames per second. Default: the display's refresh rate */
-  constructor(tasks: FrameTasks, frameRate = Infinity) {
+  /**
+   * @param frameRate maximum frames per second. Default: the display's refresh rate
+   * @param turns decides which frames are drawn. Default: all
+   */
+  constructor(tasks: FrameTasks, frameRate?: number, turns?: Turns) {
     this.tasks = tasks;
-    this.intervalMs = 1000 / frameRate;
-    this.governor = new Governor(this.intervalMs);
+    this.turns = turns;
+    this.pace = new Pace(frameRate);
+    this.governor = new Governor(this.pace.intervalMs);
   }
 
   get isPlaying(): boolean {
@@ -93,25 +124,22 @@ export class FrameLoop {
     this.clock.pause();
   }
 
-  private isDue(now: number): boolean {
-    if (now < this.dueAt - EARLY_MS) return false;
-    this.dueAt = Math.max(this.dueAt + this.intervalMs, now);
-    return true;
-  }
-
   private readonly tick = (now: number): void => {
     if (!this.isRunning || !this.hasViewers) return;
     this.request = requestAnimationFrame(this.tick);
-    if (this.tasks.isBehind || !this.isDue(now)) return;
+    const { turns } = this;
+    if (turns?.isClosed(now) || this.tasks.isBehind || !this.pace.isDue(now)) return;
     if (this.isHeld) return this.governor.pause();
-    this.governor.tick(now);
+    // Pixels are left out only when that is not enough.
+    if (turns?.canSpread) this.governor.pause();
+    else this.governor.tick(now);
     const isFirst = this.clock.isPaused;
     const steps = this.clock.tick(now);
     // No time has passed since playback started. The picture is up to date, and drawing it again would delay the next
     // one.
     if (isFirst && steps === 0) return;
     try {
-      this.tasks.frame(steps);
+      this.tasks.frame(steps, turns?.takeTurn(now) ?? true);
     } catch (error) {
       this.stop();
       this.tasks.fail(error as Error);

@@ -1,5 +1,6 @@
 /** Fractions of the pixel ratio that the governor selects from. Each step draws about a third fewer pixels. */
 export const SCALES: readonly number[] = [1, 0.84, 0.71, 0.59, 0.5];
+const PIXELS = SCALES.map((scale) => scale * scale);
 
 /** Milliseconds between frames that still look smooth: the interval of a 50 Hz display, plus some slack. */
 const BUDGET_MS = 22;
@@ -28,8 +29,10 @@ const FUTILE_REST_MS = 300_000;
  * attempt. If fewer pixels do not help, as with a slow CPU or a 30 Hz display, it returns to full scale.
  */
 export class Governor {
+  /** Index of the selected share of the work. */
+  level = 0;
   private readonly budgetMs: number;
-  private level = 0;
+  private readonly shares: readonly number[];
   private last: number | undefined;
   private warmUpMs = 0;
   private warmUpFrames = 0;
@@ -43,8 +46,12 @@ export class Governor {
   private fullScaleMs = 0;
   private restMs = 0;
 
-  /** @param intervalMs minimum time between frames, when the frame rate is limited */
-  constructor(intervalMs = 0) {
+  /**
+   * @param intervalMs minimum time between frames, when the frame rate is limited
+   * @param shares fractions of the work of a frame that it selects from, from 1 down. Default: of the pixels
+   */
+  constructor(intervalMs = 0, shares = PIXELS) {
+    this.shares = shares;
     this.budgetMs = Math.max(BUDGET_MS, SLACK * intervalMs);
   }
 
@@ -101,7 +108,7 @@ export class Governor {
     this.calmMs = 0;
     this.slowWindows += 1;
     if (this.slowWindows < SLOW_WINDOWS || this.restMs > 0) return;
-    if (this.level === SCALES.length - 1) this.resetIfFutile(median);
+    if (this.level === this.shares.length - 1) this.resetIfFutile(median);
     else this.descend(median);
   }
 
@@ -112,11 +119,11 @@ export class Governor {
     this.moveTo(this.level + 1, false);
   }
 
-  /** The first lower level that fits the budget if frame time is proportional to the pixel count. */
+  /** The first lower level that fits the budget if frame time is proportional to the work. */
   private levelFor(median: number): number {
-    const wanted = this.scale * Math.sqrt(this.budgetMs / median);
-    const fitting = SCALES.findIndex((scale, level) => level > this.level && scale <= wanted);
-    return fitting < 0 ? SCALES.length - 1 : fitting;
+    const wanted = this.shares[this.level] * (this.budgetMs / median);
+    const fitting = this.shares.findIndex((share, level) => level > this.level && share <= wanted);
+    return fitting < 0 ? this.shares.length - 1 : fitting;
   }
 
   private resetIfFutile(median: number): void {

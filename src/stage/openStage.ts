@@ -15,7 +15,7 @@ import { RunningScene } from './runningScene.ts';
 /** Opens a scene on a canvas. See `createStage`, also for errors. */
 export async function openStage(canvas: DeviceCanvas, options: StageOptions): Promise<RunningScene> {
   requireCanvas(canvas);
-  requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep']);
+  requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep', 'turns']);
   const values = withDefaults(options.values);
   // Before the programs compile: a resize of the drawing buffer waits for the GPU.
   const { width, height, pixelRatio = 1, view } = options;

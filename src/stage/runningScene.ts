@@ -37,14 +37,15 @@ export class RunningScene implements FrameTasks {
   gestures: Gestures;
   isDisposed = false;
   private readonly device: Device;
-  private readonly inFlight: FramesInFlight;
+  /** Undefined if the turns limit the frames. */
+  private readonly inFlight: FramesInFlight | undefined;
   private readonly stopListening: () => void;
   private readonly options: StageOptions;
   private isStale = false;
 
   /** @throws ParameterError for an invalid option */
   constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: StageOptions) {
-    this.loop = new FrameLoop(this, options.frameRate);
+    this.loop = new FrameLoop(this, options.frameRate, options.turns);
     this.options = options;
     this.opened = opened;
     this.simulation = this.simulate(opened, values);
@@ -60,11 +61,11 @@ export class RunningScene implements FrameTasks {
       (error) => this.listeners.notify('error', error),
     );
     this.device = presenter.device;
-    this.inFlight = new FramesInFlight(this.device);
+    if (!options.turns) this.inFlight = new FramesInFlight(this.device);
     this.stopListening = this.device.onContext((event) => {
       if (event === 'missing') this.listeners.notify('error', missingContext());
       if (event !== 'restored') return;
-      this.inFlight.clear();
+      this.inFlight?.clear();
       this.draw();
     });
   }
@@ -278,14 +279,15 @@ export class RunningScene implements FrameTasks {
   }
 
   get isBehind(): boolean {
-    return this.inFlight.isFull;
+    return this.inFlight?.isFull ?? false;
   }
 
   /** Called for each frame while playing. */
-  frame(steps: number): void {
+  frame(steps: number, isDrawn: boolean): void {
     this.advance(steps);
+    if (!isDrawn) return;
     this.draw();
-    this.inFlight.add();
+    this.inFlight?.add();
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {

@@ -90,7 +90,8 @@ export class PointerControls {
 
   private move(event: PointerEvent): void {
     const press = this.presses.get(event.pointerId);
-    if (!press) return;
+    // A stage draws more often while a pointer moves over it.
+    if (!press) return ignoreRejection(this.stage.pointer({ type: 'move', id: event.pointerId, ...placeOf(event) }));
     // The button was released where no event could fire, for example while the canvas was moved within the page.
     if (event.buttons === 0) return this.release(event, 'cancel');
     const before = this.spread();

@@ -18,7 +18,10 @@ export interface RemoteStage extends RemoteMethods {
   dispose(): Promise<void>;
 }
 
-export interface RemoteStageOptions extends Omit<StageOptions, 'device' | 'failsSelfTest' | 'frameRate' | 'onStep'> {
+export interface RemoteStageOptions extends Omit<
+  StageOptions,
+  'device' | 'failsSelfTest' | 'frameRate' | 'onStep' | 'turns'
+> {
   /**
    * Where to run. Default: 'auto', a worker if the browser supports it and the page allows it, otherwise the main
    * thread.

@@ -3,6 +3,7 @@ import { UnsupportedError, SimulatorError } from '../../base/errors.ts';
 import type { StageOptions } from '../contract.ts';
 import { createStage, type Stage } from '../stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
+import { Crowd, type CrowdTurns } from './crowd.ts';
 import { makeMethods, methodNames, methods, type MethodEntry, type MethodName } from './methods.ts';
 
 /**
@@ -71,7 +72,17 @@ function createOffPage(): Device | undefined {
 /** The shared device of this thread. */
 export const threadDevice = new SharedDevice();
 
+const crowds = new WeakMap<Device, Crowd>();
+
+function crowdOn(device: Device): Crowd {
+  const crowd = crowds.get(device) ?? new Crowd(device);
+  crowds.set(device, crowd);
+  return crowd;
+}
+
 const FRAME_RATE = 60;
+/** After a call of these, the stage is drawn in every frame for a while. */
+const INPUTS = 'pointer blow steer emit changeEmission drop nudge orbit zoom pan resetView'.split(' ');
 
 /** @throws UnsupportedError when this thread cannot draw on an OffscreenCanvas */
 export function requireDrawing(): void {
@@ -92,11 +103,12 @@ export async function openHere(
   signal?.throwIfAborted();
   const device = threadDevice.acquire();
   const release = () => device && threadDevice.release(device);
-  const stage = await createStage(canvas, { frameRate: FRAME_RATE, ...options, device }).catch((error) => {
+  const turns = device && crowdOn(device).join();
+  const stage = await createStage(canvas, { frameRate: FRAME_RATE, ...options, device, turns }).catch((error) => {
     release();
     throw error;
   });
-  const opened = localStage(stage, thread, release);
+  const opened = localStage(stage, thread, release, turns);
   if (!signal?.aborted) return opened;
   await opened.dispose();
   throw signal.reason;
@@ -105,11 +117,18 @@ export async function openHere(
 /**
  * Wraps a stage of this thread as a RemoteStage.
  * @param release called once, after disposal
+ * @param turns told of inputs
  */
-export function localStage(stage: Stage, thread: Thread = 'main', release?: () => void): RemoteStage {
+export function localStage(
+  stage: Stage,
+  thread: Thread = 'main',
+  release?: () => void,
+  turns?: CrowdTurns,
+): RemoteStage {
   let isDisposed = false;
   const call = async (name: MethodName, args: unknown[]) => {
     if (isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
+    if (INPUTS.includes(name)) turns?.touch();
     const entry: MethodEntry = methods[name];
     return entry.run(stage, ...args.slice(0, entry.takes.length));
   };

@@ -47,6 +47,20 @@ test('keys zoom, orbit, and reset the view', async ({ page, openPage }) => {
   await expect.poll(() => eye(page)).toEqual({ azimuth: undefined, distance: undefined });
 });
 
+test('the stage is told of a pointer that moves over the element', async ({ page, openPage }) => {
+  await opened(page, openPage);
+  await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+    const stage = await smoke.stage;
+    const pointer = async ({ type, x, y }: { type: string; x: number; y: number }) => {
+      document.title = `${type} ${x} ${y}`;
+      return null;
+    };
+    Object.assign(stage, { pointer });
+  });
+  await page.mouse.move(150, 100);
+  await expect(page).toHaveTitle('move 150 100');
+});
+
 test('the wheel scrolls the page, and a pinch on a trackpad zooms', async ({ page, openPage }) => {
   await opened(page, openPage);
   await page.mouse.move(150, 100);

@@ -3,6 +3,7 @@ import { expect, test } from 'vitest';
 import { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 import { elementStage } from '../../../../src/page/iframe/answerPage.ts';
 import type { RemoteStage } from '../../../../src/stage/remote/contract.ts';
+import type { CrowdTurns } from '../../../../src/stage/remote/crowd.ts';
 import { localStage } from '../../../../src/stage/remote/openHere.ts';
 import { methodNames, type MethodName, type RemoteMethods } from '../../../../src/stage/remote/methods.ts';
 import { PortStage } from '../../../../src/stage/remote/portStage.ts';
@@ -110,6 +111,16 @@ for (const [kind, make] of Object.entries(kinds)) {
     await stage.dispose();
   });
 }
+
+test('only inputs of the user let a stage of a crowd draw in every frame', async () => {
+  const inputs: MethodName[] = [];
+  for (const name of methodNames) {
+    const turns = { touch: () => inputs.push(name) } as unknown as CrowdTurns;
+    const stage = localStage(fakeStage(calls[name].result, []), 'main', undefined, turns);
+    await (stage[name] as (...given: unknown[]) => Promise<unknown>)(...calls[name].given);
+  }
+  expect(inputs.join(' ')).toBe('pointer blow steer emit changeEmission drop nudge orbit zoom pan resetView');
+});
 
 test('the element has each method that is not an attribute or its place on the page', () => {
   const missing = methodNames.filter((name) => !(name in CartoonSmokeElement.prototype));
