@@ -17,10 +17,10 @@ const SOURCES = [
   'rust-toolchain.toml',
   ...['bindings', 'sim', 'world', 'xtask'].flatMap((crate) => [`${crate}/Cargo.toml`, `${crate}/src`]),
 ];
-const VARIANTS = ['core', 'physics'];
+const VARIANTS = ['core', 'meshes', 'physics'];
 const FILES = ['bindings.js', 'bindings.d.ts', 'bindings_bg.wasm'];
 
-/** Whether both variants were built from the current sources. Compiles nothing. */
+/** Whether all variants were built from the current sources. Compiles nothing. */
 export function isFresh() {
   const built = VARIANTS.flatMap((variant) => FILES.map((file) => `src/simulator/wasm/${variant}/${file}`));
   const stamp = inRoot('src/simulator/wasm/stamp.txt');

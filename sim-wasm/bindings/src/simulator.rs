@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::{parameter_error, plain_error};
 
-/// Particles, forces and colliders; rigids in the variant with physics. Errors are objects `{ key, value, min, max,
+/// Particles, forces and colliders; rigids in the larger variants. Errors are objects `{ key, value, min, max,
 /// message }`; a call that fails changes nothing.
 #[wasm_bindgen]
 pub struct Simulator {

@@ -28,39 +28,39 @@ impl Simulator {
     }
 
     /// Input: sends a kinematic rigid to x, y, z and the quaternion x, y, z, w, or teleports a dynamic one.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[cfg_attr(not(feature = "meshes"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputPose)]
     pub fn input_pose(&mut self, rigid: u32, pose: &[f64]) -> Result<(), JsValue> {
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         return match pose.try_into() {
             Ok(numbers) => self.simulator.input_pose(rigid, numbers).map_err(parameter_error),
             Err(_) => Err(plain_error("a pose has seven numbers")),
         };
-        #[cfg(not(feature = "rigids"))]
-        Err(crate::rigids::without_rapier())
+        #[cfg(not(feature = "meshes"))]
+        Err(crate::rigids::without_rigids())
     }
 
     /// Input: drags a point of a rigid, as seven numbers: point, target and stiffness.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[cfg_attr(not(feature = "meshes"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputDrag)]
     pub fn input_drag(&mut self, rigid: u32, numbers: &[f64]) -> Result<(), JsValue> {
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         return match numbers.try_into() {
             Ok(numbers) => self.simulator.input_drag(rigid, numbers).map_err(parameter_error),
             Err(_) => Err(plain_error("a drag has seven numbers")),
         };
-        #[cfg(not(feature = "rigids"))]
-        Err(crate::rigids::without_rapier())
+        #[cfg(not(feature = "meshes"))]
+        Err(crate::rigids::without_rigids())
     }
 
     /// Input: ends the drag of a rigid.
-    #[cfg_attr(not(feature = "rigids"), allow(unused_variables))]
+    #[cfg_attr(not(feature = "meshes"), allow(unused_variables))]
     #[wasm_bindgen(js_name = inputRelease)]
     pub fn input_release(&mut self, rigid: u32) -> Result<(), JsValue> {
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         return self.simulator.input_release(rigid).map_err(parameter_error);
-        #[cfg(not(feature = "rigids"))]
-        Err(crate::rigids::without_rapier())
+        #[cfg(not(feature = "meshes"))]
+        Err(crate::rigids::without_rigids())
     }
 
     /// Input: sets a channel.

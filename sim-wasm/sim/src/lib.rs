@@ -11,7 +11,7 @@ pub mod layout;
 pub mod life;
 pub mod math;
 pub mod particles;
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 pub mod rigids;
 pub mod simulator;
 

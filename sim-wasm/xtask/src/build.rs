@@ -20,29 +20,37 @@ pub struct Variant {
     pub name: &'static str,
     features: &'static [&'static str],
     has_rapier: bool,
+    /// Limit for inlining. It applies to parry's and Rapier's code too.
+    inlined: u32,
 }
 
 /// Set-up code is not inlined: a tenth of the module. Loops over particles mark what must be inlined. Only short loops
-/// are unrolled, and only completely: unrolling loops over particles gains nothing. The limit for inlining applies to
-/// Rapier's code too.
-fn llvm_arguments(variant: &Variant) -> [String; 1] {
-    let inlined = if variant.has_rapier { 25 } else { 60 };
+/// are unrolled, and only completely: unrolling loops over particles gains nothing.
+fn llvm_arguments(Variant { inlined, .. }: &Variant) -> [String; 1] {
     [format!(
         "-Cllvm-args=-inline-threshold={inlined} -unroll-threshold=60 -unroll-partial-threshold=0 -unroll-runtime=false"
     )]
 }
 
-/// All builds in order. The small one comes first: most pages load it.
+/// All builds in order. The smallest comes first: most pages load it.
 pub const VARIANTS: &[Variant] = &[
     Variant {
         name: "core",
         features: &[],
         has_rapier: false,
+        inlined: 60,
+    },
+    Variant {
+        name: "meshes",
+        features: &["meshes"],
+        has_rapier: false,
+        inlined: 25,
     },
     Variant {
         name: "physics",
         features: &["rigids"],
         has_rapier: true,
+        inlined: 25,
     },
 ];
 
@@ -51,6 +59,7 @@ pub const BENCH: Variant = Variant {
     name: "bench",
     features: &["bench"],
     has_rapier: true,
+    inlined: 25,
 };
 
 /// Generated files of a variant. If one is missing, the variant is built again.

@@ -1,7 +1,7 @@
 //! `cargo xtask wasm [--force | --bench]`: builds the simulator as WASM, with its JavaScript and TypeScript bindings.
 //!
-//! Builds two variants of one API: `src/simulator/wasm/core` (without Rapier) and `src/simulator/wasm/physics`. Skips compilation
-//! if the sources are those of the last build; see [`stamp`]. `--bench` only builds a third variant with calls for
+//! Builds variants of one API into `src/simulator/wasm`: `core`, `meshes` (with parry) and `physics` (with Rapier). Skips
+//! compilation if the sources are those of the last build; see [`stamp`]. `--bench` only builds one more with calls for
 //! measurements, into `sim-wasm/target/wasm/bench`, since no page loads it.
 
 mod build;

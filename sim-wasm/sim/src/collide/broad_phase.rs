@@ -4,13 +4,13 @@ use wide::f32x4;
 
 use crate::math::bounds::Bounds;
 use crate::math::simd::LANES;
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 use crate::math::vector::Vector;
 use crate::particles::Particles;
 use crate::particles::radius::RadiusLaw;
 
 /// Distribution of particles: their bounds, and the size of their swept boxes.
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 #[derive(Clone, Copy, Debug)]
 pub struct ParticleExtent {
     /// Box of the centres of the sampled swept boxes.
@@ -55,14 +55,14 @@ impl SweptBoxes {
     }
 
     /// Centres of the boxes.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     #[inline]
     pub(crate) fn middles(&self) -> [f32x4; 3] {
         std::array::from_fn(|axis| (self.min[axis] + self.max[axis]) * f32x4::splat(0.5))
     }
 
     /// Half of the longest side of each box.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     #[inline]
     pub(crate) fn reaches(&self) -> f32x4 {
         let [x, y, z] = std::array::from_fn(|axis| self.max[axis] - self.min[axis]);
@@ -89,10 +89,10 @@ pub(crate) struct NearLanes {
 /// Location of a particle in the grid of rigids.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct GridLocation {
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub(crate) cell: u32,
     /// True if the particle is too large for one cell.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub(crate) is_large: bool,
 }
 
@@ -130,11 +130,11 @@ pub(crate) fn for_each_near(
 }
 
 /// One block in so many is sampled. The grid must suit most particles; its result is exact for all.
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 const BLOCKS_PER_LOOK: usize = 8;
 
 /// Samples the living particles.
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 pub fn extent(particles: &Particles, radii: &RadiusLaw) -> ParticleExtent {
     let mut least = [f32x4::splat(f32::INFINITY); 3];
     let mut most = [f32x4::splat(f32::NEG_INFINITY); 3];

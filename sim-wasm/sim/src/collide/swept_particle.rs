@@ -12,7 +12,7 @@ pub(crate) struct SweptParticle {
     /// Box of its path.
     pub(crate) bounds: WideBounds,
     /// Location in the grid of rigids.
-    #[cfg_attr(not(feature = "rigids"), expect(dead_code, reason = "there are none"))]
+    #[cfg_attr(not(feature = "meshes"), expect(dead_code, reason = "there are none"))]
     pub(crate) location: GridLocation,
     from: Vector,
     to: Vector,

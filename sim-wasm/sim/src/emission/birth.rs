@@ -8,7 +8,7 @@ use crate::layout::parameters::item::Scope;
 use crate::layout::parameters::table::Parameters;
 use crate::layout::scope::parts::Parts;
 use crate::math::pose::{Frame, Pose};
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 use crate::math::pose_motion::PoseMotion;
 use crate::math::random::Random;
 use crate::math::vector::Vector;
@@ -20,7 +20,7 @@ pub struct EmissionContext<'s> {
     pub surfaces: &'s Surfaces,
     pub parts: &'s Parts,
     /// Motion of the rigid with this number in the step; none if there is no such rigid.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub rigid: &'s dyn Fn(f64) -> Option<PoseMotion>,
     /// Seed of the simulation: selects the swelling of emitters.
     pub seed: u32,
@@ -36,7 +36,7 @@ impl EmissionContext<'_> {
     /// What an emitter with this scope is attached to; none in world space.
     fn ride(&self, scope: &Scope) -> Option<Ride> {
         let part = self.parts.ends(scope.rigid).map(Ride::Part);
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         let part = part.or_else(|| (self.rigid)(scope.rigid).map(Ride::Rigid));
         part
     }
@@ -46,7 +46,7 @@ impl EmissionContext<'_> {
 #[derive(Clone, Copy, Debug)]
 pub enum Ride {
     /// A rigid. It may rotate by more than pi in a step.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     Rigid(PoseMotion),
     /// A part: its poses at the start and at the end of the step.
     Part([Pose; 2]),
@@ -56,7 +56,7 @@ impl Ride {
     /// Coordinate frame at a fraction of a step of `dt` seconds, and the velocity (m/s) there of the point `local`.
     pub fn at(&self, fraction: f32, dt: f32, local: Vector) -> (Frame, Vector) {
         match self {
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             Ride::Rigid(motion) => {
                 let frame = motion.frame(fraction);
                 let place = frame.world_from_local(local);

@@ -75,13 +75,13 @@ impl PoseMotion {
     }
 
     /// Returns true if it moves or rotates.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn is_moving(&self) -> bool {
         self.velocity != Vector::ZERO || self.spin != Vector::ZERO
     }
 
     /// Upper bound of the speed (m/s) of points within `reach` (m) of the origin.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn top_speed(&self, reach: f32) -> f32 {
         self.velocity.length() + self.spin.length() * reach
     }

@@ -11,6 +11,9 @@ pub(super) const PLACES: (f64, f64) = (-1e4, 1e4);
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
+/// Least half length of a hull, and square root of the least area of a mesh (m).
+pub(super) const MIN_HALF_EXTENT: f32 = 5e-4;
+
 /// Reads position and quaternion. The quaternion is normalised.
 ///
 /// # Errors

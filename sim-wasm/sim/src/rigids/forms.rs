@@ -1,32 +1,41 @@
 //! Construction of a shape's two forms: Rapier's, and the collider of particles.
 
-use rapier3d::glamx::Vec3;
-use rapier3d::parry::shape::{ConvexPolyhedron, SharedShape, TriMesh, TriMeshFlags};
-use rapier3d::parry::transformation::try_convex_hull;
+use parry3d::glamx::Vec3;
+use parry3d::shape::{SharedShape, TriMesh, TriMeshFlags};
 
 use crate::collide::shapes::{Ball, Capsule, Collider, Cuboid, Cylinder};
 use crate::layout::error::ParameterError;
 use crate::math::pose::Pose;
 use crate::math::vector::Vector;
-use crate::rigids::checks::shape_error;
+use crate::rigids::checks::{MIN_HALF_EXTENT, shape_error};
 use crate::rigids::compound::Compound;
 use crate::rigids::description::{RigidDescription, RigidKind, RigidShape};
-use crate::rigids::meshes::{Hull, Mesh};
+use crate::rigids::meshes::{Mesh, oriented};
 
-/// Minimum volume, as a share of the box's.
-const MIN_FILL_RATIO: f32 = 1e-4;
-const MIN_HALF_EXTENT: f32 = 5e-4;
+/// A shape in Rapier's world; nothing without Rapier.
+#[cfg(feature = "rigids")]
+pub type RapierShape = SharedShape;
+#[cfg(not(feature = "rigids"))]
+pub type RapierShape = ();
+
+#[cfg(feature = "rigids")]
+fn rapiers(shape: impl FnOnce() -> SharedShape) -> RapierShape {
+    shape()
+}
+
+#[cfg(not(feature = "rigids"))]
+fn rapiers(_shape: impl FnOnce() -> SharedShape) -> RapierShape {}
 
 /// Both forms of a rigid's shape.
 pub struct Forms {
     /// Each with its pose in the rigid.
-    pub rapiers: Vec<(Pose, SharedShape)>,
+    pub rapiers: Vec<(Pose, RapierShape)>,
     pub ours: Box<dyn Collider>,
 }
 
 /// Both forms of a single shape.
 struct Form {
-    rapiers: SharedShape,
+    rapiers: RapierShape,
     ours: Box<dyn Collider>,
 }
 
@@ -35,6 +44,11 @@ struct Form {
 /// # Errors
 /// The points span no volume, no triangle has an area, or a dynamic rigid is a sheet, which has no mass.
 pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError> {
+    #[cfg(not(feature = "rigids"))]
+    if description.kind == RigidKind::Dynamic {
+        let message = "rigid.kind is dynamic, which only the simulator with physics can move".to_owned();
+        return Err(shape_error("rigid.kind", 2.0, message));
+    }
     let RigidShape::Compound { parts } = &description.shape else {
         let Form { rapiers, ours } = form_of(&description.shape, description.kind)?;
         let rapiers = vec![(Pose::at(Vector::ZERO), rapiers)];
@@ -60,23 +74,23 @@ pub fn forms_of(description: &RigidDescription) -> Result<Forms, ParameterError>
 fn form_of(shape: &RigidShape, kind: RigidKind) -> Result<Form, ParameterError> {
     Ok(match shape {
         &RigidShape::Ball { radius } => Form {
-            rapiers: SharedShape::ball(radius),
+            rapiers: rapiers(|| SharedShape::ball(radius)),
             ours: Box::new(Ball { radius }),
         },
         &RigidShape::Cuboid {
             half_extents: [x, y, z],
         } => Form {
-            rapiers: SharedShape::cuboid(x, y, z),
+            rapiers: rapiers(|| SharedShape::cuboid(x, y, z)),
             ours: Box::new(Cuboid {
                 half_extents: Vector::new(x, y, z),
             }),
         },
         &RigidShape::Capsule { half_height, radius } => Form {
-            rapiers: SharedShape::capsule_y(half_height, radius),
+            rapiers: rapiers(|| SharedShape::capsule_y(half_height, radius)),
             ours: Box::new(Capsule { half_height, radius }),
         },
         &RigidShape::Cylinder { half_height, radius } => Form {
-            rapiers: SharedShape::cylinder(half_height, radius),
+            rapiers: rapiers(|| SharedShape::cylinder(half_height, radius)),
             ours: Box::new(Cylinder { half_height, radius }),
         },
         RigidShape::ConvexHull { vertices } => hull(vertices)?,
@@ -88,40 +102,17 @@ fn form_of(shape: &RigidShape, kind: RigidKind) -> Result<Form, ParameterError> 
     })
 }
 
+#[cfg(feature = "rigids")]
 fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
-    let points: Vec<Vec3> = vertices.iter().map(|vertex| Vec3::from(*vertex)).collect();
-    let error = || {
-        let message = "rigid.vertices span no volume; give at least four points that do not lie in one plane";
-        shape_error("rigid.vertices", vertices.len() as f64, message.to_owned())
-    };
-    // Checked before the hull is built: its algorithm may fail for points on a line or a plane.
-    if !spans_volume(&points) {
-        return Err(error());
-    }
-    let (corners, triangles) = try_convex_hull(&points).map_err(|_| error())?;
-    let polyhedron = ConvexPolyhedron::from_convex_mesh(corners.clone(), &triangles).ok_or_else(error)?;
-    let mesh = oriented(corners, triangles).ok_or_else(error)?;
-    Ok(Form {
-        rapiers: SharedShape::new(polyhedron),
-        ours: Box::new(Hull::new(mesh)),
-    })
+    let (rapiers, hull) = crate::rigids::hulls::hull(vertices)?;
+    let ours = Box::new(hull);
+    Ok(Form { rapiers, ours })
 }
 
-/// Returns true if four of the points form a tetrahedron that is not degenerate for its size.
-fn spans_volume(points: &[Vec3]) -> bool {
-    let origin = points[0];
-    let farthest = |measure: &dyn Fn(Vec3) -> f32| {
-        let offsets = points.iter().map(|point| *point - origin);
-        offsets
-            .max_by(|a, b| measure(*a).total_cmp(&measure(*b)))
-            .expect("there is a point")
-    };
-    let a = farthest(&|offset| offset.length());
-    let length = a.length();
-    let b = farthest(&|offset| a.cross(offset).length());
-    let c = farthest(&|offset| a.cross(b).dot(offset).abs());
-    let (area, volume) = (a.cross(b).length(), a.cross(b).dot(c).abs());
-    length > MIN_HALF_EXTENT && area > MIN_FILL_RATIO * length * length && volume > MIN_FILL_RATIO * area * length
+#[cfg(not(feature = "rigids"))]
+fn hull(vertices: &[[f32; 3]]) -> Result<Form, ParameterError> {
+    let message = "rigid.vertices are those of a hull, which only the simulator with physics has".to_owned();
+    Err(shape_error("rigid.vertices", vertices.len() as f64, message))
 }
 
 fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Result<Form, ParameterError> {
@@ -142,7 +133,7 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
     };
     match solid {
         Some(mesh) => Ok(Form {
-            rapiers: SharedShape::new(mesh.clone()),
+            rapiers: rapiers(|| SharedShape::new(mesh.clone())),
             ours: Box::new(Mesh::new(mesh, true)),
         }),
         None if kind == RigidKind::Dynamic => {
@@ -150,14 +141,10 @@ fn trimesh(vertices: &[[f32; 3]], indices: &[[u32; 3]], kind: RigidKind) -> Resu
             Err(shape_error("rigid.shape", 5.0, message.to_owned()))
         }
         None => Ok(Form {
-            rapiers: SharedShape::new(merged.clone()),
+            rapiers: rapiers(|| SharedShape::new(merged.clone())),
             ours: Box::new(Mesh::new(merged, false)),
         }),
     }
-}
-
-fn oriented(corners: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Option<TriMesh> {
-    TriMesh::with_flags(corners, triangles, TriMeshFlags::ORIENTED).ok()
 }
 
 fn area_of(mesh: &TriMesh) -> f32 {

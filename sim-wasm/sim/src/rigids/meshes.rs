@@ -1,8 +1,8 @@
-//! Triangle meshes and convex hulls as colliders. Parry's bounding volume hierarchy finds the nearest triangle.
+//! Triangle meshes as colliders. Parry's bounding volume hierarchy finds the nearest triangle.
 
-use rapier3d::glamx::Vec3;
-use rapier3d::parry::query::PointQueryWithLocation;
-use rapier3d::parry::shape::TriMesh;
+use parry3d::glamx::Vec3;
+use parry3d::query::PointQueryWithLocation;
+use parry3d::shape::{TriMesh, TriMeshFlags};
 
 use crate::collide::shapes::{Collider, Nearest};
 use crate::math::bounds::Bounds;
@@ -81,73 +81,9 @@ impl Collider for Mesh {
     }
 }
 
-/// A convex polyhedron: the planes of its faces give the depth of inner points and exclude far points.
-pub struct Hull {
-    mesh: Mesh,
-    faces: Vec<Face>,
-}
-
-struct Face {
-    normal: Vector,
-    offset: f32,
-}
-
-impl Hull {
-    /// The solid of `mesh`, which must be closed, convex and oriented.
-    pub fn new(mesh: TriMesh) -> Self {
-        let mut faces: Vec<Face> = Vec::new();
-        for triangle in mesh.triangles() {
-            let normal = ours(triangle.scaled_normal()).unit_or(Vector::ZERO);
-            let known = |face: &Face| face.normal.dot(normal) > 0.999_999;
-            if normal != Vector::ZERO && !faces.iter().any(known) {
-                faces.push(Face {
-                    normal,
-                    offset: normal.dot(ours(triangle.a)),
-                });
-            }
-        }
-        Self {
-            mesh: Mesh::new(mesh, true),
-            faces,
-        }
-    }
-
-    fn highest_face(&self, point: Vector) -> (f32, &Face) {
-        let height = |face: &Face| face.normal.dot(point) - face.offset;
-        let mut best = &self.faces[0];
-        let mut highest = height(best);
-        for face in &self.faces[1..] {
-            let above = height(face);
-            if above > highest {
-                (highest, best) = (above, face);
-            }
-        }
-        (highest, best)
-    }
-}
-
-impl Collider for Hull {
-    fn nearest(&self, point: Vector, limit: f32) -> Nearest {
-        let (height, face) = self.highest_face(point);
-        if height <= 0.0 || height >= limit {
-            return Nearest {
-                distance: height,
-                normal: face.normal,
-            };
-        }
-        let foot = point - face.normal * height;
-        if self.highest_face(foot).0 <= 1e-6 {
-            return Nearest {
-                distance: height,
-                normal: face.normal,
-            };
-        }
-        self.mesh.nearest(point, limit)
-    }
-
-    fn bounds(&self) -> Bounds {
-        self.mesh.bounds
-    }
+/// A closed mesh whose inside parry finds.
+pub fn oriented(corners: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Option<TriMesh> {
+    TriMesh::with_flags(corners, triangles, TriMeshFlags::ORIENTED).ok()
 }
 
 /// Distance (m) from a point to a box; 0 inside.

@@ -10,14 +10,14 @@ use crate::rigids::forms;
 use crate::rigids::grab::Grab;
 use crate::rigids::guide::Guide;
 use crate::rigids::numbers::{FlatRigid, RigidNumbers};
-use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids};
+use crate::rigids::set::{Member, POSE_PAIR_FLOATS, Rigids, removed};
 use crate::rigids::world::World;
 
 /// Flat numbers of a description: numbers, vertices, indices. All are empty for a removed rigid.
 type SavedRigid = (Vec<f32>, Vec<f32>, Vec<u32>);
 /// Guidance of a rigid: base, velocity, target, grab.
 type SavedGuide = ([f32; 7], [f32; 3], Option<[f32; 7]>, Option<[f32; 7]>);
-/// Rigids, poses, guidance, and the world as the crate `world` writes it.
+/// Rigids, poses, guidance, and the world as the crate `world` writes it; no bytes of it without Rapier.
 type Saved = (Vec<SavedRigid>, Vec<f32>, Vec<SavedGuide>, Vec<u8>);
 /// The same, borrowed, for writing.
 type SavedRef<'a> = (Vec<SavedRigid>, &'a [f32], Vec<SavedGuide>, Vec<u8>);
@@ -59,24 +59,31 @@ impl Rigids {
     fn of_saved((rigids, poses, guides, physics): Saved) -> Result<Self, RestoreError> {
         let count = rigids.len();
         let world = World::from_bytes(&physics).ok_or_else(corrupt)?;
-        if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || world.count() != count {
+        let has_world = world.count() > 0;
+        if poses.len() != count * POSE_PAIR_FLOATS || guides.len() != count || has_world && world.count() != count {
             return Err(corrupt());
         }
         let mut restored = Self::new();
         restored.world = world;
         for (index, (rigid, guide)) in rigids.iter().zip(guides).enumerate() {
-            if rigid.0.is_empty() {
-                restored.place_removed(
-                    index,
-                    pose_of(&guide.0).map_err(|error| RestoreError::new(error.message))?,
-                );
+            let base = pose_of(&guide.0).map_err(error_of)?;
+            let is_removed = rigid.0.is_empty();
+            let mut description = if is_removed { removed(base) } else { described(rigid)? };
+            let forms = forms::forms_of(&description).map_err(error_of)?;
+            if !has_world {
+                // Without Rapier's world they are all fixed or kinematic, and are where their guidance has led them.
+                let first = std::mem::replace(&mut description.pose, base);
+                restored.world.add(&description, &forms.rapiers);
+                description.pose = first;
+            }
+            if is_removed {
+                restored.world.remove(index);
+                restored.place_removed(index, base);
                 continue;
             }
-            let description = described(rigid)?;
-            let forms = forms::forms_of(&description).map_err(|error| RestoreError::new(error.message))?;
             restored.place(index, restored.world.pose(index), description, forms.ours);
             let member = restored.members.last_mut().expect("one was just placed");
-            restore_guide(&mut member.guide, guide).map_err(|error| RestoreError::new(error.message))?;
+            restore_guide(&mut member.guide, guide).map_err(error_of)?;
         }
         restored.poses = poses;
         Ok(restored)
@@ -120,7 +127,11 @@ fn described((numbers, vertices, indices): &SavedRigid) -> Result<RigidDescripti
         vertices,
         indices,
     };
-    RigidDescription::from_numbers(&flat).map_err(|error| RestoreError::new(error.message))
+    RigidDescription::from_numbers(&flat).map_err(error_of)
+}
+
+fn error_of(error: ParameterError) -> RestoreError {
+    RestoreError::new(error.message)
 }
 
 fn digest(bytes: &[u8]) -> [u8; DIGEST_BYTES] {

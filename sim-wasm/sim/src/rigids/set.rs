@@ -36,11 +36,14 @@ pub struct Rigids {
     pub(super) bounds: Bounds,
     /// Rigids with a boundary layer; rigids that feel smoke, and their measurements.
     pub(super) layered: Shells,
+    #[cfg(feature = "rigids")]
     pub(super) feeling: Shells,
+    #[cfg(feature = "rigids")]
     pub(super) sums: Vec<SmokeSum>,
 }
 
 /// Weighted mean of the particles near one rigid.
+#[cfg(feature = "rigids")]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SmokeSum {
     pub(super) weight: f32,
@@ -85,7 +88,9 @@ impl Rigids {
             grid: RigidGrid::default(),
             bounds: Bounds::NOTHING,
             layered: Shells::default(),
+            #[cfg(feature = "rigids")]
             feeling: Shells::default(),
+            #[cfg(feature = "rigids")]
             sums: Vec::new(),
         }
     }
@@ -134,6 +139,7 @@ impl Rigids {
         if index == self.count() {
             self.grid.add(bounds);
             self.poses.extend_from_slice(&[0.0; POSE_PAIR_FLOATS]);
+            #[cfg(feature = "rigids")]
             self.sums.push(SmokeSum::default());
         }
         self.grid.place(index, bounds);
@@ -157,6 +163,7 @@ impl Rigids {
         if member.description.boundary_layer > 0.0 {
             self.layered.add(index);
         }
+        #[cfg(feature = "rigids")]
         if member.feels_smoke() {
             self.feeling.add(index);
         }
@@ -178,7 +185,7 @@ impl Rigids {
 
     /// Registers an index without a rigid, which nothing collides with.
     pub(super) fn place_removed(&mut self, index: usize, pose: Pose) {
-        let description = RigidDescription::new(RigidKind::Fixed, RigidShape::Ball { radius: 1.0 }, pose);
+        let description = removed(pose);
         let forms = forms::forms_of(&description).expect("a ball has a volume");
         self.place(index, pose, description, forms.ours);
         self.members[index].is_removed = true;
@@ -199,6 +206,7 @@ impl Rigids {
     }
 
     /// Sets the unit vector against which gravity acts.
+    #[cfg(feature = "rigids")]
     pub(crate) fn turn(&mut self, up: Vector) {
         self.world.turn(up);
     }
@@ -214,10 +222,13 @@ impl Rigids {
             .enumerate()
             .filter(|(_, member)| !member.is_removed)
         {
+            #[cfg(feature = "rigids")]
             member.put(index, &mut self.world);
             member.lead(index, &mut self.world, dt);
         }
+        #[cfg(feature = "rigids")]
         self.world.step(dt);
+        #[cfg(feature = "rigids")]
         for (index, member) in self.members.iter().enumerate() {
             if member.description.kind == RigidKind::Dynamic {
                 self.world.clear_forces(index);
@@ -324,6 +335,7 @@ impl Rigids {
 
 impl Member {
     /// Returns true if smoke pushes this rigid.
+    #[cfg(feature = "rigids")]
     pub(super) fn feels_smoke(&self) -> bool {
         self.description.kind == RigidKind::Dynamic && self.description.feels_smoke > 0.0
     }
@@ -336,12 +348,14 @@ impl Member {
                     world.head_for(index, &next);
                 }
             }
+            #[cfg(feature = "rigids")]
             (RigidKind::Dynamic, Some(grab)) => world.pull(index, grab, dt),
             _ => {}
         }
     }
 
     /// Teleports a dynamic rigid to its target. Its motion over the step starts there.
+    #[cfg(feature = "rigids")]
     fn put(&mut self, index: usize, world: &mut World) {
         if self.description.kind != RigidKind::Dynamic {
             return;
@@ -369,6 +383,11 @@ impl Collider for Box<dyn Collider> {
     fn is_round(&self) -> bool {
         self.as_ref().is_round()
     }
+}
+
+/// What stands for a removed rigid.
+pub(super) fn removed(pose: Pose) -> RigidDescription {
+    RigidDescription::new(RigidKind::Fixed, RigidShape::Ball { radius: 1.0 }, pose)
 }
 
 /// Sets element `index`, which may be the next one.

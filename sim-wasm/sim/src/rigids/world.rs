@@ -211,8 +211,11 @@ impl World {
         world::to_bytes(&self.physics)
     }
 
-    /// Restores a saved world; none for invalid bytes.
+    /// Restores a saved world; an empty one from no bytes, none for invalid bytes.
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        if bytes.is_empty() {
+            return Some(Self::new());
+        }
         world::from_bytes(bytes).map(|physics| Self { physics })
     }
 }

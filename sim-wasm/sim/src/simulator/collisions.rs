@@ -8,7 +8,7 @@ use crate::math::bounds::WideBounds;
 use crate::math::scalar::greater;
 use crate::particles::radius::RadiusLaw;
 use crate::particles::{Particles, set_tint};
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 use crate::rigids::set::Rigids;
 
 /// Rounds of pushing a particle out of one obstacle and possibly into the next. A right corner needs two. In an acute
@@ -44,7 +44,7 @@ impl Scratch {
 /// All obstacles of a step.
 struct Obstacles<'a> {
     analytic: &'a [Obstacle<AnalyticShape>],
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     rigids: &'a Rigids,
 }
 
@@ -55,20 +55,20 @@ pub fn resolve(
     particles: &mut Particles,
     radii: &RadiusLaw,
     colliders: impl Iterator<Item = Obstacle<AnalyticShape>>,
-    #[cfg(feature = "rigids")] rigids: &mut Rigids,
+    #[cfg(feature = "meshes")] rigids: &mut Rigids,
     dt: f32,
     scratch: &mut Scratch,
 ) {
     scratch.obstacles.clear();
     scratch.obstacles.extend(colliders);
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     if rigids.count() > 0 {
         rigids.prepare(&broad_phase::extent(particles, radii));
         scratch.near.reserve(rigids.count() + scratch.obstacles.len());
     }
     let obstacles = Obstacles {
         analytic: &scratch.obstacles,
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         rigids,
     };
     if obstacles.are_none() {
@@ -79,7 +79,7 @@ pub fn resolve(
         let swept_particle = SweptParticle::new(particles, i, radii, location);
         if !obstacles.find_near(&swept_particle, &mut scratch.near) {
             // Colliders are found in their order, rigids are not.
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             scratch.near.sort_unstable();
             resolve_one(particles, i, radii, &obstacles, dt, &scratch.near);
         }
@@ -141,7 +141,7 @@ fn seed_share(attributes: u32) -> f32 {
 
 impl Obstacles<'_> {
     fn are_none(&self) -> bool {
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         if self.rigids.count() > 0 {
             return false;
         }
@@ -155,7 +155,7 @@ impl Obstacles<'_> {
             .analytic
             .iter()
             .fold(0, |lanes, obstacle| lanes | swept_boxes.touching(&obstacle.bounds));
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         if self.rigids.count() > 0 {
             let rigids = self.rigids.look(swept_boxes);
             return NearLanes {
@@ -181,7 +181,7 @@ impl Obstacles<'_> {
                 misses &= swept_particle.certainly_misses(obstacle);
             }
         }
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         if self.rigids.count() > 0 {
             misses &= self.rigids.find_near(swept_particle, self.analytic.len() as u32, near);
         }
@@ -224,9 +224,9 @@ impl Obstacles<'_> {
     fn action(&self, index: usize) -> Action {
         match self.analytic.get(index) {
             Some(obstacle) => obstacle.material.action,
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             None => self.rigids.obstacle(index - self.analytic.len()).material.action,
-            #[cfg(not(feature = "rigids"))]
+            #[cfg(not(feature = "meshes"))]
             None => unreachable!("only analytic colliders are found near"),
         }
     }
@@ -234,9 +234,9 @@ impl Obstacles<'_> {
     fn meet_one(&self, index: usize, traveller: &mut Traveller, pass: Pass) -> bool {
         match self.analytic.get(index) {
             Some(obstacle) => obstacle.meet(traveller, pass),
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             None => self.rigids.obstacle(index - self.analytic.len()).meet(traveller, pass),
-            #[cfg(not(feature = "rigids"))]
+            #[cfg(not(feature = "meshes"))]
             None => unreachable!("only analytic colliders are found near"),
         }
     }

@@ -41,7 +41,7 @@ use crate::particles::following::FlowLaw;
 use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::tiles;
 use crate::particles::{Newborn, Particles};
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 use crate::rigids::set::Rigids;
 use crate::simulator::collisions::Scratch;
 use crate::simulator::take::active_inputs::ActiveInputs;
@@ -73,7 +73,7 @@ pub struct Simulator {
     pub(crate) surfaces: Surfaces,
     pub(crate) particles: Particles,
     pub(crate) colliders: ColliderPool,
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub(crate) rigids: Rigids,
     parts: Parts,
     /// None until the first shedder is set.
@@ -99,7 +99,7 @@ impl Simulator {
             surfaces: Surfaces::default(),
             particles: Particles::new(room),
             colliders: ColliderPool::default(),
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             rigids: Rigids::new(),
             parts: Parts::default(),
             vortex_particles: None,
@@ -188,10 +188,11 @@ impl Simulator {
             let radii = RadiusLaw::new(&self.parameters);
             self.rigids.turn(self.parts.up.unwrap_or(Vector::Y));
             self.rigids.apply_smoke_forces(&mut self.particles, &radii, STEP as f32);
-            self.rigids.step_world(STEP as f32);
         }
+        #[cfg(feature = "meshes")]
+        self.rigids.step_world(STEP as f32);
         ended(StepPart::World);
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         self.rigids.follow_world(STEP as f32);
         self.colliders.advance();
         ended(StepPart::Follow);
@@ -202,7 +203,7 @@ impl Simulator {
         let vortex_particles = self.vortex_particles.as_deref();
         if self.has_obstacles() {
             motion.advance(&mut self.particles, vortex_particles, &mut |_, _, _| ());
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             self.rigids
                 .drag_air(&mut self.particles, &RadiusLaw::new(&self.parameters), STEP as f32);
             ended(StepPart::Motion);
@@ -348,13 +349,13 @@ impl Simulator {
     }
 
     /// The rigids.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn rigids(&self) -> &Rigids {
         &self.rigids
     }
 
     /// Mutable access to the rigids.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn rigids_mut(&mut self) -> &mut Rigids {
         &mut self.rigids
     }
@@ -389,7 +390,7 @@ impl Simulator {
             all.hash_into(&mut hash);
         }
         self.colliders.hash_into(&mut hash);
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         self.rigids.hash_into(&mut hash);
         hash.finish()
     }
@@ -437,26 +438,26 @@ impl Simulator {
 
     /// Returns true if particles can meet any obstacle.
     fn has_obstacles(&self) -> bool {
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         if self.rigids.count() > 0 {
             return true;
         }
         !self.parameters.colliders.items().is_empty() || !self.colliders.is_empty()
     }
 
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     fn rigid_poses(&self) -> &[f32] {
         self.rigids.poses()
     }
 
-    #[cfg(not(feature = "rigids"))]
+    #[cfg(not(feature = "meshes"))]
     fn rigid_poses(&self) -> &[f32] {
         &[]
     }
 
     fn begin_parts(&mut self) {
         self.parts.begin();
-        #[cfg(feature = "rigids")]
+        #[cfg(feature = "meshes")]
         self.parts.carry(self.rigids.poses());
     }
 
@@ -465,7 +466,7 @@ impl Simulator {
             parameters: &self.parameters,
             surfaces: &self.surfaces,
             parts: &self.parts,
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             rigid: &|number| self.rigids.ride(number),
             seed: self.seed,
             step: self.steps,
@@ -497,7 +498,7 @@ impl Simulator {
             &mut self.particles,
             &RadiusLaw::new(&self.parameters),
             analytic::obstacles(&self.parameters).chain(self.colliders.obstacles()),
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             &mut self.rigids,
             STEP as f32,
             &mut self.scratch,

@@ -269,19 +269,26 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     Ok(particles)
 }
 
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 fn rigids_bytes(simulator: &Simulator) -> Vec<u8> {
     simulator.rigids.save()
 }
 
-#[cfg(not(feature = "rigids"))]
+#[cfg(not(feature = "meshes"))]
 fn rigids_bytes(_simulator: &Simulator) -> Vec<u8> {
     Vec::new()
 }
 
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], are_kept: bool) -> Result<(), RestoreError> {
-    let mut rigids = crate::rigids::Rigids::restore(bytes)?;
+    let restored = crate::rigids::Rigids::restore(bytes);
+    // Without Rapier there may be rigids in the state that only Rapier can move.
+    let is_needed = are_kept || cfg!(feature = "rigids");
+    let mut rigids = if is_needed {
+        restored?
+    } else {
+        restored.unwrap_or_default()
+    };
     if !are_kept {
         // Those that the next ones replace: a new body in Rapier has another hash than one that has moved.
         for index in 0..rigids.count() as u32 {
@@ -292,7 +299,7 @@ fn restore_rigids(simulator: &mut Simulator, bytes: &[u8], are_kept: bool) -> Re
     Ok(())
 }
 
-#[cfg(not(feature = "rigids"))]
+#[cfg(not(feature = "meshes"))]
 fn restore_rigids(_simulator: &mut Simulator, bytes: &[u8], are_kept: bool) -> Result<(), RestoreError> {
     if bytes.is_empty() || !are_kept {
         return Ok(());

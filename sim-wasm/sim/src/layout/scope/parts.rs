@@ -5,7 +5,7 @@
 //! hashed. The direction of the world's up is another such input, for smoke whose space is not upright.
 
 use crate::layout::error::ParameterError;
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 use crate::math::pose::{Frame, product};
 use crate::math::pose::{MAX_COORDINATE, POSE_FLOATS, Pose};
 use crate::math::vector::Vector;
@@ -62,7 +62,7 @@ impl Parts {
     ///
     /// # Arguments
     /// * `rigids` - The poses of the rigids before and after the step, as [`ends_of_rigid`] reads them.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub(crate) fn carry(&mut self, rigids: &[f32]) {
         let (parts, _) = self.numbers.as_chunks_mut::<PART_FLOATS>();
         let count = parts.len() / 2;
@@ -107,7 +107,7 @@ pub(crate) fn ends_of_rigid(poses: &[f32], rigid: usize) -> Option<[Pose; 2]> {
 }
 
 /// Transforms `own` from the space of `carrier` to world space.
-#[cfg(feature = "rigids")]
+#[cfg(feature = "meshes")]
 fn carried(carrier: &Pose, own: &Pose) -> Pose {
     Pose {
         position: Frame::new(carrier).world_from_local(own.position),

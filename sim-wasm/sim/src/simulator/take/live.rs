@@ -44,7 +44,7 @@ impl Simulator {
 
     /// Sends a kinematic rigid to a pose, or teleports a dynamic one. `numbers`: x, y, z (m, rounded to millimetres)
     /// and the quaternion x, y, z, w.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn input_pose(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let pose = crate::layout::quantised::QuantisedPose::new(numbers)?;
         // An index too large for the log belongs to no rigid and is an error here.
@@ -55,7 +55,7 @@ impl Simulator {
 
     /// Drags a point of a rigid by a spring. `numbers`: the point x, y, z in the rigid's space (m), the target x, y, z
     /// in world space (m), the stiffness (1/s). See [`crate::rigids::Rigids::drag`].
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn input_drag(&mut self, rigid: u32, numbers: [f64; 7]) -> Result<(), ParameterError> {
         let grip = crate::layout::quantised::Grip::new(numbers)?;
         self.rigids.check_exists(rigid)?;
@@ -64,7 +64,7 @@ impl Simulator {
     }
 
     /// Ends the drag of a rigid.
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     pub fn input_release(&mut self, rigid: u32) -> Result<(), ParameterError> {
         self.rigids.check_exists(rigid)?;
         let rigid = rigid as u16;
@@ -155,20 +155,20 @@ impl Simulator {
         match input {
             Input::Set { key, value } => self.set_all(&[(log.key(*key), *value)]),
             Input::Resize { capacity } => self.resize(*capacity),
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             Input::Move { rigid, pose } => {
                 let pose = crate::rigids::pose_of(&pose.numbers())?;
                 self.rigids.move_to(u32::from(*rigid), pose)
             }
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             Input::Drag { rigid, grip } => {
                 let (anchor, target, stiffness) = grip.numbers();
                 let grab = crate::rigids::Grab::from_numbers(anchor, target, stiffness)?;
                 self.rigids.drag(u32::from(*rigid), grab)
             }
-            #[cfg(feature = "rigids")]
+            #[cfg(feature = "meshes")]
             Input::Release { rigid } => self.rigids.release(u32::from(*rigid)),
-            #[cfg(not(feature = "rigids"))]
+            #[cfg(not(feature = "meshes"))]
             Input::Move { .. } | Input::Drag { .. } | Input::Release { .. } => Ok(()),
             Input::Steer { channel, value } => {
                 self.active_inputs.steer(*channel, *value);
@@ -218,7 +218,7 @@ pub(super) fn origin_of(simulator: &Simulator) -> Origin {
 fn scene_of(simulator: &Simulator) -> u64 {
     let mut hash = Hash::new();
     simulator.colliders.hash_into(&mut hash);
-    #[cfg(feature = "rigids")]
+    #[cfg(feature = "meshes")]
     simulator.rigids.hash_into(&mut hash);
     simulator.surfaces.hash_into(&mut hash);
     hash.finish()
