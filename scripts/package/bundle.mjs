@@ -8,7 +8,6 @@ import glsl from 'vite-plugin-glsl';
 import { inRoot, root } from '../lib/paths.mjs';
 import { smallThree } from '../patches/three.mjs';
 
-const WASM = ['core', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
 /** The script for CDNs, without and with warnings, by its entry. With warnings it is not minified. */
@@ -93,6 +92,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
     chunkFileNames: 'cartoonSmoke-[name].js',
     codeSplitting: { groups: [{ name: 'host', test: /src\/three\/(cartoonSmoke|hostPasses)\.ts$/ }] },
   });
+  copyWasm(folder, ['meshes']);
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
   await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins }, folder, ALONE);
@@ -125,7 +125,7 @@ export async function bundleScript(name, folder, plugins = shrinking()) {
   const input = entries({ [name]: SCRIPTS[name] });
   const output = name.endsWith('.min') ? ALONE : { ...ALONE, minify: false, sourcemap: false };
   await bundle({ input, plugins: [...plugins, workerAt(`./${name}.js`)] }, folder, output);
-  copyWasm(folder);
+  copyWasm(folder, ['core', 'physics']);
 }
 
 /**
@@ -250,9 +250,10 @@ function beside(modules, place = './') {
 /**
  * The simulator loads from the folder of the module that imports it.
  * @param {string} folder
+ * @param {string[]} variants
  */
-function copyWasm(folder) {
-  for (const file of WASM) {
+function copyWasm(folder, variants) {
+  for (const file of variants.map((variant) => `wasm/${variant}/bindings_bg.wasm`)) {
     mkdirSync(dirname(join(folder, file)), { recursive: true });
     copyFileSync(inRoot(`src/simulator/${file}`), join(folder, file));
   }

@@ -55,6 +55,7 @@ export const manifest = {
       default: './dist/cartoon-smoke.development.js',
     },
     './core.wasm': { types: './types/asset.d.ts', default: './dist/wasm/core/bindings_bg.wasm' },
+    './meshes.wasm': { types: './types/asset.d.ts', default: './dist/wasm/meshes/bindings_bg.wasm' },
     './physics.wasm': { types: './types/asset.d.ts', default: './dist/wasm/physics/bindings_bg.wasm' },
     './worker.js': { types: './types/asset.d.ts', default: './dist/worker.js' },
     './custom-elements.json': './custom-elements.json',

@@ -9,7 +9,7 @@ import { writeElementTypes } from './elementTypes.mjs';
 
 const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/script.ts'];
 /** Existing declarations, which the compiler reads but does not write. */
-const GIVEN = ['simulator/wasm/core/bindings.d.ts', 'simulator/wasm/physics/bindings.d.ts'];
+const GIVEN = ['core', 'meshes', 'physics'].map((variant) => `simulator/wasm/${variant}/bindings.d.ts`);
 
 /** Declarations of a file that a bundler's file loader imports as its URL. */
 const ASSET = 'declare const url: string;\nexport default url;\n';

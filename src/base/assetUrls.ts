@@ -5,13 +5,15 @@ import { ParameterError, requireOptions } from './errors.ts';
 export interface AssetUrls {
   /** `cartoon-smoke/core.wasm`: the simulator without rigid bodies. */
   readonly core?: string | URL;
+  /** `cartoon-smoke/meshes.wasm`: the simulator with meshes that move, which only three.js scenes load. */
+  readonly meshes?: string | URL;
   /** `cartoon-smoke/physics.wasm`: the simulator with rigid bodies. */
   readonly physics?: string | URL;
   /** `cartoon-smoke/worker.js` */
   readonly worker?: string | URL;
 }
 
-const NAMES = ['core', 'physics', 'worker'];
+const NAMES = ['core', 'meshes', 'physics', 'worker'];
 /** Shared by the builds of the package, such as those of the element and of three.js scenes, and by copies of it. */
 const KEY = Symbol.for('cartoon-smoke.assetUrls');
 const shared = globalThis as { [KEY]?: Map<string, string> };

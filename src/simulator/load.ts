@@ -4,7 +4,7 @@ import { LoadError, UnsupportedError } from '../base/errors.ts';
 import { inTime, whenLate } from '../base/timeout.ts';
 import type { TakeInfo } from './input.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
-import { Simulator, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
+import { Simulator, type SimulatorBindings, type SimulatorModule, type SimulatorOptions } from './simulator.ts';
 
 /** Download progress in bytes after decompression. `total` is undefined if the server does not report it. */
 export interface LoadProgress {
@@ -12,9 +12,17 @@ export interface LoadProgress {
   total: number | undefined;
 }
 
+/** The code and the WASM of one build of the simulator. */
+export interface Variant {
+  readonly name: 'core' | 'meshes' | 'physics';
+  readonly code: () => Promise<SimulatorBindings>;
+  /** Each URL is a literal, because bundlers only detect `new URL()` with a string literal. */
+  readonly address: () => URL;
+}
+
 export interface LoadOptions {
-  /** Whether to load the larger variant with rigid bodies. Without it, `addRigid` throws. */
-  physics: boolean;
+  /** Whether to load the larger variant with rigid bodies, or another one. In the smaller one, `addRigid` throws. */
+  physics: boolean | Variant;
   /** Called for each received chunk, also when another call started the download. */
   onProgress?: (progress: LoadProgress) => void;
   /** The WASM module, for environments that cannot fetch it. Ignored if another call already started the loading. */
@@ -51,17 +59,28 @@ class Loading {
   readonly listeners = new Set<Listener>();
   readonly factory: Promise<SimulatorFactory>;
 
-  constructor(physics: boolean, bytes: BufferSource | undefined) {
-    this.factory = load(physics, bytes, (progress) => {
+  constructor(variant: Variant, bytes: BufferSource | undefined) {
+    this.factory = load(variant, bytes, (progress) => {
       for (const listener of this.listeners) listener(progress);
     });
   }
 }
 
-const loadings = new Map<boolean, Loading>();
+const CORE: Variant = {
+  name: 'core',
+  code: () => import('./core.ts'),
+  address: () => new URL('./wasm/core/bindings_bg.wasm', import.meta.url),
+};
+const PHYSICS: Variant = {
+  name: 'physics',
+  code: () => import('./physics.ts'),
+  address: () => new URL('./wasm/physics/bindings_bg.wasm', import.meta.url),
+};
+
+const loadings = new Map<Variant, Loading>();
 
 /** Returns the WASM bytes of a variant. */
-export type WasmSource = (physics: boolean) => Promise<BufferSource>;
+export type WasmSource = (variant: Variant) => Promise<BufferSource>;
 
 let wasmSource: WasmSource | undefined;
 
@@ -78,16 +97,17 @@ export function setWasmSource(source: WasmSource): void {
 export async function loadSimulators(options: LoadOptions): Promise<SimulatorFactory> {
   requireSimd();
   const { physics, onProgress } = options;
-  let loading = loadings.get(physics);
+  const variant = typeof physics === 'object' ? physics : physics ? PHYSICS : CORE;
+  let loading = loadings.get(variant);
   if (loading === undefined) {
-    loading = new Loading(physics, options.bytes);
-    loadings.set(physics, loading);
+    loading = new Loading(variant, options.bytes);
+    loadings.set(variant, loading);
   }
   if (onProgress !== undefined) loading.listeners.add(onProgress);
   try {
     return await loading.factory;
   } catch (error) {
-    if (loadings.get(physics) === loading) loadings.delete(physics);
+    if (loadings.get(variant) === loading) loadings.delete(variant);
     throw error;
   } finally {
     if (onProgress !== undefined) loading.listeners.delete(onProgress);
@@ -134,35 +154,31 @@ function requireSimd(): void {
   throw new UnsupportedError('Smoke needs WebAssembly with SIMD. Use a current Firefox, Chrome, Edge or Safari.');
 }
 
-async function load(physics: boolean, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
+async function load(variant: Variant, given: BufferSource | undefined, report: Listener): Promise<SimulatorFactory> {
   try {
-    const code = physics ? import('./physics.ts') : import('./core.ts');
-    const [bindings, module] = await Promise.all([inTime(code), compile(physics, given, report)]);
+    const [bindings, module] = await Promise.all([inTime(variant.code()), compile(variant, given, report)]);
     const { memory } = bindings.initSync({ module });
     return new SimulatorFactory({ bindings, memory });
   } catch (error) {
-    const place = wasmSource ? 'a custom source' : wasmAddress(physics).href;
+    const place = wasmSource ? 'a custom source' : wasmAddress(variant).href;
     const reason = error instanceof Error ? error.message : String(error);
     throw new LoadError(`The simulator could not be loaded from ${place}: ${reason}`, { cause: error });
   }
 }
 
 async function compile(
-  physics: boolean,
+  variant: Variant,
   given: BufferSource | undefined,
   report: Listener,
 ): Promise<WebAssembly.Module> {
-  const bytes = given ?? (wasmSource && (await inTime(wasmSource(physics))));
-  return bytes ? WebAssembly.compile(bytes) : compileFrom(wasmAddress(physics), report);
+  const bytes = given ?? (wasmSource && (await inTime(wasmSource(variant))));
+  return bytes ? WebAssembly.compile(bytes) : compileFrom(wasmAddress(variant), report);
 }
 
-/** Each URL is a literal, because bundlers only detect `new URL()` with a string literal. */
-function wasmAddress(physics: boolean): URL {
-  const own = assetUrl(physics ? 'physics' : 'core');
+function wasmAddress({ name, address }: Variant): URL {
+  const own = assetUrl(name);
   if (own) return new URL(own);
-  const url = physics
-    ? new URL('./wasm/physics/bindings_bg.wasm', import.meta.url)
-    : new URL('./wasm/core/bindings_bg.wasm', import.meta.url);
+  const url = address();
   // Turbopack's URLs have no origin, so they are kept as they are.
   const served = servedUrl(url.href);
   return served === url.href ? url : new URL(served);

@@ -15,8 +15,11 @@ export interface SimulatorModule {
   readonly memory: WebAssembly.Memory;
 }
 
-/** Bindings of either WASM variant. `rigidArguments` exists only in the variant with physics. */
-export type SimulatorBindings = typeof Core & { readonly rigidArguments?: typeof rigidArguments };
+/** Bindings of a WASM variant. `rigidArguments` exists only in those with rigids, `hasDynamics` in that with physics. */
+export type SimulatorBindings = typeof Core & {
+  readonly rigidArguments?: typeof rigidArguments;
+  readonly hasDynamics?: true;
+};
 
 /** Options of a new simulator. */
 export interface SimulatorOptions {
@@ -108,7 +111,12 @@ export class Simulator {
     return this.#module.bindings.rigidArguments !== undefined;
   }
 
-  /** Continues from the same state in another module, such as that with physics. The recording of a take ends. */
+  /** Whether it has dynamic rigids. */
+  get hasDynamics(): boolean {
+    return this.#module.bindings.hasDynamics !== undefined;
+  }
+
+  /** Continues from the same state in a larger module, such as that with physics. The recording of a take ends. */
   moveTo(module: SimulatorModule): void {
     this.#attempt(() => {
       const before = this.#handle;
@@ -121,7 +129,7 @@ export class Simulator {
     });
   }
 
-  /** Adds a rigid body and returns its index. Requires the variant with physics. */
+  /** Adds a rigid body and returns its index. Requires a variant with rigids; dynamic ones require that with physics. */
   addRigid(description: RigidDescription): number {
     const { rigidArguments } = this.#module.bindings;
     if (!rigidArguments) {

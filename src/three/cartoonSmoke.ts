@@ -17,7 +17,8 @@ import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { Clock } from '../simulator/clock.ts';
-import { loadSimulators, type LoadProgress } from '../simulator/load.ts';
+import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
+import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
@@ -104,8 +105,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Messages of the errors that were reported, each of which is reported once. */
   private readonly reported = new Set<string>();
   private readonly obstacles: Obstacles;
-  private physics: Promise<void> | undefined;
-  private needsPhysics = false;
+  /** The simulator that handles need and that is not loaded yet. */
+  private needed: LoadOptions['physics'] = false;
+  private larger: Promise<void> | undefined;
   private readonly clock = new Clock();
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
@@ -170,8 +172,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
     this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
     const { parts, overrides, frame } = this;
-    const needRigids = () => this.needPhysics(options.physics);
-    this.obstacles = { simulator, frame, taken: new Set(), needRigids };
+    const need: Obstacles['need'] = (what) => this.need(what, options.physics);
+    this.obstacles = { simulator, frame, taken: new Set(), need };
     this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.shown.values });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
@@ -195,9 +197,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /**
    * Makes smoke collide with an object and follow its movement. See {@link CollideOptions}. Boxes, spheres and capsules need no
-   * more code. Other meshes, `boundaryLayer` and `feelsSmoke` load the larger simulator first, see the event `progress`;
-   * `complete` waits for it.
-   * @throws ParameterError for an invalid option, or when the object contains no mesh. UnsupportedError when it needs the
+   * more code. Other meshes and `boundaryLayer` load a larger simulator first, `feelsSmoke` the largest, see the event
+   * `progress`; `complete` waits for it.
+   * @throws ParameterError for an invalid option, or when the object contains no mesh. UnsupportedError when it needs a
    * larger simulator and `physics` is false
    */
   collide(object: Object3D, options: CollideOptions = {}): SmokeHandle {
@@ -321,8 +323,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    */
   async complete(): Promise<void> {
     this.requireAlive();
-    const physics = this.needsPhysics ? this.loadPhysics() : undefined;
-    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait(), physics]);
+    const larger = this.needed ? this.loadLarger() : undefined;
+    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait(), larger]);
   }
 
   /** All current values that `set` takes. */
@@ -433,25 +435,28 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     if (missingExtras(this.shown.style) !== before) this.completion.begin();
   }
 
-  /** Starts to load physics. @throws UnsupportedError if `option` is false */
-  private needPhysics(option: boolean | undefined): void {
+  /** Starts to load a larger simulator. @throws UnsupportedError if `option` is false */
+  private need(what: 'meshes' | 'physics', option: boolean | undefined): void {
     if (option === false)
       throw new UnsupportedError(
         'With physics: false, collide() works with boxes, spheres and capsules only. Remove that option.',
       );
-    this.needsPhysics = true;
-    if (!this.physics) this.loadPhysics().catch((error: unknown) => this.isDisposed || this.report(error));
+    // Physics has meshes, too.
+    if (this.needed !== true) this.needed = what === 'physics' || MESHES;
+    if (!this.larger) this.loadLarger().catch((error: unknown) => this.isDisposed || this.report(error));
   }
 
-  /** Replaces the simulator by that with physics. Concurrent calls share one request. */
-  private loadPhysics(): Promise<void> {
-    const load = async () => {
+  /** Replaces the simulator by the one that is needed. Concurrent calls share one request. */
+  private loadLarger(): Promise<void> {
+    const load = async (physics: LoadOptions['physics']): Promise<void> => {
       const onProgress = (progress: LoadProgress) => this.dispatchEvent({ type: 'progress', ...progress });
-      const { module } = await loadSimulators({ physics: true, onProgress });
-      if (!this.isDisposed && !this.simulator.hasRigids) this.simulator.moveTo(module);
-      this.needsPhysics = false;
+      const { module } = await loadSimulators({ physics, onProgress });
+      if (!this.isDisposed) this.simulator.moveTo(module);
+      // Meanwhile an object may have come that needs more.
+      if (this.needed !== physics) return load(this.needed);
+      this.needed = false;
     };
-    return (this.physics ??= load().finally(() => (this.physics = undefined)));
+    return (this.larger ??= load(this.needed).finally(() => (this.larger = undefined)));
   }
 
   /** Puts the simulator into a state without handles. */

@@ -61,8 +61,8 @@ export interface Obstacles {
   readonly frame: SmokeFrame;
   /** Places of colliders that are taken. */
   readonly taken: Set<number>;
-  /** Starts to load the simulator with rigids. @throws UnsupportedError if it must not be loaded */
-  needRigids(): void;
+  /** Starts to load the simulator with meshes or with physics. @throws UnsupportedError if it must not be loaded */
+  need(what: 'meshes' | 'physics'): void;
 }
 
 /**
@@ -111,7 +111,7 @@ export class Collider extends Handle {
       throw new ParameterError('collide', object.name || object.type, 'an object that contains a mesh');
     const arePooled = solids.length + taken.size <= COLLIDER_LIMIT;
     if (!this.areRigids && !(arePooled && solids.every(({ shape }) => isAnalytic(shape, this.options))))
-      return obstacles.needRigids();
+      return obstacles.need('meshes');
     try {
       for (const solid of solids)
         this.add(this.areRigids && solid.shape.type === 'plane' ? slabOf(solid, this.scale) : solid);

@@ -24,8 +24,8 @@ export interface CartoonSmokeOptions {
    */
   values?: Values;
   /**
-   * Whether the larger simulator is loaded, for collisions with meshes and for objects that smoke pushes: true before the
-   * promise resolves, false never. By default `collide` loads it when an object first needs it.
+   * Whether larger simulators are loaded: with true that for objects that smoke pushes, before the promise resolves; with
+   * false none. By default `collide` loads one for meshes, or that for objects that smoke pushes, when an object first needs it.
    */
   physics?: boolean;
   /**
@@ -46,7 +46,7 @@ export interface CartoonSmokeEvents extends Object3DEventMap {
    * pauses, because its object has a transform that is not finite; once until the object is sound again. SimulatorError: the simulator has stopped.
    */
   error: { readonly error: SmokeError };
-  /** The larger simulator is loading, since an object of `collide` needs it. Smoke does not collide with that object before. */
+  /** A larger simulator is loading, since an object of `collide` needs it. Smoke does not collide with that object before. */
   progress: LoadProgress;
 }
 

@@ -19,7 +19,7 @@ const ROUNDING = 1e-5;
 export class PushedObject extends Handle {
   private readonly obstacles: Obstacles;
   private readonly options: CollideOptions;
-  /** Index of its rigid; -1 while the simulator has no rigids. */
+  /** Index of its rigid; -1 while the simulator has no dynamic rigids. */
   private rigid = -1;
   /** Scale of the smoke for which its shape was made. */
   private scale = 1;
@@ -62,7 +62,7 @@ export class PushedObject extends Handle {
     this.requireSound(this.inSmoke);
     const { simulator } = this.obstacles;
     const shape = { type: 'compound', parts: this.parts() } as const;
-    if (!simulator.hasRigids) return this.obstacles.needRigids();
+    if (!simulator.hasDynamics) return this.obstacles.need('physics');
     const placed = { position: position.toArray(), rotation: rotation.toArray() };
     const push = { feelsSmoke: Number(feelsSmoke), density };
     try {
@@ -75,7 +75,7 @@ export class PushedObject extends Handle {
   protected override follow(): void {
     const { written, inSmoke, now } = this;
     const { simulator, frame } = this.obstacles;
-    if (!simulator.hasRigids) return;
+    if (!simulator.hasDynamics) return;
     if (frame.now.scale !== this.scale || this.rigid < 0) {
       this.stop();
       return this.start();

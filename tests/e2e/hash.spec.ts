@@ -4,6 +4,7 @@ import { linesOf } from '../support/sim/hashFixture.ts';
 import { nativeTakes } from '../support/sim/nativeTakes.ts';
 
 type Load = typeof import('../../src/simulator/load.ts');
+type Meshes = typeof import('../../src/simulator/meshes.ts');
 type Fixture = typeof import('../support/sim/hashFixture.ts');
 
 const text = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
@@ -11,23 +12,26 @@ const text = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt'
 test('the same seed has the same hash natively and in Chromium', async ({ load }) => {
   const simulators = await load<Load>('/src/simulator/load.ts');
   const fixture = await load<Fixture>('/tests/support/sim/hashFixture.ts');
+  const variantOfMeshes = await load<Meshes>('/src/simulator/meshes.ts');
   const hashes = await simulators.evaluate(
-    async (module, [scenario, input]) => {
+    async (module, [scenario, variants, input]) => {
       const core = await module.loadSimulators({ physics: false });
       const physics = await module.loadSimulators({ physics: true });
+      const meshes = await module.loadSimulators({ physics: variants.MESHES });
       return [
         scenario.hashWithoutRigids(core, input),
         scenario.hashWithoutRigids(physics, input),
         scenario.hashWithRigids(physics, input),
         scenario.hashWithColliders(core, input),
+        scenario.hashWithMeshes(meshes, input),
       ];
     },
-    [fixture, text] as const,
+    [fixture, variantOfMeshes, text] as const,
   );
-  const [without, rigids, colliders] = ['without rigids', 'with rigids', 'with colliders'].map(
+  const [without, ...others] = ['without rigids', 'with rigids', 'with colliders', 'with meshes'].map(
     (which) => linesOf(text, `hash ${which}`)[0],
   );
-  expect(hashes).toEqual([without, without, rigids, colliders]);
+  expect(hashes).toEqual([without, without, ...others]);
 });
 
 test('takes over the whole parameter table have the same hashes natively and in Chromium @long', async ({ load }) => {

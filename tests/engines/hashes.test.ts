@@ -1,6 +1,8 @@
 /** Every preset ends in the state of the committed list, which Node generates. */
+import { readFileSync } from 'node:fs';
 import { describe, expect } from 'vitest';
 import { presets } from '../../src/parameters/presets.ts';
+import { linesOf } from '../support/sim/hashFixture.ts';
 import { engine, test } from './fixtures.ts';
 import hashes from './hashes.json' with { type: 'json' };
 
@@ -20,4 +22,10 @@ describe('hashes', () => {
     task.meta.note = `hashes  ${name}  ${engine.title}  ${Object.values(found).join('  ')}`;
     expect(found).toEqual(wanted[name]);
   });
+});
+
+test('meshes without Rapier end in the native state', async ({ load }) => {
+  const fixture = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
+  const page = await load<Page>('/tests/engines/page/hashes.ts');
+  expect(await page.hashOfMeshes(fixture)).toBe(linesOf(fixture, 'hash with meshes')[0]);
 });

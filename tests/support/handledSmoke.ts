@@ -33,8 +33,8 @@ export class HandledSmoke {
   readonly errors: unknown[] = [];
   readonly pool;
   isAlive = true;
-  /** How often a collider has asked for rigids. */
-  needs = 0;
+  /** The simulators that colliders have asked for. */
+  readonly needs: string[] = [];
   private readonly obstacles: Obstacles;
   private readonly handles;
   private readonly parts;
@@ -55,7 +55,7 @@ export class HandledSmoke {
     this.overrides = new Overrides(this.simulator, (key) => this.itemMotion.numberOf(key));
     const { simulator, parts, overrides, frameOfSmoke: frame } = this;
     this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.values });
-    this.obstacles = { simulator, frame, taken: new Set(), needRigids: () => void this.needs++ };
+    this.obstacles = { simulator, frame, taken: new Set(), need: (what) => void this.needs.push(what) };
     const report = (error: unknown) => this.errors.push(error);
     this.handles = new Handles({ object: this.object, report, isAlive: () => this.isAlive });
   }

@@ -40,8 +40,8 @@ function begin(smoke: CartoonSmokeElement): void {
  */
 function useBytesInside(): void {
   if (typeof CORE_WASM === 'undefined') return;
-  setWasmSource(async (physics) => {
-    const packed = physics ? await fetchPhysics(PHYSICS_SCRIPT) : CORE_WASM;
+  setWasmSource(async ({ name }) => {
+    const packed = name === 'physics' ? await fetchPhysics(PHYSICS_SCRIPT) : CORE_WASM;
     return (await unpackBytes(packed, MAX_BYTES)).bytes;
   });
 }

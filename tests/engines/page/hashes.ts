@@ -1,8 +1,14 @@
 /** Runs in a page: the hashes of presets, with the simulators that the page loads. */
 import { loadSimulators } from '../../../src/simulator/load.ts';
+import { MESHES } from '../../../src/simulator/meshes.ts';
+import { hashWithMeshes } from '../../support/sim/hashFixture.ts';
 import { hashesOf } from '../../support/sim/presetHashes.ts';
 
 /** @param moments simulated seconds, ascending @returns the hashes by seconds */
 export function hashesInPage(name: string, moments: readonly number[]): Promise<Record<string, string>> {
   return hashesOf(name, moments, (physics) => loadSimulators({ physics }));
+}
+
+export async function hashOfMeshes(fixture: string): Promise<string> {
+  return hashWithMeshes(await loadSimulators({ physics: MESHES }), fixture);
 }

@@ -32,6 +32,23 @@ export function hashWithRigids(factory: SimulatorFactory, fixture: string): stri
   return end(simulator);
 }
 
+/** The hash after the scenario with its meshes, both of which move and turn, restored without them. */
+export function hashWithMeshes(factory: SimulatorFactory, fixture: string): string {
+  const simulator = start(factory, fixture);
+  for (const line of linesOf(fixture, 'mesh ')) {
+    const [[boundaryLayer], vertices, indices] = line.split(' | ').map((part) => part.split(' ').map(Number));
+    const shape = { type: 'trimesh', vertices, indices } as const;
+    simulator.addRigid({ kind: 'kinematic', shape, position: [-1, 0.75, 0], boundaryLayer });
+  }
+  for (let step = 0; step < stepsOf(fixture); step++) {
+    const x = step / 128;
+    for (let index = 0; index < 2; index++) simulator.moveRigid(index, [x - 1, 0.75 + index / 2, 0], [x, 0.5, 0.25, 1]);
+    simulator.step();
+  }
+  simulator.restore(simulator.save(), false);
+  return end(simulator);
+}
+
 /** The hash after the scenario with its colliders outside the table, all of which move and turn. */
 export function hashWithColliders(factory: SimulatorFactory, fixture: string): string {
   const simulator = start(factory, fixture);

@@ -1,13 +1,15 @@
 import { readFileSync } from 'node:fs';
-import { loadSimulators, type SimulatorFactory } from '../../../src/simulator/load.ts';
+import { loadSimulators, type SimulatorFactory, type Variant } from '../../../src/simulator/load.ts';
+import { MESHES } from '../../../src/simulator/meshes.ts';
 
 /** The built WASM of a variant. Node cannot fetch a file. */
-export function wasmBytes(variant: 'core' | 'physics'): Buffer<ArrayBuffer> {
+export function wasmBytes(variant: Variant['name']): Buffer<ArrayBuffer> {
   return readFileSync(new URL(`../../../src/simulator/wasm/${variant}/bindings_bg.wasm`, import.meta.url));
 }
 
-export function loadVariant(variant: 'core' | 'physics'): Promise<SimulatorFactory> {
-  return loadSimulators({ physics: variant === 'physics', bytes: wasmBytes(variant) });
+export function loadVariant(variant: Variant['name']): Promise<SimulatorFactory> {
+  const physics = variant === 'meshes' ? MESHES : variant === 'physics';
+  return loadSimulators({ physics, bytes: wasmBytes(variant) });
 }
 
 /** An upward jet in air without turbulence. */

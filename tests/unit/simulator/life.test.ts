@@ -255,7 +255,10 @@ describe('loading', () => {
   });
 
   it.each([
-    [{ simulator: 'https://cdn.example/core.wasm' }, /^setAssetUrls\.simulator cannot .* core, physics, worker/],
+    [
+      { simulator: 'https://cdn.example/core.wasm' },
+      /^setAssetUrls\.simulator cannot .* core, meshes, physics, worker/,
+    ],
     [{ core: 'https://cdn.example/core.wasm', worker: 5 }, /^setAssetUrls\.worker cannot be 5: it takes a URL\.$/],
     [{ core: '' }, /^setAssetUrls\.core cannot be “”/],
     [{ core: 'http://[' }, /^setAssetUrls\.core cannot be “http:\/\/\[”/],

@@ -210,6 +210,17 @@ describe('rigids', () => {
     other.dispose();
   });
 
+  it('that fall and hulls are rejected by the variant with meshes; all others are not', async () => {
+    const simulator = (await loadVariant('meshes')).create({ capacity: 1, seed: 1 });
+    for (const shape of SHAPES) {
+      expect(() => simulator.addRigid({ ...still(shape), kind: 'dynamic' })).toThrow(/physics/);
+      if (shape.type === 'convexHull') expect(() => simulator.addRigid(still(shape))).toThrow(/hull.* physics/);
+      else simulator.addRigid(still(shape));
+    }
+    expect(simulator.rigidCount).toBe(SHAPES.length - 1);
+    simulator.dispose();
+  });
+
   it('are rejected by the core variant with the variant to load', async () => {
     const simulator = (await loadVariant('core')).create({ capacity: 1, seed: 1 });
     expect(() => simulator.addRigid(still(SHAPES[0]))).toThrow(SimulatorError);

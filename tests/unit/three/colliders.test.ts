@@ -23,12 +23,13 @@ import { COLLIDER_LIMIT, type ColliderShape } from '../../../src/simulator/colli
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { POSE_FLOATS } from '../../../src/simulator/layout.ts';
 import { HandledSmoke, STILL } from '../../support/handledSmoke.ts';
-import { loadVariant } from '../../support/sim/simWasm.ts';
+import { JET, loadVariant } from '../../support/sim/simWasm.ts';
 
 let factory: SimulatorFactory;
 let core: SimulatorFactory;
+let meshes: SimulatorFactory;
 beforeAll(async () => {
-  [factory, core] = await Promise.all([loadVariant('physics'), loadVariant('core')]);
+  [factory, core, meshes] = await Promise.all([loadVariant('physics'), loadVariant('core'), loadVariant('meshes')]);
 });
 
 const ONE = new Vector3(1, 1, 1);
@@ -147,7 +148,7 @@ test.each([
       smoke.frame(2);
     }
     const places = smoke.places().flat();
-    expect([smoke.needs, smoke.errors]).toEqual([0, []]);
+    expect([smoke.needs, smoke.errors]).toEqual([[], []]);
     smoke.simulator.dispose();
     return places;
   });
@@ -160,17 +161,100 @@ test('a removed or disabled collider of the core leaves nothing, and its place i
   const still = smoke.simulator.hash();
   const balls = Array.from({ length: COLLIDER_LIMIT }, () => new Mesh(new SphereGeometry(0.1)));
   const handles = balls.map((ball) => smoke.collide(ball));
-  expect(smoke.needs).toBe(0);
+  expect(smoke.needs).toEqual([]);
   smoke.collide(new Mesh(new SphereGeometry(0.1))).remove();
-  expect(smoke.needs).toBe(1);
+  expect(smoke.needs).toEqual(['meshes']);
   handles[7].remove();
   smoke.collide(balls[7], { action: 'kill' });
-  expect(smoke.needs).toBe(1);
+  expect(smoke.needs).toEqual(['meshes']);
   const before = smoke.simulator.hash();
   smoke.simulator.restore(smoke.simulator.save(), false);
   expect(smoke.simulator.hash()).toBe(still);
   expect(before).not.toBe(still);
   smoke.simulator.dispose();
+});
+
+/** A mesh of triangles that turns and moves to and fro for 5 s through a jet, and jumps once a second. */
+function jetPast(variant: SimulatorFactory, mesh: Mesh, options: CollideOptions): [places: number[], hash: string] {
+  const smoke = new HandledSmoke(variant, { ...JET, 'emission.rate': 200, 'turbulence.speed': 0.4 }, 1000);
+  const { simulator } = smoke;
+  const place = (step: number) => {
+    mesh.position.set(0.4 * Math.sin(step / 20) + (step % 60 > 55 ? 4 : 0), 1.2, 0.1 * Math.cos(step / 30));
+    mesh.rotation.set(0.05 * step, 0.3, 0.02 * step);
+  };
+  smoke.put(mesh);
+  place(0);
+  smoke.collide(mesh, options);
+  for (let step = 1; step <= 300; step++) {
+    place(step);
+    smoke.frame();
+  }
+  const places = smoke.places().flat();
+  expect([simulator.hasRigids, simulator.rigidCount, smoke.needs, smoke.errors]).toEqual([true, 1, [], []]);
+  simulator.restore(simulator.save(), false);
+  const hash = simulator.hash();
+  simulator.dispose();
+  return [places, hash];
+}
+
+test.each<[string, Mesh, CollideOptions]>([
+  ['closed mesh', new Mesh(new TorusGeometry(0.5, 0.2)), { restitution: 0.3 }],
+  ['sheet', new Mesh(new PlaneGeometry(1, 1)), { friction: 0 }],
+  ['mesh with a boundary layer', new Mesh(new TorusGeometry(0.5, 0.2)), { boundaryLayer: 0.3 }],
+  ['mesh that kills', new Mesh(new TorusGeometry(0.5, 0.2)), { action: 'kill' }],
+])('a %s moves the same smoke without Rapier, to the last bit', (_, mesh, options) => {
+  const [own, ownHash] = jetPast(meshes, mesh, options);
+  const [rapier, rapierHash] = jetPast(factory, mesh, options);
+  expect(own).toEqual(rapier);
+  expect(ownHash).toBe(rapierHash);
+  expect(own).not.toEqual(jetPast(meshes, new Mesh(new SphereGeometry(0.01)), options)[0]);
+});
+
+test('meshes go on after a restored state, and as kinematic rigids of physics, which has all of them', () => {
+  const smoke = new HandledSmoke(meshes, JET, 1000);
+  const { simulator } = smoke;
+  const torus = smoke.put(new Mesh(new TorusGeometry(0.5, 0.2)));
+  const others = [1, 2].map((x) => smoke.collide(smoke.put(new Mesh(new PlaneGeometry(1, 1)), x)));
+  smoke.collide(torus);
+  const turn = (frames: number) => {
+    for (let frame = 0; frame < frames; frame++) {
+      torus.position.y += 0.02;
+      torus.rotation.x += 0.1;
+      smoke.frame();
+    }
+  };
+  turn(30);
+  others[0].remove();
+  turn(5);
+  const [saved, hash] = [simulator.save(), simulator.hash()];
+  turn(20);
+  const later = simulator.hash();
+  simulator.restore(saved);
+  expect([simulator.hash(), simulator.rigidCount]).toEqual([hash, 3]);
+  torus.position.y -= 0.4;
+  torus.rotation.x -= 2;
+  smoke.frame();
+  expect(simulator.hash()).not.toBe(later);
+  simulator.restore(saved);
+  const poses = Array.from(simulator.rigidPoses(0.5));
+  simulator.moveTo(factory.module);
+  expect([simulator.hasDynamics, simulator.rigidCount]).toEqual([true, 3]);
+  expect(Array.from(simulator.rigidPoses(0.5))).toEqual(poses);
+  const lantern = smoke.put(new Mesh(new SphereGeometry(0.3)), 5);
+  smoke.collide(lantern, { feelsSmoke: true });
+  turn(60);
+  // It has the place of the one that was removed, and falls.
+  expect(simulator.rigidCount).toBe(3);
+  expect(lantern.position.y).toBeLessThan(-3);
+  expect(simulator.rigidPoses(1)[2 * POSE_FLOATS + 1]).toBeCloseTo(torus.position.y, 5);
+  // A state with what only Rapier can move, without it.
+  const other = meshes.create({ capacity: 1000, seed: 7 });
+  expect(() => other.restore(simulator.save())).toThrow(/physics/);
+  other.restore(simulator.save(), false);
+  expect([other.rigidCount, other.alive]).toEqual([0, simulator.alive]);
+  expect([smoke.needs, smoke.errors]).toEqual([[], []]);
+  other.dispose();
+  simulator.dispose();
 });
 
 test.each<[string, Mesh, CollideOptions]>([
@@ -179,17 +263,18 @@ test.each<[string, Mesh, CollideOptions]>([
   ['a boundary layer', new Mesh(new SphereGeometry(0.5)), { boundaryLayer: 0.2 }],
   ['a push by smoke', new Mesh(new SphereGeometry(0.5)), { feelsSmoke: true }],
 ])('%s waits for rigids, which take the other colliders along', (_, mesh, options) => {
+  const wanted = options.feelsSmoke ? 'physics' : 'meshes';
   const smoke = new HandledSmoke(core);
   const { simulator } = smoke;
   const floor = smoke.put(new Mesh(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2)));
   smoke.collide(floor, { shape: 'plane' });
   smoke.put(mesh).position.y = 3;
   smoke.collide(mesh, options);
-  expect(smoke.needs).toBe(1);
+  expect(smoke.needs).toEqual([wanted]);
   smoke.frames(3);
   expect([simulator.rigidCount, simulator.steps, mesh.position.y]).toEqual([0, 3, 3]);
   const hash = simulator.hash();
-  simulator.moveTo(factory.module);
+  simulator.moveTo((options.feelsSmoke ? factory : meshes).module);
   expect([simulator.hasRigids, simulator.steps, simulator.hash()]).toEqual([true, 3, hash]);
   smoke.frames(120);
   expect(simulator.rigidCount).toBe(2);
@@ -247,6 +332,6 @@ test.each<[CollideOptions, RegExp]>([
   const smoke = new HandledSmoke(core);
   expect(() => smoke.collide(new Mesh(new TorusGeometry()), options)).toThrow(message);
   expect(() => smoke.collide(new Mesh(new SphereGeometry(2e3)))).toThrow(/collide\.shape cannot be/);
-  expect(smoke.needs).toBe(0);
+  expect(smoke.needs).toEqual([]);
   smoke.simulator.dispose();
 });

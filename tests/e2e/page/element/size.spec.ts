@@ -20,7 +20,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
-  'lamp train physics worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage';
+  'lamp train physics meshes worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit } of figures) {
@@ -66,6 +66,30 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   await stands(page);
   judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 250 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
+});
+
+test('of an app that collides with a mesh, a simulator without Rapier beside the core', async ({
+  page,
+  openPage,
+  server,
+}) => {
+  const script = `<script type="importmap">{ "imports": { "three": "/node_modules/three/build/three.module.js" } }</script>
+  <script type="module">
+    import { DirectionalLight, Mesh, TorusGeometry, WebGLRenderer } from 'three';
+    import { CartoonSmoke } from '/package/dist/index.js';
+    const renderer = new WebGLRenderer({ stencil: true });
+    const smoke = await CartoonSmoke.create({ renderer, keyLight: new DirectionalLight() });
+    smoke.collide(new Mesh(new TorusGeometry()));
+    await smoke.complete();
+    document.title = 'loaded';
+  </script>`;
+  await openPage('', { script });
+  await expect(page).toHaveTitle('loaded');
+  const isMeshes = (file: string) => file.endsWith('meshes/bindings_bg.wasm');
+  judge([
+    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 190 },
+    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 314 },
+  ]);
 });
 
 test('with rigids, with the physics simulator instead of the core', async ({ page, openPage, server }) => {

@@ -98,3 +98,29 @@ export async function needy() {
   dispose(other);
   return { said, heights, rigids, steps };
 }
+
+/**
+ * A torus and a lantern that falls, the second lantern when all is loaded: the rigids, the heights of both, and the names of the
+ * events.
+ */
+export async function both() {
+  const host = emptyHost();
+  const smoke = await smokeIn(host, JET, { physics: undefined });
+  const said = new Set<string>();
+  smoke.addEventListener('error', ({ error }) => said.add(error.message));
+  smoke.addEventListener('progress', () => said.add('progress'));
+  smoke.collide(put(host, new TorusGeometry(0.3, 0.3), 1.3));
+  const lanterns = [0, 0].map((y) => put(host, new SphereGeometry(0.2), y));
+  lanterns.forEach((lantern, index) => (lantern.position.x = 3 + index));
+  const drop = async (lantern: Mesh) => {
+    smoke.collide(lantern, { feelsSmoke: true });
+    await smoke.complete();
+    smoke.step(60);
+    return simulatorOf(smoke).rigidCount;
+  };
+  const early = await drop(lanterns[0]);
+  const late = await drop(lanterns[1]);
+  const heights = lanterns.map(({ position }) => position.y);
+  dispose(smoke, host.renderer);
+  return { early, late, heights, said: [...said] };
+}
