@@ -27,8 +27,6 @@ export interface Turns {
   isClosed(now: number): boolean;
   /** Whether the stage draws in this frame. Asked once for each frame that it plays. */
   takeTurn(now: number): boolean;
-  /** Whether frames can still be made shorter by drawing fewer of the stages in each. */
-  readonly canSpread: boolean;
 }
 
 /** Callbacks of a frame loop. */
@@ -130,9 +128,7 @@ export class FrameLoop {
     const { turns } = this;
     if (turns?.isClosed(now) || this.tasks.isBehind || !this.pace.isDue(now)) return;
     if (this.isHeld) return this.governor.pause();
-    // Pixels are left out only when that is not enough.
-    if (turns?.canSpread) this.governor.pause();
-    else this.governor.tick(now);
+    this.governor.tick(now);
     const isFirst = this.clock.isPaused;
     const steps = this.clock.tick(now);
     // No time has passed since playback started. The picture is up to date, and drawing it again would delay the next

@@ -49,13 +49,8 @@ export class Crowd {
   join(): CrowdTurns {
     let latest = -1;
     let touchedUntil = 0;
-    const isClosed = (now: number) => this.isClosed(now);
-    const canSpread = () => this.isLarge && this.governor.level < PERIODS.length - 1;
     return {
-      isClosed,
-      get canSpread() {
-        return canSpread();
-      },
+      isClosed: (now) => this.isClosed(now),
       takeTurn: (now) => {
         const turn = this.nextTurn();
         // A stage whose turn was in a frame that it skipped draws now.

@@ -23,8 +23,8 @@ interface FakeStage {
   steps: number;
 }
 
-/** Milliseconds that a frame takes, by its drawings and their scale. */
-type Load = (drawings: number, scale: number) => number;
+/** Milliseconds that a frame takes, by its drawings. */
+type Load = (drawings: number) => number;
 
 /** A page with playing stages on a slow machine with a 60 Hz display. */
 class Page {
@@ -54,7 +54,7 @@ class Page {
     while (this.now < end) {
       this.frame += 1;
       for (const callback of callbacks.splice(0)) callback(this.now * REFRESH);
-      const ms = this.load(this.drawings(this.frame), this.stages[0].loop.scale);
+      const ms = this.load(this.drawings(this.frame));
       this.now += Math.max(1, Math.ceil(ms / REFRESH - 1e-6));
     }
     return this;
@@ -97,7 +97,7 @@ class Page {
 
 /** @param ms for each drawing */
 function each(ms: number): Load {
-  return (drawings, scale) => ms * drawings * scale * scale;
+  return (drawings) => ms * drawings;
 }
 
 function expectAll(values: readonly number[], least: number, most = least): void {
@@ -179,12 +179,6 @@ test('a crowd that comes into view does not draw all at once', () => {
 test('on a display that is slow by itself, stages draw in every frame', () => {
   const { byStage, byFrame } = new Page(10, () => 2 * REFRESH).run(20).count(2);
   expectAll(byStage, byFrame.length);
-});
-
-test('the resolution falls only if twos are not enough', () => {
-  const scaleOf = (ms: number) => new Page(40, each(ms)).run(12).stages[0].loop.scale;
-  expect(scaleOf(2)).toBe(1);
-  expect(scaleOf(8)).toBeLessThan(1);
 });
 
 test('while the GPU still draws the last two frames, no stage steps or draws', () => {
