@@ -12,12 +12,16 @@ import { choice, ofScene, quantity } from './rows/row.ts';
 
 const TARGET = { min: -50, max: 50, unit: 'm' } as const;
 
-/** Kind and position of the light. */
+/** Kind, position, colours and strength of the light. */
 export const lightRows = [
   choice('light.kind', 'light', 'sun', ['sun', 'lamp']),
   quantity('light.azimuth', 'light', { min: -180, max: 180, default: 40, unit: '\u00b0' }),
   quantity('light.elevation', 'light', { min: 5, max: 90, default: 50, unit: '\u00b0' }),
   quantity('light.distance', 'light', { min: 0.5, max: 50, default: 4, unit: 'm' }),
+  { kind: 'color', key: 'light.color', reader: 'light', default: '#ffffff' },
+  quantity('light.intensity', 'light', { min: 0, max: 4, default: 1 }),
+  { kind: 'color', key: 'light.ambientColor', reader: 'light', default: '#ffffff' },
+  quantity('light.ambient', 'light', { min: 0, max: 4, default: 1 }),
 ] as const satisfies readonly Parameter[];
 
 /** Position and target of the camera. Without a value they follow the scene's camera and its animation. */

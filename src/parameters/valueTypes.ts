@@ -90,6 +90,7 @@ export type SingleValues = {
   /** Colour by heat: Colours of the smoke from cold (0) to temperature 1, such as from smoke to fire. */ 'style.heatRamp': string;
   /** Soft colours: Blends neighbouring colours by age and heat; off keeps them separate. */ 'style.softColors': 0 | 1;
   /** Ink: Colour of the outlines. */ 'style.inkColor': string;
+  /** Ink in the light: How far outlines follow the colour and the strength of the light; 0 keeps their colour. */ 'style.inkLight': number;
   /** Custom backdrop: Colours of the backdrop from bottom to top, blended between their heights. They replace those of the scene. */ 'style.backdrop': string;
   /** Wash: How much the objects of the scene take on shades of one colour. */ 'style.wash': number;
   /** Wash colour: The lightest shade of the wash. */ 'style.washColor': string;
@@ -109,6 +110,10 @@ export type SingleValues = {
   /** Direction: Azimuth of the light: 0 is the front, 90 the right. */ 'light.azimuth': number;
   /** Height: Elevation of the light: 90 is straight above. */ 'light.elevation': number;
   /** Distance: Distance of a lamp from the centre of the scene; the sun ignores it. */ 'light.distance': number;
+  /** Light colour: Colour of the light. White shows the tones of the style. */ 'light.color': string;
+  /** Light strength: Strength of the light: 1 shows the tones of the style, 0 leaves their first one. */ 'light.intensity': number;
+  /** Ambient colour: Colour of the light that also reaches shadow. White shows the tones of the style. */ 'light.ambientColor': string;
+  /** Ambient strength: Strength of the light that also reaches shadow; 1 shows the tones of the style. */ 'light.ambient': number;
   /** Camera direction: Azimuth of the camera: 0 is the front, 90 the right. */ 'camera.azimuth': number;
   /** Camera elevation: Elevation of the camera: 0 is level. */ 'camera.elevation': number;
   /** Camera distance: Distance of the camera from its target. */ 'camera.distance': number;

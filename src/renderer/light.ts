@@ -1,5 +1,7 @@
 import { MathUtils, Vector3, Vector4 } from 'three';
 import type { Values } from '../parameters/parameter.ts';
+import { linear, type Factors, type Illumination } from './gpu/ramps.ts';
+import { parseColor } from './palette.ts';
 
 /** Least elevation of a moving light, degrees. */
 const LOWEST = 5;
@@ -14,6 +16,19 @@ export function lightOf(values: Values, centre: Vector3): Light {
   const towards = towardsLight(values['light.azimuth'] as number, values['light.elevation'] as number);
   if (values['light.kind'] !== 'lamp') return { kind: 'sun', towards };
   return { kind: 'lamp', place: towards.multiplyScalar(values['light.distance'] as number).add(centre) };
+}
+
+/**
+ * Reads the colours and strengths of the light from flat values, which must have their keys. A host multiplies them by those
+ * of its own lights.
+ */
+export function illuminationOf(values: Values): Illumination {
+  const factors = (color: string, strength: number) =>
+    linear(parseColor(color)).map((light) => light * strength) as unknown as Factors;
+  return {
+    direct: factors(values['light.color']!, values['light.intensity']!),
+    ambient: factors(values['light.ambientColor']!, values['light.ambient']!),
+  };
 }
 
 /**

@@ -164,7 +164,7 @@ export class SmokeRenderer {
       ...colors.map((color) => rampOf(color, style)),
     ];
     this.ramps.resize(ramps.length);
-    ramps.forEach((ramp, material) => this.ramps.write(material, ramp));
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
     this.ramps.writeBands(bands);
   }
 }

@@ -2,10 +2,11 @@ import { Color as ThreeColor, type IUniform } from 'three';
 import type { StyleUniforms } from './gpu/frameView.ts';
 import { MAX_STRETCH } from '../base/constants.ts';
 import type { PuffForm } from './gpu/puffTextures.ts';
-import { writeColor, type Color, type Tone } from './gpu/ramps.ts';
+import { scaled, writeColor, type Color, type Factors, type Illumination, type Tone } from './gpu/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
 import { styleRows } from '../parameters/rows/style.ts';
 import { defaults } from '../parameters/values.ts';
+import { illuminationOf } from './light.ts';
 import { parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
@@ -73,6 +74,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
   ageColors: readonly Tone[];
   heatColors: readonly Tone[];
+  /** Factors on the light in which smoke and surfaces have the colours of the style. */
+  illumination: Illumination;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
   /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
@@ -108,6 +111,7 @@ export function styleOf(values: Values): Style {
       (values['emission.dissolve'] === 'erode' || values['emission.dissolve'] === 'tear'),
     isTorn: values['emission.dissolve'] === 'tear',
     gradientHeights: [gradientBottom, gradientTop],
+    illumination: illuminationOf(values),
     stops: ramp,
     isBlended: rampBlend,
     ageColors: ageRamp,
@@ -155,8 +159,13 @@ export function setStyle(
   style: Style,
   pixelRatio: number,
 ): void {
-  // The rim is light, which smoke without shading does not show.
-  const fields: Readonly<Record<string, unknown>> = { ...style, rim: style.shading ? style.rim : 0 };
+  const fields: Readonly<Record<string, unknown>> = {
+    ...style,
+    // The rim is light, which smoke without shading does not show.
+    rim: style.shading ? style.rim : 0,
+    rimColor: scaled(style.rimColor, style.illumination.direct),
+    inkColor: inkOf(style),
+  };
   for (const [name, uniform] of Object.entries(uniforms)) {
     if (uniform.value instanceof ThreeColor) writeColor(fields[name] as Color, uniform as IUniform<ThreeColor>);
     else uniform.value = fields[name];
@@ -171,6 +180,13 @@ function gradientFactorOf(style: Style): number[] {
   return style.gradientColor.map((channel, index) =>
     style.gradient === 'none' ? 1 : channel / Math.max(1, smokeColor[index]),
   );
+}
+
+/** The colour of ink in the light. It is the same in light and in shadow, so it follows the mean of both parts. */
+export function inkOf({ inkColor, inkLight, illumination }: Style): Color {
+  const { direct, ambient } = illumination;
+  const factors = direct.map((factor, at) => 1 + inkLight * ((factor + ambient[at]) / 2 - 1));
+  return scaled(inkColor, factors as unknown as Factors);
 }
 
 /** Width of outlines in pixels of the target; 0 without outlines. */

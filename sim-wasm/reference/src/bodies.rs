@@ -12,7 +12,7 @@ use crate::light::Light;
 use crate::lobes::Lobes;
 use crate::ray::{Camera, Ray};
 use crate::scene::{Row, Scene, Style};
-use crate::shade::{Along, Shade, gradient_factor};
+use crate::shade::{Along, Shade, gradient_factor, ink_of};
 
 pub struct Body<'a> {
     scene: &'a Scene,
@@ -167,7 +167,7 @@ impl<'a> Body<'a> {
                 -z
             },
             shade: if is_ink {
-                shade.inked(DVec3::from(self.scene.style.ink_color), self.line.share(width))
+                shade.inked(ink_of(&self.scene.style), self.line.share(width))
             } else {
                 shade
             },

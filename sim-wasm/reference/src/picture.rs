@@ -13,7 +13,7 @@ use crate::hull::{Covered, Hull};
 use crate::light::Light;
 use crate::ray::Camera;
 use crate::scene::{Scene, Style, Volumes};
-use crate::shade::{Part, Shade, Shadow};
+use crate::shade::{Part, Shade, Shadow, ink_of};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
 
@@ -130,8 +130,9 @@ impl<'a> Painter<'a> {
 
     fn behind_smoke(&self, pixel: usize) -> Nearest {
         let ray = self.camera.ray_in_world(self.middle_of(pixel));
-        let Some((index, depth, shade)) = self.solids.meet(ray, [self.camera.near, self.camera.far], &self.light)
-        else {
+        let depths = [self.camera.near, self.camera.far];
+        let colors = &self.scene.style.illumination;
+        let Some((index, depth, shade)) = self.solids.meet(ray, depths, &self.light, colors) else {
             return backdrop(self.scene, self.height_of(pixel));
         };
         Nearest {
@@ -177,7 +178,7 @@ impl<'a> Painter<'a> {
     fn put_ink(&self, surface: usize, window_depth: f64, seen: &mut Nearest) {
         if window_depth <= seen.window_depth {
             *seen = Nearest {
-                shade: Shade::same(self.scene.style.ink_color.into(), Part::Ink),
+                shade: Shade::same(ink_of(&self.scene.style), Part::Ink),
                 window_depth,
                 depth: self.camera.depth_of(window_depth),
                 what: SURFACES + surface as u32,

@@ -36,6 +36,13 @@ pub enum Light {
     },
 }
 
+/// Linear factors on the direct and the ambient part of the light; 1 shows the colours of the style.
+#[derive(Deserialize)]
+pub struct Illumination {
+    pub direct: Triple,
+    pub ambient: Triple,
+}
+
 #[derive(Deserialize)]
 pub struct Backdrop {
     pub top: Triple,
@@ -48,6 +55,9 @@ pub struct Style {
     /// Full line width (pixels); 0: no lines.
     pub ink_pixels: f64,
     pub ink_color: Triple,
+    /// How far ink follows the light, 0 to 1.
+    pub ink_light: f64,
+    pub illumination: Illumination,
     /// Swelling of lines away from the light, 0 to 1.
     pub ink_swell: f64,
     /// Trembling of the lines of puffs, 0 to 1, and the index of the drawing.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::form::Form;
-use crate::scene::{Gradient, Ramp, Style, Tone, Triple};
+use crate::scene::{Gradient, Illumination, Ramp, Style, Tone, Triple};
 
 /// Minimum cosine to the fill light.
 const FILL_BORDER: f64 = 0.65;
@@ -49,7 +49,7 @@ impl Shade {
     }
 
     /// `facing`: cosine between normal and light. With fill light the ramp starts with another colour.
-    pub fn of(ramp: &Ramp, facing: f64, is_filled: bool) -> Self {
+    pub fn of(ramp: &Ramp, light: &Illumination, facing: f64, is_filled: bool) -> Self {
         let first = ramp.filled.filter(|_| is_filled);
         let facing = (facing.clamp(0.0, 1.0) * RAMP_TEXELS).floor() / RAMP_TEXELS;
         let part = Part::Tones {
@@ -57,7 +57,14 @@ impl Shade {
             unlit: tone_at(&ramp.unlit, facing),
             is_filled: first.is_some(),
         };
-        let color = |tones| color_at(tones, facing, first, ramp.is_blended);
+        let color = |tones| {
+            let (tone, share) = color_at(tones, facing, first, ramp.is_blended);
+            let ambient = linear(DVec3::from(ramp.unlit[0].color));
+            // The fill light stays as it is.
+            let by_fill = share * first.map_or(DVec3::ZERO, |first| linear(DVec3::from(first)) - ambient);
+            let by_key = linear(tone) - ambient - by_fill;
+            display(ambient * DVec3::from(light.ambient) + by_key * DVec3::from(light.direct) + by_fill)
+        };
         Self {
             lit: color(&ramp.lit),
             unlit: color(&ramp.unlit),
@@ -71,11 +78,13 @@ impl Shade {
         // As a share of the radius of a ball.
         let band = 0.5 * style.rim * (0.5 - facing).clamp(0.0, 1.0);
         if band > 0.0 && normal.z < (band * (2.0 - band)).sqrt() {
-            return Self::same(DVec3::from(style.rim_color), Part::Rim);
+            let factor = DVec3::from(style.illumination.direct);
+            return Self::same(display(linear(DVec3::from(style.rim_color)) * factor), Part::Rim);
         }
-        let shade = Self::of(ramp, facing, normal.dot(towards_fill(light)) > FILL_BORDER);
+        let is_filled = normal.dot(towards_fill(light)) > FILL_BORDER;
+        let shade = Self::of(ramp, &style.illumination, facing, is_filled);
         match whole {
-            Some((form, whole)) => shade.leaning(ramp, facing, style.lit_from, form, whole),
+            Some((form, whole)) => shade.leaning(style, ramp, facing, form, whole),
             None => shade,
         }
     }
@@ -93,17 +102,18 @@ impl Shade {
     }
 
     /// Light and shadow where the light leans on the form of the whole smoke. `own`, `whole`: cosines to the light.
-    fn leaning(self, ramp: &Ramp, own: f64, lit_from: f64, form: &Form, whole: f64) -> Self {
+    fn leaning(self, style: &Style, ramp: &Ramp, own: f64, form: &Form, whole: f64) -> Self {
+        let (light, lit_from) = (&style.illumination, style.lit_from);
         let lit_at = |own: f64| {
             let facing = own + form.lean * (whole - own);
-            Self::of(ramp, facing.max(lit_from), false).as_lit()
+            Self::of(ramp, light, facing.max(lit_from), false).as_lit()
         };
         let is_lit = |share| form.share(share, whole) > 0.5;
         let in_shadow = if is_lit(0.0) { lit_at(lit_from) } else { self.as_unlit() };
         let in_light = match own < lit_from {
             true => in_shadow,
             false if is_lit(1.0) => lit_at(own),
-            false => Self::of(ramp, 0.0, false).as_unlit(),
+            false => Self::of(ramp, light, 0.0, false).as_unlit(),
         };
         Self {
             lit: in_light.lit,
@@ -179,17 +189,43 @@ fn tone_at(tones: &[Tone], facing: f64) -> usize {
     tones.iter().rposition(|tone| facing >= tone.from).unwrap_or(0)
 }
 
-/// `first` replaces the first tone, if given. Tones are flat or blend.
-fn color_at(tones: &[Tone], facing: f64, first: Option<Triple>, is_blended: bool) -> DVec3 {
+/// The colour of a ramp, and the share of its first tone. `first` replaces this tone, if given. Tones are flat or blend.
+fn color_at(tones: &[Tone], facing: f64, first: Option<Triple>, is_blended: bool) -> (DVec3, f64) {
     let color_of = |tone: usize| DVec3::from(first.filter(|_| tone == 0).unwrap_or(tones[tone].color));
     let tone = tone_at(tones, facing);
     match tones.get(tone + 1) {
         Some(next) if is_blended => {
-            let share = (facing - tones[tone].from) / (next.from - tones[tone].from);
-            color_of(tone).lerp(color_of(tone + 1), share.max(0.0))
+            let share = ((facing - tones[tone].from) / (next.from - tones[tone].from)).max(0.0);
+            let first_share = if tone == 0 { 1.0 - share } else { 0.0 };
+            (color_of(tone).lerp(color_of(tone + 1), share), first_share)
         }
-        _ => color_of(tone),
+        _ => (color_of(tone), if tone == 0 { 1.0 } else { 0.0 }),
     }
+}
+
+/// The colour of lines. They are the same in all light, so they follow the mean of both parts.
+pub fn ink_of(style: &Style) -> DVec3 {
+    let Illumination { direct, ambient } = &style.illumination;
+    let mean = 0.5 * (DVec3::from(*direct) + DVec3::from(*ambient));
+    display(linear(DVec3::from(style.ink_color)) * DVec3::ONE.lerp(mean, style.ink_light))
+}
+
+/// Light of display-encoded channels, as IEC 61966-2-1 defines them.
+fn linear(color: DVec3) -> DVec3 {
+    let decoded = |code: f64| match code / 255.0 {
+        code if code <= 0.04045 => code / 12.92,
+        code => ((code + 0.055) / 1.055).powf(2.4),
+    };
+    DVec3::new(decoded(color.x), decoded(color.y), decoded(color.z))
+}
+
+/// The inverse. Light below 0 and above 1 is clamped.
+fn display(light: DVec3) -> DVec3 {
+    let encoded = |light: f64| match light.clamp(0.0, 1.0) {
+        light if light <= 0.0031308 => 255.0 * 12.92 * light,
+        light => 255.0 * (1.055 * light.powf(1.0 / 2.4) - 0.055),
+    };
+    DVec3::new(encoded(light.x), encoded(light.y), encoded(light.z))
 }
 
 /// A weaker light from opposite of the eye and slightly below.

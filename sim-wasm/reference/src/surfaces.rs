@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::light::Light;
 use crate::mesh::Mesh;
 use crate::ray::Ray;
-use crate::scene::{Ramp, Shape, Surface};
+use crate::scene::{Illumination, Ramp, Shape, Surface};
 use crate::shade::Shade;
 use crate::triangles::{Crossing, Triangles};
 
@@ -33,7 +33,13 @@ impl<'a> Solids<'a> {
     }
 
     /// The surface that a ray meets between two depths, with its depth and colours.
-    pub fn meet(&self, ray: Ray, depths: [f64; 2], light: &Light) -> Option<(usize, f64, Shade)> {
+    pub fn meet(
+        &self,
+        ray: Ray,
+        depths: [f64; 2],
+        light: &Light,
+        colors: &Illumination,
+    ) -> Option<(usize, f64, Shade)> {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (index, (solid, _)) in self.solids.iter().enumerate() {
             solid.cross(ray.origin, ray.direction, &mut |crossing| {
@@ -51,7 +57,7 @@ impl<'a> Solids<'a> {
             (
                 index,
                 crossing.at,
-                Shade::of(ramp, crossing.normal.dot(towards_light), false),
+                Shade::of(ramp, colors, crossing.normal.dot(towards_light), false),
             )
         })
     }

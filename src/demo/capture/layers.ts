@@ -1,4 +1,4 @@
-import type { Arranger, Rows, View } from '../../internal.ts';
+import { inkOf, styleOf, type Arranger, type Rows, type View } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
 import { isSame, linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
@@ -63,10 +63,10 @@ export class LayerCamera {
    * Computes the ink coverage of each pixel from the difference between a frame with white ink and one with black ink.
    */
   private ink(): ImageData {
-    const black = this.read({ 'style.inkColor': '#000000' }).data;
-    const white = this.read({ 'style.inkColor': '#ffffff' });
+    const black = this.read({ 'style.inkColor': '#000000', 'style.inkLight': 0 }).data;
+    const white = this.read({ 'style.inkColor': '#ffffff', 'style.inkLight': 0 });
     const { data } = white;
-    const color = rgbOf(this.style['style.inkColor'] as string);
+    const color = inkOf(styleOf(this.style));
     for (let at = 0; at < data.length; at += 4) {
       const cover = linear(data[at]) - linear(black[at]);
       data.set(color, at);
@@ -98,6 +98,7 @@ export class LayerCamera {
       'style.outlines': style['style.outlines'],
       'style.shadows': style['style.shadows'],
       'style.inkColor': style['style.inkColor'],
+      'style.inkLight': style['style.inkLight'],
       ...values,
     });
     return this.reader.read(canvas);
@@ -108,8 +109,4 @@ export class LayerCamera {
 function withoutRows(simulator: Arranger): Arranger {
   const arrange = (view: View) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined });
   return { arrange, moves: () => new Float32Array() };
-}
-
-function rgbOf(color: string): number[] {
-  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
 }

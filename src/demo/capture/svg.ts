@@ -1,4 +1,4 @@
-import { readRamp, type RampStop } from '../../internal.ts';
+import { inkOf, readRamp, styleOf, type RampStop } from '../../internal.ts';
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import { isSame, NOISE, PixelReader } from './pixels.ts';
@@ -17,7 +17,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const [width, height] = pixelSize(settings);
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
-  const inkColor = pixelOf(String(stage.get()['style.inkColor']));
+  const inkColor = pixelOf(inkOf(styleOf(stage.get())));
   const ramp = readRamp(stage.get()['style.backdrop'] ?? '') ?? [];
   draw();
   const whole = reader.read(canvas);
@@ -92,9 +92,8 @@ function emptyColor(whole: ImageData, cut: ImageData, row: number): number | und
   return at < 0 ? undefined : colors[at];
 }
 
-/** The pixel of a colour `#rrggbb`. */
-function pixelOf(color: string): number {
-  const [red, green, blue] = [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+/** The pixel of a colour, each channel 0 to 255. */
+function pixelOf([red, green, blue]: readonly number[]): number {
   return ((0xff << 24) | (blue << 16) | (green << 8) | red) >>> 0;
 }
 

@@ -147,8 +147,9 @@ class Shooting {
     this.layers = order.layers ? new LayerCamera(this.studio, ...drawn) : undefined;
     this.depth = order.layers && order.format === 'exr' ? new DepthReader(...drawn) : undefined;
     // Layers change these.
-    const { 'style.outlines': outlines, 'style.shadows': shadows, 'style.inkColor': inkColor } = stage.get();
-    this.look = { 'style.outlines': outlines, 'style.shadows': shadows, 'style.inkColor': inkColor };
+    const values = stage.get();
+    const changed = ['style.outlines', 'style.shadows', 'style.inkColor', 'style.inkLight'] as const;
+    this.look = Object.fromEntries(changed.map((key) => [key, values[key]]));
   }
 
   async shoot(frames: readonly number[]): Promise<void> {

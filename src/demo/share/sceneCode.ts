@@ -24,7 +24,8 @@ export interface SceneOfCode {
 /** Values of `CartoonSmoke` that differ from the table. */
 const OWN: AnyValues = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 /** What a scene of three.js has of its own. */
-const OF_SCENE = /^(scene$|light\.|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
+const OF_SCENE =
+  /^(scene$|light\.(kind|azimuth|elevation|distance)$|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
 const NEEDED = ['seed', 'simulation.maxParticles'];
 /** The shape of emitters on meshes, as scenes write it. */
 const SURFACE = 8;
@@ -85,7 +86,7 @@ export function ridingKeys(stage: Stage): string[] {
 function isCarried(key: string, value: Value): boolean {
   const parameter = findParameter(key);
   if (!parameter || OF_SCENE.test(key) || value === (OWN[key] ?? parameter.default)) return false;
-  return NEEDED.includes(key) || parameter.reader === 'simulator' || parameter.reader === 'style';
+  return NEEDED.includes(key) || ['simulator', 'style', 'light'].includes(parameter.reader);
 }
 
 /** Whether a value is of an emitter that emits nothing. The first emitter of a three.js scene emits by default. */

@@ -36,6 +36,7 @@ export const styleRows = [
   ramp('heatRamp'),
   toggle('softColors', 0),
   color('inkColor', '#1d1720'),
+  share('inkLight', 0),
   ramp('backdrop'),
   share('wash', 0),
   color('washColor', '#f2ead8'),

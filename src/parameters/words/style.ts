@@ -86,6 +86,11 @@ export const styleWords: WordsOf<typeof styleRows> = {
     text: 'Blends neighbouring colours by age and heat; off keeps them separate.',
   },
   'style.inkColor': { label: 'Ink', text: 'Colour of the outlines.' },
+  'style.inkLight': {
+    label: 'Ink in the light',
+    text: 'How far outlines follow the colour and the strength of the light; 0 keeps their colour.',
+    step: 0.05,
+  },
   'style.backdrop': {
     label: 'Custom backdrop',
     text: 'Colours of the backdrop from bottom to top, blended between their heights. They replace those of the scene.',

@@ -34,6 +34,21 @@ const viewWords: WordsOf<[...typeof lightRows, ...typeof cameraRows]> = {
     step: 0.1,
     slider: 'fine',
   },
+  'light.color': { label: 'Light colour', text: 'Colour of the light. White shows the tones of the style.' },
+  'light.intensity': {
+    label: 'Light strength',
+    text: 'Strength of the light: 1 shows the tones of the style, 0 leaves their first one.',
+    step: 0.05,
+  },
+  'light.ambientColor': {
+    label: 'Ambient colour',
+    text: 'Colour of the light that also reaches shadow. White shows the tones of the style.',
+  },
+  'light.ambient': {
+    label: 'Ambient strength',
+    text: 'Strength of the light that also reaches shadow; 1 shows the tones of the style.',
+    step: 0.05,
+  },
   'camera.azimuth': {
     label: 'Camera direction',
     text: 'Azimuth of the camera: 0 is the front, 90 the right.',

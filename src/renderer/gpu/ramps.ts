@@ -39,6 +39,23 @@ export interface Bands {
   readonly temperatures: readonly number[];
 }
 
+/** Linear factors on the channels of light. */
+export type Factors = readonly [red: number, green: number, blue: number];
+
+/**
+ * The light as factors on the one in which ramps show their colours: of its direct part, KL of Eq. 2 (McGuire and Fein
+ * 2006), and of its ambient part, Ka.
+ */
+export interface Illumination {
+  readonly direct: Factors;
+  readonly ambient: Factors;
+}
+
+const SAME: Factors = [1, 1, 1];
+
+/** The displayed colour, given that of a ramp and the share of the ramp's first tone in it. */
+type Shown = (color: Color, firstShare: number) => Color;
+
 /**
  * Least N.L of the second tone in built-in ramps, so that shadow volumes can start close behind the lit part of a puff.
  */
@@ -46,7 +63,7 @@ export const FIRST_BORDER = 0.3;
 
 /**
  * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
- * texture coordinate gives the max. Each material has four rows: in shadow, in the light, then both again where the
+ * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has four rows: in shadow, in the light, then both again where the
  * fill light reaches. Nearest filtering keeps the colours exact. The last row holds the {@link Bands}.
  */
 export class RampTexture {
@@ -71,11 +88,17 @@ export class RampTexture {
     this.texture.image = { data: bytesFor(materials), width: RAMP_TEXELS, height: rowsFor(materials) };
   }
 
-  write(material: number, { lit, unlit, filled, isBlended = false }: Ramp): void {
-    const rows = [unlit, lit];
-    if (filled) rows.push(...rows.map(([first, ...rest]) => [{ ...first, color: filled }, ...rest]));
-    else rows.push(...rows);
-    rows.forEach((tones, row) => this.writeRow(RAMP_ROWS * material + row, tones, isBlended));
+  write(material: number, { lit, unlit, filled, isBlended = false }: Ramp, illumination?: Illumination): void {
+    const first = RAMP_ROWS * material;
+    const other = isChanged(illumination) ? illumination : undefined;
+    const shown: Shown = (color, filledShare) =>
+      other ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
+    [unlit, lit].forEach((tones, row) => {
+      this.writeRow(first + row, tones, isBlended, (color) => shown(color, 0));
+      if (filled) this.writeRow(first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
+    });
+    const [start, end] = [first, first + 2].map((row) => 4 * RAMP_TEXELS * row);
+    if (!filled) this.data.copyWithin(end, start, end);
     this.texture.needsUpdate = true;
   }
 
@@ -96,13 +119,21 @@ export class RampTexture {
     return this.texture.image.data as Uint8Array;
   }
 
-  private writeRow(row: number, tones: readonly Tone[], isBlended: boolean): void {
+  private writeRow(row: number, tones: readonly Tone[], isBlended: boolean, shown: Shown): void {
+    const flat = tones.map(({ color }, tone) => shown(color, tone === 0 ? 1 : 0));
+    const isFlat = !isBlended || tones.length === 1;
     for (let texel = 0; texel < RAMP_TEXELS; ++texel) {
       const facing = texel / RAMP_TEXELS;
-      const color = isBlended ? blendedAt(tones, facing) : colorAt(tones, facing);
+      const tone = toneAt(tones, facing);
+      const firstShare = tone === 0 ? 1 - shareAt(tones, tone, facing) : 0;
+      const color = isFlat ? flat[tone] : shown(blendedAt(tones, facing), firstShare);
       this.data.set([...color, 255], (row * RAMP_TEXELS + texel) * 4);
     }
   }
+}
+
+function isChanged(illumination?: Illumination): boolean {
+  return illumination !== undefined && [...illumination.direct, ...illumination.ambient].some((factor) => factor !== 1);
 }
 
 function rowsFor(materials: number): number {
@@ -129,9 +160,71 @@ export function toneAt(tones: readonly Tone[], facing: number): number {
 /** The interpolated colour of a ramp at a value of max(0, N.L). */
 export function blendedAt(tones: readonly Tone[], facing: number): Color {
   const tone = toneAt(tones, facing);
-  const [low, high] = [tones[tone], tones[Math.min(tone + 1, tones.length - 1)]];
-  const share = high.from > low.from ? (facing - low.from) / (high.from - low.from) : 0;
-  return mixed(low.color, high.color, Math.max(0, share));
+  return mixed(tones[tone].color, nextOf(tones, tone).color, shareAt(tones, tone, facing));
+}
+
+/** How far a value of max(0, N.L) is from a tone to the next one, 0..1. */
+function shareAt(tones: readonly Tone[], tone: number, facing: number): number {
+  const [low, high] = [tones[tone].from, nextOf(tones, tone).from];
+  return high > low ? Math.max(0, (facing - low) / (high - low)) : 0;
+}
+
+function nextOf(tones: readonly Tone[], tone: number): Tone {
+  return tones[Math.min(tone + 1, tones.length - 1)];
+}
+
+/** Linear light, 0 to 1, of each display-encoded channel, 0 to 255 (IEC 61966-2-1). */
+const LINEAR = Array.from({ length: 256 }, (_, code) => {
+  const value = code / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+});
+
+/** The linear light of a display-encoded colour, 0 to 1. */
+export function linear(color: Color): Factors {
+  return color.map((channel) => LINEAR[channel]) as [number, number, number];
+}
+
+/** The display-encoded colour of linear light, which is clamped to 0..1. */
+function encoded(light: readonly number[]): Color {
+  return light.map((channel) => {
+    const value = Math.min(Math.max(channel, 0), 1);
+    return Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
+  }) as [number, number, number];
+}
+
+/** A colour with factors on its linear light; unchanged to the bit if they are 1. */
+export function scaled(color: Color, factors: Factors): Color {
+  return factors.every((factor) => factor === 1)
+    ? color
+    : encoded(linear(color).map((light, at) => light * factors[at]));
+}
+
+/**
+ * A colour of a ramp in another light. With the tone of ambient light S = C Ka of Eq. 2 and this colour T = C (Ka + KL q),
+ * it is S a + (T - S) k in linear light. T - S is negative where a ramp gets darker towards the light. The part of the fill
+ * light, which T contains with a share of F - S, has the factor f instead of k.
+ * @param ambient S
+ * @param fillShare share of the filled tone F in the colour, 0..1
+ * @param fill f
+ */
+export function inLight(
+  color: Color,
+  ambient: Color,
+  illumination: Illumination,
+  fillShare = 0,
+  filled = ambient,
+  fill = SAME,
+): Color {
+  const [all, first] = [linear(color), linear(ambient)];
+  const byFill = linear(filled).map((light, at) => fillShare * (light - first[at]));
+  return encoded(
+    all.map(
+      (light, at) =>
+        first[at] * illumination.ambient[at] +
+        (light - first[at] - byFill[at]) * illumination.direct[at] +
+        byFill[at] * fill[at],
+    ),
+  );
 }
 
 /** Interpolates display-encoded colours linearly, from one (share 0) to the other (share 1). */

@@ -1,11 +1,4 @@
-import {
-  Color as ThreeColor,
-  GLSL3,
-  RawShaderMaterial,
-  type Texture,
-  type WebGLRenderer,
-  type WebGLRenderTarget,
-} from 'three';
+import { GLSL3, RawShaderMaterial, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import linesFragmentShader from '../../../shaders/selle/lines.frag';
 import fragmentShader from '../../../shaders/selle/selle.frag';
 import vertexShader from '../../../shaders/selle/selle.vert';
@@ -13,7 +6,7 @@ import { DrawnRows, type RowGeometry } from '../gpu/drawnRows.ts';
 import type { FrameView } from '../gpu/frameView.ts';
 import { FullScreen } from '../gpu/fullScreen.ts';
 import type { PuffTextures } from '../gpu/puffTextures.ts';
-import { writeColor, type Color, type RampTexture } from '../gpu/ramps.ts';
+import type { RampTexture } from '../gpu/ramps.ts';
 import type { Targets } from './targets.ts';
 
 /**
@@ -40,7 +33,7 @@ export class SellePass {
       unlit: { value: null as Texture | null },
       lit: { value: null as Texture | null },
       depth: { value: null as Texture | null },
-      inkColor: { value: new ThreeColor() },
+      inkColor: eye.uniforms.inkColor,
       /** Depth gap beyond which a line is drawn, metres. */
       threshold: { value: 0 },
     };
@@ -59,7 +52,7 @@ export class SellePass {
     renderer: WebGLRenderer,
     targets: Targets,
     { geometry, places }: { geometry: RowGeometry; places: Float32Array },
-    { outlines, innerLine, inkColor }: { outlines: boolean; innerLine: number; inkColor: Color },
+    { outlines, innerLine }: { outlines: boolean; innerLine: number },
     output: WebGLRenderTarget | null,
   ): void {
     // Read on each draw: billboards are baked on first access, and the puffs may have changed.
@@ -67,7 +60,6 @@ export class SellePass {
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
     this.rows.draw(renderer, geometry);
-    writeColor(inkColor, this.lineUniforms.inkColor);
     this.lineUniforms.threshold.value = outlines ? innerLine * meanRadiusOf(places) : Infinity;
     this.lineUniforms.unlit.value = targets.unlit;
     this.lineUniforms.lit.value = targets.lit;

@@ -1,6 +1,17 @@
 import { describe, expect, it } from 'vitest';
 import { defaultPreset, presetValues } from '../../../src/parameters/presets.ts';
-import { blendedAt, colorAt, FIRST_BORDER, RampTexture } from '../../../src/renderer/gpu/ramps.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { defaults } from '../../../src/parameters/values.ts';
+import {
+  blendedAt,
+  colorAt,
+  FIRST_BORDER,
+  RampTexture,
+  type Illumination,
+  type Ramp,
+  type Tone,
+} from '../../../src/renderer/gpu/ramps.ts';
+import { illuminationOf } from '../../../src/renderer/light.ts';
 import {
   isFlat,
   parseColor,
@@ -184,6 +195,69 @@ describe('RampTexture', () => {
     expect(texel(lit, 127)).not.toEqual([...CREAM]);
     expect(texel(lit, 128)).toEqual([...CREAM]);
     expect(texel(unlit, 255)).toEqual(texel(lit, 0));
+  });
+});
+
+describe('RampTexture under another light', () => {
+  const SAME = { direct: [1, 1, 1], ambient: [1, 1, 1] } as const;
+  const SUNSET = parseStops('0:343868,.12:8c6096,.55:fad6aa');
+
+  /** The texels of a ramp, without alpha. */
+  function texelsOf(ramp: Ramp, illumination?: Illumination): number[][] {
+    const ramps = new RampTexture(1);
+    ramps.write(0, ramp, illumination);
+    const data = ramps.texture.image.data as Uint8Array;
+    return Array.from({ length: 4 * 256 }, (_, texel) => [...data.subarray(4 * texel, 4 * texel + 3)]);
+  }
+
+  it('has the factors of the values, which are 1 by default', () => {
+    expect(illuminationOf(defaults())).toEqual(SAME);
+    const values: Values = { ...defaults(), 'light.color': '#ff0000', 'light.intensity': 0.5, 'light.ambient': 3 };
+    expect(illuminationOf(values)).toEqual({ direct: [0.5, 0, 0], ambient: [3, 3, 3] });
+    // An sRGB code of 188 is 0.5029 of white.
+    expect(illuminationOf({ ...values, 'light.ambientColor': '#bcbcbc' }).ambient[0]).toBeCloseTo(3 * 0.5029, 3);
+  });
+
+  it.each([
+    ['two tones', { tones: 2, shading: true }],
+    ['three tones and a fill light', { tones: 3, shading: true, fill: 0.4 }],
+    ['custom tones', { tones: 2, shading: true, stops: SUNSET, fill: 0.3 }],
+    ['blended tones and a fill light', { tones: 2, shading: true, stops: SUNSET, fill: 0.3, isBlended: true }],
+    ['no shading', { tones: 3, shading: false }],
+  ] as const)('has the tones as they are by default, to the bit, with %s', (_, toning) => {
+    const ramp = rampOf(CREAM, toning);
+    const withFill = (tones: readonly Tone[]) =>
+      tones.map((tone, at) => ({ ...tone, color: at === 0 && ramp.filled ? ramp.filled : tone.color }));
+    const rows = [ramp.unlit, ramp.lit, withFill(ramp.unlit), withFill(ramp.lit)];
+    const colorIn = ramp.isBlended ? blendedAt : colorAt;
+    const expected = rows.flatMap((tones) =>
+      Array.from({ length: 256 }, (__, texel) => [...colorIn(tones, texel / 256)]),
+    );
+    expect(texelsOf(ramp)).toEqual(expected);
+    expect(texelsOf(ramp, SAME)).toEqual(expected);
+  });
+
+  it('scales both parts in linear light, and clamps their sum', () => {
+    const ramp = rampOf([255, 255, 255], { tones: 2, shading: true, stops: parseStops('0:404040,.5:c0c0ff') });
+    const texels = texelsOf(ramp, { direct: [0.5, 4, 0], ambient: [1, 0.25, 2] });
+    // In linear light, codes of 64 and 192 are 0.05127 and 0.52712: 0.28920, 1.91622 and 0.10254 are 146, 255 and 90.
+    expect(texels[256 + 255]).toEqual([146, 255, 90]);
+    // Shadow has ambient light alone: 0.05127, 0.01282 and 0.10254.
+    expect(texels[255]).toEqual([64, 30, 90]);
+    expect(texels[256]).toEqual(texels[255]);
+  });
+
+  it('does not change the part of the fill light', () => {
+    const ramp = rampOf([255, 255, 255], { tones: 2, shading: true, fill: 1, stops: parseStops('0:404040,.5:c0c0c0') });
+    const texels = texelsOf(ramp, { direct: [0, 0, 0], ambient: [0, 0, 0] });
+    // 0.52712 - 0.05127 = 0.47585 is 183.
+    expect([texels[0], texels[256], texels[512], texels[768]]).toEqual([
+      [0, 0, 0],
+      [0, 0, 0],
+      [183, 183, 183],
+      [183, 183, 183],
+    ]);
+    expect(texels[768 + 255]).toEqual([0, 0, 0]);
   });
 });
 

@@ -3,6 +3,7 @@ import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
 import { capture } from '../../../src/demo/capture/dialog.ts';
 import type { CaptureSettings } from '../../../src/demo/capture/settings.ts';
+import type { Values } from '../../../src/parameters/parameter.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
@@ -19,15 +20,22 @@ const PLAIN: CaptureSettings = {
 
 let opened: Promise<Stage> | undefined;
 
+const VALUES: Values = {
+  'simulation.maxParticles': 300,
+  // Ink whose colour is not that of the parameter.
+  'style.inkColor': '#ffe0a0',
+  'style.inkLight': 1,
+  'light.intensity': 0.3,
+  'light.ambient': 0.5,
+};
+
 /** One stage for all tests, with smoke. */
 function lamp(): Promise<Stage> {
-  opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: { 'simulation.maxParticles': 300 } }).then(
-    async (stage) => {
-      await stage.seek(3);
-      stage.camera.orbit(0.4, 0.1);
-      return stage;
-    },
-  );
+  opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: VALUES }).then(async (stage) => {
+    await stage.seek(3);
+    stage.camera.orbit(0.4, 0.1);
+    return stage;
+  });
   return opened;
 }
 

@@ -105,6 +105,20 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ],
   ['backlit', [{ stops: STOPS, fill: 0.4, rim: 0.3 }]],
 ];
+/** A red sun and a blue sky, which ink and the rim follow. */
+const DUSK = { illumination: { direct: [0.9, 0.35, 0.2], ambient: [0.25, 0.3, 0.6] }, inkLight: 0.8 } as const;
+const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  [
+    'perspective',
+    [
+      { ...DUSK, tones: 3, fill: 0.4, rim: 0.5 },
+      { ...DUSK, stops: STOPS, isBlended: true, fill: 0.5 },
+      { ...DUSK, ageColors: FIRE, heatColors: STOPS, gradient: 'height' },
+      { ...DUSK, plumeForm: 0.6, shadowSteps: 2, shadowDepth: 3 },
+    ],
+  ],
+  ['byLamp', [{ ...DUSK, ...BILLBOARDS, stops: STOPS }]],
+];
 /** Light by the form of the whole smoke. */
 const FORMS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{ plumeForm: 0.6 }, { plumeForm: 1, tones: 3 }]],
@@ -130,6 +144,7 @@ for (const [what, scenes, reversedDepth] of [
   ['more volumes counted by entry and exit', MORE_COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
+  ['puffs and solids in light of other colours', OTHER_LIGHT, false],
   ['puffs with the light of their whole form', FORMS, false],
   ['the lamp', LAMPS, false],
 ] as const) {

@@ -72,6 +72,14 @@ export async function ofStage(states: readonly State[], thread: 'main' | 'worker
   return found;
 }
 
+/** What the host has of the light, too, which multiplies these. */
+const OF_LIGHT: Values = {
+  'light.color': '#ff8040',
+  'light.intensity': 0.5,
+  'light.ambientColor': '#4060ff',
+  'light.ambient': 2,
+};
+
 /** What `set` says about what the host's scene determines, and which of these `create` and a link took. */
 export async function ofHost(link: string) {
   const { renderer, keyLight } = emptyHost();
@@ -85,7 +93,7 @@ export async function ofHost(link: string) {
     'simulation.maxParticles': 900,
   } as const;
   const smokes = await Promise.all([
-    CartoonSmoke.create({ renderer, keyLight, values: { ...given, 'puff.size': 2 } }),
+    CartoonSmoke.create({ renderer, keyLight, values: { ...given, ...OF_LIGHT, 'puff.size': 2 } }),
     CartoonSmoke.create({ renderer, keyLight, preset: link as '#' }),
   ]);
   const plain = await CartoonSmoke.create({ renderer, keyLight, values: { seed: 7, 'puff.size': 2 } });
@@ -110,9 +118,13 @@ export async function ofHost(link: string) {
   const bad = await Promise.all(
     links.map((preset) => CartoonSmoke.create({ renderer, keyLight, preset: preset as '#' }).then(String, String)),
   );
+  plain.set(OF_LIGHT);
+  const light = [smokes[0], plain].map((smoke) =>
+    Object.entries(OF_LIGHT).every(([key, value]) => smoke.get()[key as keyof Values] === value),
+  );
   const hashes = [...smokes, plain].map((smoke) => smoke.hash());
   const sizes = smokes.map((smoke) => smoke.get()['puff.size']);
   for (const smoke of [...smokes, plain]) smoke.dispose();
   renderer.dispose();
-  return { errors, kept, bad, hashes, sizes };
+  return { errors, kept, bad, hashes, sizes, light };
 }

@@ -33,11 +33,15 @@ test('smoke ignores what the scene of the host determines, and set names it', as
   const cases = await load<Cases>(CASES);
   const values = { ...presetValues('train'), seed: 7, 'simulation.maxParticles': 900, 'puff.size': 2 };
   const link = await encode({ preset: 'train', values });
-  const { errors, kept, bad, hashes, sizes } = await cases.evaluate((module, given) => module.ofHost(given), link);
+  const { errors, kept, bad, hashes, sizes, light } = await cases.evaluate(
+    (module, given) => module.ofHost(given),
+    link,
+  );
   expect(errors.filter((error) => /^ParameterError: .*your scene sets it/.test(error))).toHaveLength(5);
   expect(errors.filter((error) => /^ParameterError: .*at creation only/.test(error))).toHaveLength(2);
   expect(kept).toEqual([]);
   expect(sizes).toEqual([2, 2]);
+  expect(light).toEqual([true, true]);
   for (const error of bad) expect(error).toMatch(/^ParameterError: preset cannot be .*(link|preset)/);
   // The capacity has no effect on the first puffs, and nothing else of the host has.
   expect(hashes[0]).toBe(hashes[2]);

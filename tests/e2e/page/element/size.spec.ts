@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 80.3 },
+    { name: 'embed.coreKb', kB: core, limit: 81 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 124.5 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -54,7 +54,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 22.2 },
+    { name: 'page', kB: fetched(server, own), limit: 22.3 },
     { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 216 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);

@@ -86,6 +86,7 @@ const BY_HEIGHT = { gradient: 'height', gradientColor: [90, 160, 250], gradientH
 for (const [what, style] of [
   ['a black tone of shadow', { stops: BLACK_AND_WHITE }],
   ['a gradient on a black tone of shadow', { stops: BLACK_AND_WHITE, ...BY_HEIGHT }],
+  ['a gradient without ambient light', { illumination: { direct: [1, 1, 1], ambient: [0, 0, 0] }, ...BY_HEIGHT }],
   ['a gradient to a lighter colour', { smokeColor: [120, 90, 40], tones: 3, fill: 0.5, ...BY_HEIGHT }],
 ] as const) {
   test(`smoothing does not change the middle of tones, with ${what}`, async ({ load }) => {
