@@ -80,17 +80,19 @@ void main() {
   bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   float position = gradientAt(gradientPosition, viewZ);
-  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), position);
-  Shades shades = shade(normal, towardsLight, ramps, material, gradient, vec4(rimColor, rim));
-  unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
-  lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
+  Lighting light = lightingOf(normal, towardsLight, rim);
 #ifdef SHADING
-  shading = packShading(Shading(shades.facing, material, shades.isFilled, shades.isRim, ink > 0.0, radius));
-  if (ink == 0.0) {
-    unlit.rgb = paint.rgb;
-    lit.rg = packPosition(position);
-  }
+  shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));
+  unlit.rgb = paint.rgb;
+  lit.rgb = vec3(packPosition(position), ink);
+#else
+  vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), position);
+  Shades shades = shade(light, ramps, material, gradient, rimColor);
+  unlit.rgb = mix(shades.unlit, inkColor, ink);
+  lit.rgb = mix(shades.lit, inkColor, ink);
 #endif
+  unlit.a = 1.0;
+  lit.a = ink < 1.0 ? 0.0 : 1.0;
 
   float outside = distanceOutside * radius;
   float depth = windowDepth(clipFromView, viewZ);

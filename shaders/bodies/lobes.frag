@@ -222,17 +222,19 @@ void main() {
 #endif
 
   float position = gradientAt(pointAndGradient.z, viewZ);
-  vec3 gradient = mix(gradientFactor, vec3(1.0), position);
-  Shades shades = shade(normalize(normal), towardsLight, ramps, depthsAndRamp.w, gradient, vec4(rimColor, rim));
-  unlit = vec4(mix(shades.unlit, inkColor, ink), 1.0);
-  lit = vec4(mix(shades.lit, inkColor, ink), ink < 1.0 ? 0.0 : 1.0);
+  Lighting light = lightingOf(normalize(normal), towardsLight, rim);
 #ifdef SHADING
-  shading = packShading(Shading(shades.facing, depthsAndRamp.w, shades.isFilled, shades.isRim, ink > 0.0, radius));
-  if (ink == 0.0) {
-    unlit.rgb = vec3(1.0);
-    lit.rg = packPosition(position);
-  }
+  shading = packShading(Shading(light.facing, depthsAndRamp.w, light.isFilled, light.isRim, ink > 0.0, radius));
+  unlit.rgb = vec3(1.0);
+  lit.rgb = vec3(packPosition(position), ink);
+#else
+  vec3 gradient = mix(gradientFactor, vec3(1.0), position);
+  Shades shades = shade(light, ramps, depthsAndRamp.w, gradient, rimColor);
+  unlit.rgb = mix(shades.unlit, inkColor, ink);
+  lit.rgb = mix(shades.lit, inkColor, ink);
 #endif
+  unlit.a = 1.0;
+  lit.a = ink < 1.0 ? 0.0 : 1.0;
 
 #ifdef FLAT
   float depth = gl_FragCoord.z;

@@ -1,10 +1,14 @@
-// The two colours of a pixel, in shadow and in the light, and how the light falls on it.
-struct Shades {
-  vec3 unlit;
-  vec3 lit;
+// How the light falls on a pixel.
+struct Lighting {
   float facing;
   bool isFilled;
   bool isRim;
+};
+
+// The two colours of a pixel, in shadow and in the light.
+struct Shades {
+  vec3 unlit;
+  vec3 lit;
 };
 
 // N . towardsFill above which the fill light applies.
@@ -26,20 +30,21 @@ bool isRim(float facingEye, float facingLight, float width) {
   return band > 0.0 && facingEye < sqrt(band * (2.0 - band));
 }
 
-// Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.
-// Takes unit vectors in view space; a material without fill and rim may use any space. Both colours are equal on the
-// side away from the light, so that no edge is visible there: rows start with the same tone, and fill and rim apply to
-// both. `rim` is colour and width. SHADING: the colours are those without the rim, which a later pass adds.
-Shades shade(vec3 normal, vec3 towardsLight, sampler2D ramps, float material, vec3 gradient, vec4 rim) {
+// Takes unit vectors in view space; a material without fill and rim may use any space.
+Lighting lightingOf(vec3 normal, vec3 towardsLight, float rimWidth) {
   float facing = dot(normal, towardsLight);
-  bool hasRim = isRim(normal.z, facing, rim.a);
-#ifndef SHADING
-  if (hasRim) return Shades(rim.rgb, rim.rgb, facing, false, true);
-#endif
   bool isFilled = dot(normal, towardsFill(towardsLight)) > FILL_BORDER;
-  float column = clamp(facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
-  ivec2 texel = ivec2(column, RAMP_ROWS * material + (isFilled ? 2.0 : 0.0));
+  return Lighting(facing, isFilled, isRim(normal.z, facing, rimWidth));
+}
+
+// Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.
+// Both colours are equal on the side away from the light, so that no edge is visible there: rows start with the same tone,
+// and fill and rim apply to both.
+Shades shade(Lighting light, sampler2D ramps, float material, vec3 gradient, vec3 rimColor) {
+  if (light.isRim) return Shades(rimColor, rimColor);
+  float column = clamp(light.facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
+  ivec2 texel = ivec2(column, RAMP_ROWS * material + (light.isFilled ? 2.0 : 0.0));
   vec3 unlit = texelFetch(ramps, texel, 0).rgb * gradient;
   vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb * gradient;
-  return Shades(unlit, lit, facing, isFilled, hasRim);
+  return Shades(unlit, lit);
 }

@@ -10,6 +10,7 @@ uniform sampler2D ramps;
 uniform vec3 deepShadow;
 uniform vec3 gradientFactor;
 uniform vec3 rimColor;
+uniform vec3 inkColor;
 uniform float litFrom;
 #ifdef FORM
 uniform highp sampler2D depth;
@@ -74,6 +75,12 @@ void main() {
   // A tile at the border of the picture reaches into the next one.
   if (texelFetch(flatTiles, at / FLAT_TILE, 0).g < 0.5) discard;
   vec4 light = smoothedAt(at, ivec2(0, 1), 2);
+  vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
+  if (own.isInk) {
+    float row = own.isFilled ? 2.0 : 0.0;
+    shadowed.rgb = mix(rampAt(own.material, row, own.facing) * gradient, inkColor, direct.b);
+    direct.rgb = mix(rampAt(own.material, row + 1.0, own.facing) * gradient, inkColor, direct.b);
+  }
   if (own.radius == 0.0 || own.isInk) {
     vec3 shadow = light.b < 0.25 * (1.0 - light.r) ? shadowed.rgb * deepShadow : shadowed.rgb;
     pixel = vec4(light.r > 0.5 ? direct.rgb : shadow, shadowed.a);
@@ -86,6 +93,5 @@ void main() {
 #ifdef FORM
   light = leaning(light, at);
 #endif
-  vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
   pixel = vec4(min(toneOf(light, own.material) * gradient, 1.0), shadowed.a);
 }

@@ -19,7 +19,8 @@ layout(location = 2) out float number;
 
 void main() {
   vec3 towardsLight = towardsLightFrom(lightInWorld, worldPlace);
-  Shades shades = shade(normalize(worldNormal), towardsLight, ramps, material, vec3(1.0), vec4(0.0));
+  Lighting light = lightingOf(normalize(worldNormal), towardsLight, 0.0);
+  Shades shades = shade(light, ramps, material, vec3(1.0), vec3(0.0));
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);
   number = group / 255.0;
