@@ -41,7 +41,14 @@ export { designedShapes, type PuffDesign } from './renderer/puffs/lobeShapes.ts'
 export type { PuffKnobs } from './renderer/puffs/procedural.ts';
 export type { Lobe, PuffShape } from './renderer/puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
-export type { CartoonSmokeEvents, CartoonSmokeOptions, CartoonSmokeStats, CastOptions } from './three/options.ts';
+export type {
+  CartoonSmokeEvents,
+  CartoonSmokeOptions,
+  CartoonSmokeStats,
+  CastOptions,
+  LightSource,
+} from './three/options.ts';
+export type { LightReference } from './three/sceneLight.ts';
 export type { CollideOptions } from './three/colliders.ts';
 export type {
   BurstOptions,

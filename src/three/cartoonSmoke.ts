@@ -3,6 +3,7 @@ import {
   BufferGeometry,
   Group,
   Object3D,
+  Vector3,
   type Camera,
   type JSONMeta,
   type Material,
@@ -25,6 +26,7 @@ import { completionOf, type Completion } from '../renderer/completion.ts';
 import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer } from '../renderer/smoke.ts';
+import type { Style } from '../renderer/style.ts';
 import { Attachment } from './attachment.ts';
 import { ItemMotion } from './itemMotion.ts';
 import { Caster } from './caster.ts';
@@ -52,6 +54,7 @@ import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
 import { isEmptyView, isOverridden, requireRenderer } from './requirements.ts';
 import { ObjectParts } from './objectParts.ts';
+import { SceneLight } from './sceneLight.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
@@ -87,8 +90,11 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   readonly material: Material;
   /** What its transform does to puffs that exist, as given to `create`. */
   readonly space: SmokeSpace;
+  /** Whether smoke and the objects of {@link cast} cast shadow volumes. `castShadow` of three.js has no effect. */
+  castsShadow = true;
   private readonly device: Device;
-  private readonly keyLight: KeyLight;
+  private light: KeyLight;
+  private readonly sceneLight: SceneLight | undefined;
   private readonly onRelight: (isInShadow: boolean) => void;
   private readonly simulator: Simulator;
   /** The state before the first step, without handles. */
@@ -120,6 +126,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private isDisposed = false;
   private error: unknown;
   private drawn = NOTHING;
+  private unshadowed: { readonly of: Style; readonly style: Style } | undefined;
 
   /**
    * @throws UnsupportedError when the renderer or the browser lacks a required feature. ParameterError for an unknown
@@ -160,7 +167,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.name = 'CartoonSmoke';
     this.renderOrder = FIRST;
     this.device = device;
-    this.keyLight = options.keyLight;
+    this.light = options.keyLight;
+    if (options.light === 'scene') this.sceneLight = new SceneLight(options.lightReference);
     this.onRelight = options.onRelight ?? (() => {});
     this.simulator = simulator;
     this.start = simulator.save();
@@ -193,6 +201,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.material.onBeforeRender = (renderer, scene, camera) => this.draw(renderer, scene, camera);
     Object.defineProperty(this, 'frustumCulled', { get: () => false, set: () => {} });
     runOnSelf(this, Object3D.prototype);
+  }
+
+  /** The light that shades smoke and that smoke blocks. Another one takes effect in the next frame. */
+  get keyLight(): KeyLight {
+    return this.light;
+  }
+
+  /** @throws ParameterError for an unsupported type of light */
+  set keyLight(light: KeyLight) {
+    requireKeyLight(light);
+    this.light = light;
   }
 
   /**
@@ -489,7 +508,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.isDrawing = true;
     try {
       const { keyLight, onRelight, frame, simulator } = this;
-      const smoke = { object: this, frame, simulator, style: this.shown.style, blend: this.clock.blend };
+      const smoke = { object: this, frame, simulator, style: this.styleIn(scene, camera), blend: this.clock.blend };
       this.drawn = drawIntoHost(this.passes, { renderer, scene, camera, keyLight, onRelight }, smoke);
       this.hasDrawn = true;
     } catch (failure) {
@@ -497,6 +516,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     } finally {
       this.isDrawing = false;
     }
+  }
+
+  /** The style of the current frame. */
+  private styleIn(scene: Scene, camera: Camera): Style {
+    const { shown, sceneLight, keyLight, castsShadow } = this;
+    const place = new Vector3().setFromMatrixPosition(this.matrixWorld);
+    const lit = sceneLight?.styleOf(shown.style, scene, camera, keyLight, place) ?? shown.style;
+    if (castsShadow || !lit.shadows) return lit;
+    // Renderers compare styles by identity.
+    if (this.unshadowed?.of !== lit) this.unshadowed = { of: lit, style: { ...lit, shadows: false } };
+    return this.unshadowed.style;
   }
 
   /** Hides the smoke while there is nothing to draw, so that a frame costs nothing. */

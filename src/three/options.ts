@@ -8,6 +8,7 @@ import { styleOf, type Style } from '../renderer/style.ts';
 import type { LoadProgress } from '../simulator/load.ts';
 import type { SmokeSpace } from './smokeSpace.ts';
 import type { KeyLight } from './keyLight.ts';
+import { requireLightReference, type LightReference } from './sceneLight.ts';
 import type { ProxyBall } from './proxies.ts';
 
 /** Options of `CartoonSmoke.create`. */
@@ -16,6 +17,13 @@ export interface CartoonSmokeOptions {
   renderer: WebGLRenderer;
   /** The light that shades smoke and that smoke blocks. The host keeps ownership and may move it. */
   keyLight: KeyLight;
+  /**
+   * What gives the light its colours and its strength: the `style` (default), or the key light and the ambient and
+   * hemisphere lights of the `scene`.
+   */
+  light?: LightSource;
+  /** The lights under which smoke has the colours of its style, with `light: 'scene'`. */
+  lightReference?: Partial<LightReference>;
   /** Name of a preset, or a share link or its hash: the base for `values`. */
   preset?: PresetName | ShareLink;
   /**
@@ -73,6 +81,10 @@ export interface CartoonSmokeStats {
 const EMITTER: Values = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 const SPACES = ['world', 'local'];
 
+/** What gives the light of smoke its colours and its strength. */
+export type LightSource = 'style' | 'scene';
+const LIGHT_SOURCES = ['style', 'scene'];
+
 /** @throws ParameterError for an unknown space */
 export function requireSpace(space: SmokeSpace): void {
   if (!SPACES.includes(space)) throw new ParameterError('space', space, SPACES.join(' or '));
@@ -81,7 +93,17 @@ export function requireSpace(space: SmokeSpace): void {
 /** Keys that only `create` takes. */
 const AT_CREATION = ['seed', 'simulation.maxParticles'];
 
-const OPTIONS = ['renderer', 'keyLight', 'preset', 'values', 'physics', 'space', 'onRelight'];
+const OPTIONS = [
+  'renderer',
+  'keyLight',
+  'light',
+  'lightReference',
+  'preset',
+  'values',
+  'physics',
+  'space',
+  'onRelight',
+];
 /** What the host's scene determines. */
 const OF_HOST = /^(scene$|light\.(kind|azimuth|elevation|distance)$|camera\.|style\.(renderer|backdrop)$)/;
 
@@ -89,6 +111,9 @@ const OF_HOST = /^(scene$|light\.(kind|azimuth|elevation|distance)$|camera\.|sty
 export function requireCreation(options: CartoonSmokeOptions): void {
   requireOptions('create', options, OPTIONS);
   requireSpace(options.space ?? 'world');
+  const { light = 'style', lightReference = {} } = options;
+  if (!LIGHT_SOURCES.includes(light)) throw new ParameterError('light', light, LIGHT_SOURCES.join(' or '));
+  requireLightReference(lightReference);
   validate(options.values ?? {});
 }
 

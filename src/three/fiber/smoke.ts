@@ -21,7 +21,7 @@ import { CartoonSmoke } from '../cartoonSmoke.ts';
 import type { DirectionalLight, Scene } from 'three';
 import type { KeyLight } from '../keyLight.ts';
 import { changeable, startValues, type CartoonSmokeOptions } from '../options.ts';
-import { placementIn, targetOf, useLatest, type PlacementProps, type Target } from './hooks.ts';
+import { placementIn, targetOf, useLatest, useStable, type PlacementProps, type Target } from './hooks.ts';
 
 /**
  * Props of `<Smoke>`. A change of `values` sets them, a change of the placement moves the smoke with its children, and a
@@ -92,7 +92,8 @@ export function Smoke({ children, ref, ...props }: SmokeProps): ReactNode {
 
 /** Creates a smoke, sets changed values and disposes it. */
 function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error: unknown) => void) {
-  const { keyLight, preset, physics, space, values } = props;
+  const { keyLight, light, lightReference, preset, physics, space, values } = props;
+  const reference = useStable(lightReference ?? {});
   const renderer = useThree(({ gl }) => gl);
   const scene = useThree((state) => state.scene);
   const latest = useLatest(props);
@@ -107,8 +108,8 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
       requireOptions('Smoke', placementIn(latest.current)[1], PROPS);
       const { values: given = {} } = latest.current;
       const onRelight = (isInShadow: boolean) => latest.current.onRelight?.(isInShadow);
-      const options = { renderer, preset, physics, space, values: given, onRelight };
-      const created = await CartoonSmoke.create({ ...options, keyLight: keyLight ? targetOf(keyLight) : sunOf(scene) });
+      const options = { renderer, light, lightReference: reference, preset, physics, space, values: given, onRelight };
+      const created = await CartoonSmoke.create({ ...options, keyLight: lightOf(latest.current.keyLight, scene) });
       if (!isWanted) return created.dispose();
       live.current = created;
       created.addEventListener('error', onError);
@@ -129,7 +130,8 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
   }, [
     renderer,
     scene,
-    keyLight,
+    light,
+    reference,
     preset,
     physics,
     space,
@@ -150,13 +152,23 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
     }
   }, [smoke, values, preset, report]);
 
+  useEffect(() => {
+    if (!smoke || live.current !== smoke) return;
+    try {
+      smoke.keyLight = lightOf(keyLight, scene);
+    } catch (error) {
+      report(error);
+    }
+  }, [smoke, keyLight, scene, report]);
+
   return [smoke, live] as const;
 }
 
-const PROPS = ['keyLight', 'preset', 'values', 'physics', 'space', 'onRelight', 'onReady', 'onError'];
+const PROPS = 'keyLight light lightReference preset values physics space onRelight onReady onError'.split(' ');
 
-/** @throws ParameterError if the scene has no directional light */
-function sunOf(scene: Scene): KeyLight {
+/** @throws ParameterError if no light is given and the scene has no directional light */
+function lightOf(given: SmokeProps['keyLight'], scene: Scene): KeyLight {
+  if (given) return targetOf(given);
   const sun = scene.getObjectByProperty('isDirectionalLight', true) as DirectionalLight | undefined;
   if (sun) return sun;
   throw new ParameterError(
