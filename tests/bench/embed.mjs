@@ -59,7 +59,7 @@ async function measure(count, quick, say) {
         if (round === 0 || (count === 1 && contestant.event === 'ready')) await load(contestant, visit, found);
         found.seen.push(await visit.measureSeen(quick ? 20 : 40, ms));
         found.megabytes ??= await visit.megabytes();
-        found.unseen.push(await visit.measureUnseen(2 * ms));
+        found.unseen.push(await visit.measureUnseen(ms));
       }
     }
   } finally {
