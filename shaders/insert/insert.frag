@@ -26,6 +26,7 @@ const int LINEAR = 1;
 #include ../lib/pixel.glsl
 #include oblique.glsl
 #include ../lib/srgb.glsl
+#include toneMapping.glsl
 
 float depthAt(ivec2 at) {
   return texelFetch(smokeDepth, clamp(at, ivec2(0), textureSize(smokeDepth, 0) - 1), 0).r;
@@ -54,7 +55,8 @@ void main() {
   if (isMirrored) at.x = textureSize(picture, 0).x - 1 - at.x;
   vec4 color = texelFetch(picture, at, 0);
   if (color.a == 0.0) discard;
-  pixel = isLinear ? vec4(linearFromDisplay(color.rgb / color.a) * color.a, color.a) : color;
+  pixel = color;
+  if (isLinear) pixel.rgb = withoutToneMapping(linearFromDisplay(color.rgb / color.a)) * color.a;
   gl_FragDepth = nearestDepth(at);
   if (fogKind != 0) {
     float z = viewZOf(isOblique ? smokeProjection : clipFromView, gl_FragDepth);

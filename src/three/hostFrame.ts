@@ -9,7 +9,7 @@ import { receiversIn } from './casters.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
 import type { HostPasses } from './hostPasses.ts';
 import { lightFrom } from './keyLight.ts';
-import { hasStencilBuffer, isLinearPicture, requireDrawable } from './requirements.ts';
+import { hasStencilBuffer, isLinearPicture, laterToneMapping, requireDrawable } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
 import { straightened } from './target/straightCamera.ts';
 import { insertShadow, type HostView } from './target/insertion.ts';
@@ -92,6 +92,7 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
     returnToTarget();
     eye.uniforms.viewportOrigin.value.copy(view.origin);
     insert.setSmoke(picture.texture, targets.depth, isLinearPicture(renderer));
+    insert.setToneMapping(laterToneMapping(renderer), renderer.toneMappingExposure);
     insert.setFog(scene.fog, view.scale);
     insert.draw(renderer, camera);
     renderer.clearStencil();

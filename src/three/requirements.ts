@@ -1,10 +1,14 @@
 import {
+  FloatType,
+  HalfFloatType,
   LinearSRGBColorSpace,
   Matrix4,
+  NoToneMapping,
   SRGBColorSpace,
   Vector4,
   type Camera,
   type Scene,
+  type ToneMapping,
   type WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
@@ -84,4 +88,13 @@ export function isOverridden(renderer: WebGLRenderer, { overrideMaterial }: Scen
 /** Whether the current target holds linear colour, as render targets do, instead of display-encoded colour. */
 export function isLinearPicture(renderer: WebGLRenderer): boolean {
   return renderer.getRenderTarget() !== null || renderer.outputColorSpace === LinearSRGBColorSpace;
+}
+
+/**
+ * The tone mapping that a later pass applies to the current target. three.js maps tones on the canvas only; a half-float target
+ * holds the light that `OutputPass` maps by the operator of the renderer.
+ */
+export function laterToneMapping(renderer: WebGLRenderer): ToneMapping {
+  const type = renderer.getRenderTarget()?.texture.type;
+  return type === HalfFloatType || type === FloatType ? renderer.toneMapping : NoToneMapping;
 }

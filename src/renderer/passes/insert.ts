@@ -16,6 +16,7 @@ import {
   type RawShaderMaterial,
   type ShaderMaterialParameters,
   type Texture,
+  type ToneMapping,
   type WebGLRenderer,
 } from 'three';
 import darkenFragmentShader from '../../../shaders/insert/darken.frag';
@@ -40,6 +41,8 @@ export class InsertPass {
     picture: { value: null as Texture | null },
     smokeDepth: { value: null as Texture | null },
     isLinear: { value: false },
+    toneMapping: { value: 0 as ToneMapping },
+    toneMappingExposure: { value: 1 },
     isOblique: { value: false },
     isMirrored: { value: false },
     smokeProjection: { value: new Matrix4() },
@@ -77,6 +80,15 @@ export class InsertPass {
     this.uniforms.picture.value = picture;
     this.uniforms.smokeDepth.value = depth;
     this.uniforms.isLinear.value = isLinear;
+  }
+
+  /**
+   * Undoes the tone mapping of a later pass, so that it shows smoke in its own colours.
+   * @param operator of three.js; those without an inverse change the colours
+   */
+  setToneMapping(operator: ToneMapping, exposure: number): void {
+    this.uniforms.toneMapping.value = operator;
+    this.uniforms.toneMappingExposure.value = exposure;
   }
 
   /**

@@ -1,5 +1,6 @@
 /** Post-processing besides the default passes: pmndrs/postprocessing, passes of ambient occlusion and focus, output buffers. */
-import { ACESFilmicToneMapping, HalfFloatType, MathUtils, WebGLRenderTarget } from 'three';
+import { ACESFilmicToneMapping, HalfFloatType, MathUtils, WebGLRenderTarget, type ToneMapping } from 'three';
+import { parseColor } from '../../../src/renderer/palette.ts';
 import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer.js';
 import { BokehPass } from 'three/examples/jsm/postprocessing/BokehPass.js';
 import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
@@ -17,6 +18,7 @@ import {
   differences,
   dispose,
   draw,
+  emptyHost,
   furnishedHost,
   HANGING,
   HEIGHT,
@@ -145,4 +147,39 @@ export async function byOutputBuffer(): Promise<Compared> {
     smoke: changedPixels(shown, empty, 25),
     errors,
   };
+}
+
+/** Colours of smoke, of which one is nearly white and one saturated. */
+const SHOWN = ['#f6efe2', '#d05030', '#203050', '#000000'];
+
+/**
+ * The greatest difference of a pixel of flat smoke from its colour under `OutputPass`, and the number of pixels with that
+ * colour on the canvas, which are compared.
+ */
+export async function underToneMapping(
+  operator: ToneMapping,
+  exposure: number,
+): Promise<{ gap: number; smoke: number }> {
+  const host = emptyHost();
+  host.renderer.toneMapping = operator;
+  host.renderer.toneMappingExposure = exposure;
+  const smoke = await smokeIn(host, { ...HANGING, 'style.shading': 0, 'style.outlines': 0, 'style.shadows': 0 });
+  const picture = composed(host, 0);
+  picture();
+  await smoke.complete();
+  const found = { gap: 0, smoke: 0 };
+  for (const shown of SHOWN) {
+    const color = parseColor(shown);
+    smoke.set({ 'style.smokeColor': shown });
+    const [canvas, mapped] = [draw(host), picture()];
+    const gapAt = (pixels: Pixels, at: number) =>
+      Math.max(...color.map((channel, index) => Math.abs(pixels[at + index] - channel)));
+    for (let at = 0; at < canvas.length; at += 4) {
+      if (gapAt(canvas, at) > 0) continue;
+      found.smoke += 1;
+      found.gap = Math.max(found.gap, gapAt(mapped, at));
+    }
+  }
+  dispose(smoke, host.renderer);
+  return found;
 }

@@ -53,6 +53,31 @@ test('a renderer with an output buffer maps the tones of smoke as a composer doe
   expect(difference - bare).toBeLessThan(0.0005);
 });
 
+// The operators of three.js by their numbers, and whether they have an inverse.
+for (const [name, operator, isExact] of [
+  ['no', 0, true],
+  ['linear', 1, true],
+  ['Reinhard', 2, true],
+  ['Cineon', 3, true],
+  ['Neutral', 7, true],
+  ['ACES Filmic', 4, false],
+  ['AgX', 6, false],
+] as const) {
+  test(`OutputPass shows smoke in ${isExact ? 'its' : 'other'} colours with ${name} tone mapping`, async ({ load }) => {
+    const cases = await load<Composers>(COMPOSERS);
+    for (const exposure of isExact ? [1, 0.6, 1.5] : [1]) {
+      const choice = { operator, exposure };
+      const { gap, smoke } = await cases.evaluate(
+        (module, given) => module.underToneMapping(given.operator, given.exposure),
+        choice,
+      );
+      expect(smoke).toBeGreaterThan(4000);
+      if (isExact) expect(gap, JSON.stringify(choice)).toBeLessThanOrEqual(2);
+      else expect(gap).toBeGreaterThan(10);
+    }
+  });
+}
+
 test('a mirror shows smoke and its shadow, and keeps its picture where it is in the shadow itself', async ({
   load,
 }) => {
