@@ -63,8 +63,9 @@ export const FIRST_BORDER = 0.3;
 
 /**
  * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
- * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has four rows: in shadow, in the light, then both again where the
- * fill light reaches. Nearest filtering keeps the colours exact. The last row holds the {@link Bands}.
+ * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has
+ * four rows: in shadow, in the light, then both again where the fill light reaches. Nearest filtering keeps the colours
+ * exact. The last row holds the {@link Bands}.
  */
 export class RampTexture {
   readonly texture: DataTexture;
