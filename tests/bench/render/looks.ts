@@ -9,23 +9,45 @@ import { SceneLab } from '../../visual/sceneLab.ts';
 import { demand, figure, say, timeDrawing, type Figure } from '../support/figures.ts';
 import { QuarksScene } from './quarks.ts';
 
-const PRESETS = ['lamp', 'train', 'cloudscape', 'airplane', 'wisp'];
+export const PRESETS = ['lamp', 'train', 'cloudscape', 'airplane', 'wisp'];
 const SIZES = [
   { width: 1280, height: 720, suffix: '' },
   { width: 1920, height: 1080, suffix: '.hd' },
 ];
 const STEPS = 360;
 
+/** Returns the milliseconds of the draw calls of `draw`. */
+export type DrawClock = (gl: WebGL2RenderingContext, draw: () => void) => number | Promise<number>;
+
+interface Picture {
+  /** Of the figures. */
+  name: string;
+  preset: string;
+  width: number;
+  height: number;
+  /** In the note of the time of a frame. */
+  renderer: string;
+}
+
 export async function measureLooks(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
   for (const { width, height, suffix } of SIZES) {
-    for (const preset of PRESETS) figures.push(...(await measureLook(preset, width, height, suffix, quick ? 3 : 7)));
+    for (const preset of PRESETS) {
+      const picture = { name: `render.look.${preset}${suffix}`, preset, width, height };
+      figures.push(
+        ...(await measureLook({ ...picture, renderer: 'SwiftShader, information' }, quick ? 3 : 7, timeDrawing)),
+      );
+    }
   }
   return figures;
 }
 
-async function measureLook(preset: string, width: number, height: number, suffix: string, rounds: number) {
-  const name = `render.look.${preset}${suffix}`;
+/** The frame of a preset over the same in the plain look and over blended quads, in turns. */
+export async function measureLook(
+  { name, preset, width, height, renderer: graphics }: Picture,
+  rounds: number,
+  clock: DrawClock,
+): Promise<Figure[]> {
   const choice = { width, height, smoothEdges: true, ownLook: true };
   const [own, plain] = [await prepared(preset, choice), await prepared(preset, { ...choice, values: PLAIN_LOOK })];
   own.redraw({ cull: false });
@@ -44,7 +66,7 @@ async function measureLook(preset: string, width: number, height: number, suffix
   for (let round = 0; round < rounds; round++) {
     await say(`${name}, round ${round + 1} of ${rounds}`);
     const order = round % 2 === 0 ? [0, 1, 2] : [2, 1, 0];
-    for (const side of order) times[side].push(timeDrawing(own.context, sides[side]));
+    for (const side of order) times[side].push(await clock(own.context, sides[side]));
   }
   quarks.dispose();
   for (const lab of [own, plain]) lab.dispose();
@@ -59,7 +81,7 @@ async function measureLook(preset: string, width: number, height: number, suffix
       over(without),
       `the frame / the plain look, ${bodies} and ${plainBodies} bodies, ${size}`,
     ),
-    figure(`${name}.ms`, 'ms', look, `the frame, ${size}; SwiftShader, information`),
+    figure(`${name}.ms`, 'ms', look, `the frame, ${size}; ${graphics}`),
   ];
 }
 
