@@ -7,5 +7,5 @@ out vec4 field;
 #include smoothing.glsl
 
 void main() {
-  field = smoothedAt(ivec2(gl_FragCoord.xy), ivec2(1, 0), 1);
+  field = smoothedAt(ivec2(gl_FragCoord.xy), ivec2(1, 0), LINKED_RIGHT);
 }

@@ -1,8 +1,7 @@
 precision highp float;
 precision highp int;
 
-// Prepares the light of a picture for smoothing. Outputs four numbers, each of which a later pass averages, and which
-// neighbours may be averaged with a pixel.
+// Prepares the light of a picture for smoothing.
 uniform sampler2D unlit;
 uniform highp sampler2D depth;
 uniform mat4 clipFromView;
@@ -11,12 +10,12 @@ uniform float innerLine;
 // Whether bands of colour are separate. Interpolated bands are not.
 uniform bool isBanded;
 
-layout(location = 0) out vec4 field;
-// Bits: linked with the pixel to the right, linked with the pixel above.
-layout(location = 1) out float links;
+// See packField.glsl.
+out vec4 field;
 
 #include ../lib/depth.glsl
 #include field.glsl
+#include packField.glsl
 
 // Least gap in depth, in radii. Smaller gaps have ink, or belong to one shape.
 const float MIN_GAP = 1.0;
@@ -51,8 +50,8 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   ivec2 last = textureSize(lit, 0) - 1;
   Texel here = texelAt(at);
-  field = fieldOf(here.shading, here.lit.a);
   bool right = at.x < last.x && isLinked(here, texelAt(at + ivec2(1, 0)));
   bool above = at.y < last.y && isLinked(here, texelAt(at + ivec2(0, 1)));
-  links = (float(right) + 2.0 * float(above)) / 255.0;
+  int links = (right ? LINKED_RIGHT : 0) + (above ? LINKED_ABOVE : 0);
+  field = packField(PackedField(fieldOf(here.shading, here.lit.a), links));
 }

@@ -1,7 +1,10 @@
 // Averages the fields of simplify/fields.frag along an axis, weighted by a Gaussian. It stops where pixels are not
 // linked: at ink, at gaps in depth, and where smoke ends.
 uniform sampler2D fields;
-uniform sampler2D links;
+#ifdef ALONG_COLUMNS
+// The averages along rows.
+uniform sampler2D across;
+#endif
 // Largest distance that is averaged, pixels, and standard deviation of the Gaussian, pixels.
 uniform int reach;
 uniform float deviation;
@@ -9,14 +12,20 @@ uniform float deviation;
 uniform sampler2D flatTiles;
 
 #include flatTiles.glsl
+#include packField.glsl
 
-bool isLinkedAt(ivec2 at, int bit) {
-  return (int(255.0 * texelFetch(links, at, 0).r + 0.5) & bit) != 0;
+PackedField fieldAt(ivec2 at) {
+  PackedField here = unpackField(texelFetch(fields, at, 0));
+#ifdef ALONG_COLUMNS
+  here.field = texelFetch(across, at, 0);
+#endif
+  return here;
 }
 
-// `along` is (1, 0) with bit 1 or (0, 1) with bit 2.
+// `along` is (1, 0) with bit LINKED_RIGHT or (0, 1) with bit LINKED_ABOVE.
 vec4 smoothedAt(ivec2 at, ivec2 along, int bit) {
-  vec4 sum = texelFetch(fields, at, 0);
+  PackedField own = fieldAt(at);
+  vec4 sum = own.field;
   float weights = 1.0;
   // A loop that ends at once saves work on all GPUs; a branch does not.
   int end = texelFetch(flatTiles, at / FLAT_TILE, 0).r > 0.0 ? 0 : reach;
@@ -26,13 +35,17 @@ vec4 smoothedAt(ivec2 at, ivec2 along, int bit) {
   for (int way = 0; way < 2; way++) {
     float weight = 1.0;
     float ratio = first;
-    for (int i = 1; i <= end; i++) {
-      ivec2 there = way == 0 ? at + i * along : at - i * along;
-      ivec2 link = way == 0 ? there - along : there;
-      if (min(link.x, link.y) < 0 || !isLinkedAt(link, bit)) break;
+    ivec2 towards = way == 0 ? along : -along;
+    int before = own.links;
+    // The last pixel of a row or column is not linked with one outside the picture; the first one has no such bit.
+    int last = way == 0 ? end : min(end, at.x * along.x + at.y * along.y);
+    for (int i = 1; i <= last; i++) {
+      PackedField there = fieldAt(at + i * towards);
+      if (((way == 0 ? before : there.links) & bit) == 0) break;
+      before = there.links;
       weight *= ratio;
       ratio *= change;
-      sum += weight * texelFetch(fields, there, 0);
+      sum += weight * there.field;
       weights += weight;
     }
   }

@@ -27,6 +27,7 @@ uniform float plumeForm;
 out vec4 pixel;
 
 #include unpackShading.glsl
+#define ALONG_COLUMNS
 #include smoothing.glsl
 #ifdef FORM
 #include ../lib/depth.glsl
@@ -74,7 +75,7 @@ void main() {
   Shading own = unpackShading(texelFetch(shading, at, 0));
   // A tile at the border of the picture reaches into the next one.
   if (texelFetch(flatTiles, at / FLAT_TILE, 0).g < 0.5) discard;
-  vec4 light = smoothedAt(at, ivec2(0, 1), 2);
+  vec4 light = smoothedAt(at, ivec2(0, 1), LINKED_ABOVE);
   vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
   if (own.isInk) {
     float row = own.isFilled ? 2.0 : 0.0;

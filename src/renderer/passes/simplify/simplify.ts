@@ -1,12 +1,4 @@
-import {
-  Matrix4,
-  NearestFilter,
-  NoColorSpace,
-  RedFormat,
-  WebGLRenderTarget,
-  type Texture,
-  type WebGLRenderer,
-} from 'three';
+import { Matrix4, type Texture, type WebGLRenderer, type WebGLRenderTarget } from 'three';
 import activeShader from '../../../../shaders/simplify/active.vert';
 import acrossShader from '../../../../shaders/simplify/across.frag';
 import fieldsShader from '../../../../shaders/simplify/fields.frag';
@@ -44,7 +36,7 @@ export class SimplifyPass {
     formFromView: { value: new Matrix4() },
   };
 
-  private readonly fields = fieldTarget();
+  private readonly fields = pictureTarget();
   private readonly tiles = pictureTarget();
   private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
@@ -55,10 +47,11 @@ export class SimplifyPass {
   private readonly eye: FrameView;
 
   constructor(eye: FrameView, ramps: RampTexture) {
-    const [fields, links] = this.fields.textures.map((value) => ({ value }));
-    const [tiles, flatTiles] = [this.tiles, this.flatTiles].map(({ texture }) => ({ value: texture }));
-    const common = { ...eye.uniforms, ...this.uniforms, links, tiles, flatTiles };
-    const tones = { ...common, fields: { value: this.across.texture }, ramps: { value: ramps.texture } };
+    const [fields, across, tiles, flatTiles] = [this.fields, this.across, this.tiles, this.flatTiles].map(
+      ({ texture: value }) => ({ value }),
+    );
+    const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles };
+    const tones = { ...common, fields, across, ramps: { value: ramps.texture } };
     this.passes = [
       new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),
@@ -147,17 +140,3 @@ export class SimplifyPass {
 const LEANING = { FORM: '' };
 /** Makes points cover what is averaged with active tiles, too. */
 const NEARBY = { NEARBY: '' };
-
-/** Four numbers, and the links between pixels in a channel of its own. */
-function fieldTarget(): WebGLRenderTarget {
-  const target = new WebGLRenderTarget(1, 1, {
-    count: 2,
-    colorSpace: NoColorSpace,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-    depthBuffer: false,
-  });
-  target.textures[1].format = RedFormat;
-  return target;
-}
