@@ -32,7 +32,7 @@ flat in float phase;
 flat in float centreZ;
 flat in float radius;
 flat in float ringDrop;
-flat in float material;
+flat in float rampIndex;
 flat in vec3 towardsLight;
 
 layout(location = 0) out vec4 unlit;
@@ -42,6 +42,9 @@ layout(location = 2) out vec4 shading;
 #endif
 
 #include ../lib/depth.glsl
+#ifdef FALLOFF
+#include ../lib/falloff.glsl
+#endif
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl
@@ -81,17 +84,28 @@ void main() {
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
   float position = gradientAt(gradientPosition, viewZ);
   Lighting light = lightingOf(normal, towardsLight, rim);
+  float material = rampIndex;
+#ifdef FALLOFF
+  float strengthCode = takeStrength(material);
+#endif
 #ifdef SHADING
   shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));
   unlit.rgb = paint.rgb;
   lit.rgb = vec3(packPosition(position), ink);
 #else
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), position);
+#ifdef FALLOFF
+  Shades shades = shade(light, ramps, material, gradient, rimInLight());
+#else
   Shades shades = shade(light, ramps, material, gradient, rimColor);
+#endif
   unlit.rgb = mix(shades.unlit, inkColor, ink);
   lit.rgb = mix(shades.lit, inkColor, ink);
 #endif
   unlit.a = 1.0;
+#if defined(SHADING) && defined(FALLOFF)
+  unlit.a = strengthCode;
+#endif
   lit.a = ink < 1.0 ? 0.0 : 1.0;
 
   float outside = distanceOutside * radius;

@@ -26,7 +26,7 @@ flat out float phase;
 flat out float centreZ;
 flat out float radius;
 flat out float ringDrop;
-flat out float material;
+flat out float rampIndex;
 flat out vec3 towardsLight;
 
 #include ../lib/rows.glsl
@@ -36,6 +36,10 @@ flat out vec3 towardsLight;
 #include ../lib/ink.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
+#ifdef FALLOFF
+uniform vec4 lightInWorld;
+#include ../lib/falloff.glsl
+#endif
 
 void main() {
   readRow();
@@ -51,7 +55,10 @@ void main() {
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);
-  material = materialOf(attributes, ramps);
+  rampIndex = materialOf(attributes, ramps);
+#ifdef FALLOFF
+  rampIndex += packStrength(strengthAt(lightInWorld.xyz - place.xyz));
+#endif
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));
   // Fragments write the depth. A constant here keeps the near plane from clipping the quad.

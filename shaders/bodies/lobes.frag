@@ -38,6 +38,9 @@ layout(location = 2) out vec4 shading;
 
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
+#ifdef FALLOFF
+#include ../lib/falloff.glsl
+#endif
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl
@@ -223,17 +226,28 @@ void main() {
 
   float position = gradientAt(pointAndGradient.z, viewZ);
   Lighting light = lightingOf(normalize(normal), towardsLight, rim);
+  float material = depthsAndRamp.w;
+#ifdef FALLOFF
+  float strengthCode = takeStrength(material);
+#endif
 #ifdef SHADING
-  shading = packShading(Shading(light.facing, depthsAndRamp.w, light.isFilled, light.isRim, ink > 0.0, radius));
+  shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));
   unlit.rgb = vec3(1.0);
   lit.rgb = vec3(packPosition(position), ink);
 #else
   vec3 gradient = mix(gradientFactor, vec3(1.0), position);
-  Shades shades = shade(light, ramps, depthsAndRamp.w, gradient, rimColor);
+#ifdef FALLOFF
+  Shades shades = shade(light, ramps, material, gradient, rimInLight());
+#else
+  Shades shades = shade(light, ramps, material, gradient, rimColor);
+#endif
   unlit.rgb = mix(shades.unlit, inkColor, ink);
   lit.rgb = mix(shades.lit, inkColor, ink);
 #endif
   unlit.a = 1.0;
+#if defined(SHADING) && defined(FALLOFF)
+  unlit.a = strengthCode;
+#endif
   lit.a = ink < 1.0 ? 0.0 : 1.0;
 
 #ifdef FLAT

@@ -23,7 +23,8 @@ uniform sampler2D lobeTable;
 out vec4 pointAndGradient;
 flat out vec4 middleAndInkReach;
 // View z of the centre, radius, depth offset of the ring, and ramp index. DEFORMED: the packed stretch instead of the offset,
-// and the radius is the one across the stretch. Points and lobes are those of stretch.glsl.
+// and the radius is the one across the stretch. Points and lobes are those of stretch.glsl. FALLOFF: the ramp index plus the
+// packed strength of the light.
 flat out vec4 depthsAndRamp;
 flat out vec4 lobes[LOBES];
 
@@ -35,6 +36,10 @@ flat out vec4 lobes[LOBES];
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
+#ifdef FALLOFF
+uniform vec4 lightInWorld;
+#include ../lib/falloff.glsl
+#endif
 #ifdef BITES
 mat2x3 bitesIn(mat3 viewFromPuff);
 void cutLobes(mat2x3 bites, out vec2 lowest, out vec2 highest);
@@ -109,6 +114,9 @@ void main() {
   pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(attributes), drawing));
   middleAndInkReach = vec4(middle, inkReach * exp2(-inkSwell));
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
+#ifdef FALLOFF
+  depthsAndRamp.w += packStrength(strengthAt(lightInWorld.xyz - place.xyz));
+#endif
 #ifdef DEFORMED
   // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.
   depthsAndRamp.z = float(attributes.w & 0xffffffu);

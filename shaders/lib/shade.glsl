@@ -45,6 +45,10 @@ Shades shade(Lighting light, sampler2D ramps, float material, vec3 gradient, vec
   float column = clamp(light.facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
   ivec2 texel = ivec2(column, RAMP_ROWS * material + (light.isFilled ? 2.0 : 0.0));
   vec3 unlit = texelFetch(ramps, texel, 0).rgb * gradient;
+#ifdef FALLOFF
+  vec3 lit = inLight(texel + ivec2(0, 1)) * gradient;
+#else
   vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb * gradient;
+#endif
   return Shades(unlit, lit);
 }

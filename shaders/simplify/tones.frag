@@ -2,7 +2,8 @@ precision highp float;
 precision highp int;
 
 // The second half of the smoothing, along columns, and the choice of a tone from the smoothed light. Output:
-// display-encoded colour, not premultiplied.
+// display-encoded colour, not premultiplied. FALLOFF: where there is smoke, the alpha of the unlit colour is the packed
+// strength of the light.
 uniform sampler2D unlit;
 uniform sampler2D lit;
 uniform sampler2D shading;
@@ -29,6 +30,9 @@ out vec4 pixel;
 #include unpackShading.glsl
 #define ALONG_COLUMNS
 #include smoothing.glsl
+#ifdef FALLOFF
+#include ../lib/falloff.glsl
+#endif
 #ifdef FORM
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
@@ -38,6 +42,9 @@ out vec4 pixel;
 const float RAMP_ROWS = 4.0;
 
 vec3 rampAt(float material, float row, float facing) {
+#ifdef FALLOFF
+  if (row == 1.0 || row == 3.0) return inLight(ivec2(clamp(256.0 * facing, 0.0, 255.0), RAMP_ROWS * material + row));
+#endif
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
   return textureLod(ramps, vec2(facing, (RAMP_ROWS * material + row + 0.5) * pitch), 0.0).rgb;
 }
@@ -73,6 +80,12 @@ void main() {
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
   Shading own = unpackShading(texelFetch(shading, at, 0));
+#ifdef FALLOFF
+  if (own.radius > 0.0) {
+    strength = unpackStrength(shadowed.a);
+    shadowed.a = 1.0;
+  }
+#endif
   // A tile at the border of the picture reaches into the next one.
   if (texelFetch(flatTiles, at / FLAT_TILE, 0).g < 0.5) discard;
   vec4 light = smoothedAt(at, ivec2(0, 1), LINKED_ABOVE);
@@ -88,7 +101,11 @@ void main() {
     return;
   }
   if (light.a > 0.5) {
+#ifdef FALLOFF
+    pixel = vec4(rimInLight(), shadowed.a);
+#else
     pixel = vec4(rimColor, shadowed.a);
+#endif
     return;
   }
 #ifdef FORM

@@ -18,6 +18,7 @@ export const lightRows = [
   quantity('light.azimuth', 'light', { min: -180, max: 180, default: 40, unit: '\u00b0' }),
   quantity('light.elevation', 'light', { min: 5, max: 90, default: 50, unit: '\u00b0' }),
   quantity('light.distance', 'light', { min: 0.5, max: 50, default: 4, unit: 'm' }),
+  quantity('light.decay', 'light', { min: 0, max: 2, default: 0 }),
   { kind: 'color', key: 'light.color', reader: 'light', default: '#ffffff' },
   quantity('light.intensity', 'light', { min: 0, max: 4, default: 1 }),
   { kind: 'color', key: 'light.ambientColor', reader: 'light', default: '#ffffff' },

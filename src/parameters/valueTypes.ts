@@ -110,6 +110,7 @@ export type SingleValues = {
   /** Direction: Azimuth of the light: 0 is the front, 90 the right. */ 'light.azimuth': number;
   /** Height: Elevation of the light: 90 is straight above. */ 'light.elevation': number;
   /** Distance: Distance of a lamp from the centre of the scene; the sun ignores it. */ 'light.distance': number;
+  /** Decay: How fast the light of a lamp weakens with distance: 0 not at all, 2 as in nature. At the centre of the scene it keeps its strength. */ 'light.decay': number;
   /** Light colour: Colour of the light. White shows the tones of the style. */ 'light.color': string;
   /** Light strength: Strength of the light: 1 shows the tones of the style, 0 leaves their first one. */ 'light.intensity': number;
   /** Ambient colour: Colour of the light that also reaches shadow. White shows the tones of the style. */ 'light.ambientColor': string;

@@ -59,7 +59,8 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   const style = styleOf(values);
   const { isDeformed } = style;
   const isShaded = isSimplified(style);
-  const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
+  const isFalling = style.lampLight !== undefined;
+  const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed, isFalling });
   const compile = async (...all: Shaders[]) => {
     for (const shaders of all) {
       if (!device.isUsable) return;
@@ -70,12 +71,15 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   await compile(bodies(false), SELF_TEST_SHADERS, volumeShaders(lobes, isDeformed));
   const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
   const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
+  surfaces.setFalloff(isFalling);
   const passes: object[] = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
   await compile(...passes.flatMap(shadersOf), ...RESOLVE_SHADERS);
   await fetchExtras(style);
   if (isShaded) {
     const { SimplifyPass } = codeOf('simplify');
-    await compile(...shadersOf(new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0)));
+    const simplify = new SimplifyPass(eye, ramps);
+    simplify.setFalloff(isFalling);
+    await compile(...shadersOf(simplify.meshes(style.plumeForm > 0)));
   }
   if (hasStrokes(style)) await compile(...shadersOf(codeOf('strokes').strokeMaterials(eye, isDeformed)));
   await programs.finished(renderer);

@@ -126,15 +126,19 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { eye, body, volumes, mask, resolve, extras } = this.passes;
+    const { eye, scene, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
+    const isFalling = style.lampLight !== undefined;
+    body.isFalling = isFalling;
+    scene?.surfaces.setFalloff(isFalling);
     body.setForm(extras.billboardsOf(style.form));
     extras.simplify?.setUniforms(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    extras.simplify?.setFalloff(isFalling);
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
     strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
@@ -164,7 +168,9 @@ export class SmokeRenderer {
       ...colors.map((color) => rampOf(color, style)),
     ];
     this.ramps.resize(ramps.length);
-    ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
+    ramps.forEach((ramp, material) =>
+      this.ramps.write(material, ramp, style.illumination, style.lampLight !== undefined),
+    );
     this.ramps.writeBands(bands);
   }
 }

@@ -28,7 +28,7 @@ export interface CartoonSmokeOptions {
   preset?: PresetName | ShareLink;
   /**
    * Flat values of the parameter table, such as `{ 'emission.rate': 60, 'emitters.0.position.y': 1 }`. What the host's
-   * scene determines is ignored here and in `preset`: `scene`, kind, direction and distance of the light, `camera.*`,
+   * scene determines is ignored here and in `preset`: `scene`, kind, direction, distance and decay of the light, `camera.*`,
    * `style.renderer`, `style.backdrop`.
    */
   values?: Values;
@@ -105,7 +105,7 @@ const OPTIONS = [
   'onRelight',
 ];
 /** What the host's scene determines. */
-const OF_HOST = /^(scene$|light\.(kind|azimuth|elevation|distance)$|camera\.|style\.(renderer|backdrop)$)/;
+const OF_HOST = /^(scene$|light\.(kind|azimuth|elevation|distance|decay)$|camera\.|style\.(renderer|backdrop)$)/;
 
 /** @throws ParameterError for an unknown option or a value out of range */
 export function requireCreation(options: CartoonSmokeOptions): void {

@@ -1,19 +1,16 @@
 import {
   Color,
-  MathUtils,
-  Vector3,
   type AmbientLight,
   type Camera,
   type HemisphereLight,
   type Object3D,
-  type PointLight,
   type Scene,
-  type SpotLight,
+  type Vector3,
 } from 'three';
 import { ParameterError } from '../base/errors.ts';
-import type { Factors, Illumination } from '../renderer/gpu/ramps.ts';
+import type { Factors } from '../renderer/gpu/ramps.ts';
 import type { Style } from '../renderer/style.ts';
-import type { KeyLight } from './keyLight.ts';
+import { hasFalloff, reachOf, type KeyLight } from './keyLight.ts';
 
 /** The lights under which smoke has the colours of its style. */
 export interface LightReference {
@@ -46,15 +43,22 @@ export class SceneLight {
 
   /**
    * The style under the lights that three.js uses for a camera. Without direct light smoke casts no shadow.
-   * @param place of the smoke in the world, for key lights that are not directional
+   * @param place of the smoke in the world: its ink has the light of a lamp there. Puffs have that at their own place
    */
   styleOf(style: Style, scene: Scene, camera: Camera, keyLight: KeyLight, place: Vector3): Style {
     const { key, ambient } = this.reference;
     const isLit = isUsed(keyLight, scene, camera) && keyLight.intensity > 0;
-    const direct = isLit ? over(keyLight.color, (keyLight.intensity * reachOf(keyLight, place)) / key) : DARK;
-    const illumination = product(style.illumination, { direct, ambient: over(ambientIn(scene, camera), 1 / ambient) });
-    if (style !== this.base || !this.lit || !areEqual(this.lit.illumination, illumination)) {
-      this.lit = { ...style, illumination, shadows: style.shadows && direct.some((factor) => factor > 0) };
+    const near = isLit ? over(keyLight.color, keyLight.intensity / key) : DARK;
+    const lampLight = hasFalloff(keyLight) ? times(style.illumination.direct, near) : undefined;
+    const reach = reachOf(keyLight, place);
+    const there: Factors = [reach * near[0], reach * near[1], reach * near[2]];
+    const illumination = {
+      direct: times(style.illumination.direct, there),
+      ambient: times(style.illumination.ambient, over(ambientIn(scene, camera), 1 / ambient)),
+    };
+    const lit = { illumination, lampLight };
+    if (style !== this.base || !this.lit || !areEqual(this.lit, lit)) {
+      this.lit = { ...style, ...lit, shadows: style.shadows && near.some((factor) => factor > 0) };
       this.base = style;
     }
     return this.lit;
@@ -87,34 +91,21 @@ function ambientIn(scene: Scene, camera: Camera): Color {
   return sum;
 }
 
-/** Share of the intensity of a light that reaches a place, as `punctualLightIntensity` of three.js computes it. */
-function reachOf(light: KeyLight, place: Vector3): number {
-  if (light.type === 'DirectionalLight') return 1;
-  const { decay, distance } = light as PointLight;
-  const towards = new Vector3().setFromMatrixPosition(light.matrixWorld).sub(place);
-  const metres = towards.length();
-  const end = distance > 0 ? MathUtils.clamp(1 - (metres / distance) ** 4, 0, 1) ** 2 : 1;
-  return (end / Math.max(metres ** decay, 0.01)) * inCone(light, towards.normalize());
-}
-
-function inCone(light: KeyLight, towards: Vector3): number {
-  if (light.type !== 'SpotLight') return 1;
-  const { angle, penumbra, target, matrixWorld } = light as SpotLight;
-  const axis = new Vector3().setFromMatrixPosition(matrixWorld);
-  axis.sub(new Vector3().setFromMatrixPosition(target.matrixWorld)).normalize();
-  return MathUtils.smoothstep(axis.dot(towards), Math.cos(angle), Math.cos(angle * (1 - penumbra)));
-}
-
 function over({ r, g, b }: Color, factor: number): Factors {
   return [factor * r, factor * g, factor * b];
 }
 
-function product(one: Illumination, other: Illumination): Illumination {
-  const times = (a: Factors, b: Factors): Factors => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
-  return { direct: times(one.direct, other.direct), ambient: times(one.ambient, other.ambient) };
+function times(one: Factors, other: Factors): Factors {
+  return [one[0] * other[0], one[1] * other[1], one[2] * other[2]];
 }
 
-function areEqual(one: Illumination, other: Illumination): boolean {
-  const same = (a: Factors, b: Factors) => a.every((factor, at) => factor === b[at]);
-  return same(one.direct, other.direct) && same(one.ambient, other.ambient);
+type Lit = Pick<Style, 'illumination' | 'lampLight'>;
+
+function areEqual(one: Lit, other: Lit): boolean {
+  const [own, others] = [one, other].map(({ illumination: { direct, ambient }, lampLight = [] }) => [
+    ...direct,
+    ...ambient,
+    ...lampLight,
+  ]);
+  return own.length === others.length && own.every((factor, at) => factor === others[at]);
 }

@@ -207,7 +207,13 @@ function invalid(object: Object3D): ParameterError {
 }
 
 function lightIn(light: Light, placement: Placement): Light {
-  if (light.kind === 'lamp')
-    return { kind: 'lamp', place: toSmoke({ ...newPose(), position: light.place }, placement).position };
-  return { kind: 'sun', towards: light.towards.applyQuaternion(inverse.copy(placement.rotation).invert()) };
+  const turned = (axis: Vector3) => axis.applyQuaternion(inverse.copy(placement.rotation).invert());
+  if (light.kind === 'sun') return { kind: 'sun', towards: turned(light.towards) };
+  const { place, falloff } = light;
+  const cone = falloff?.cone && { ...falloff.cone, axis: turned(falloff.cone.axis) };
+  return {
+    kind: 'lamp',
+    place: toSmoke({ ...newPose(), position: place }, placement).position,
+    falloff: falloff && { ...falloff, cone, scale: placement.scale },
+  };
 }

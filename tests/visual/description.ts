@@ -85,7 +85,7 @@ function rowsAsObjects({ count, place, attributes }: Rows): object[] {
 function lightAsObject(light: Light): object {
   return light.kind === 'sun'
     ? { type: 'sun', towards: light.towards.toArray() }
-    : { type: 'lamp', place: light.place.toArray() };
+    : { type: 'lamp', place: light.place.toArray(), decay: light.falloff?.decay ?? 0 };
 }
 
 function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {

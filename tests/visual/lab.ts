@@ -23,7 +23,7 @@ import type { Rows } from '../../src/simulator/rows.ts';
 import { fetchExtras } from '../../src/renderer/extraPasses.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput } from '../../src/renderer/frameInput.ts';
-import type { Light } from '../../src/renderer/light.ts';
+import type { Falloff, Light } from '../../src/renderer/light.ts';
 import { drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../src/renderer/smoke.ts';
 import { styleOf, type Style } from '../../src/renderer/style.ts';
@@ -95,8 +95,9 @@ export interface LabScene {
   towardsLight?: readonly [number, number, number];
   /** Draws with a reversed depth buffer, as the host's renderer may have. */
   reversedDepth?: boolean;
-  /** Position of a lamp, instead of a sun. */
+  /** Position of a lamp, instead of a sun, and how it weakens where the style has `lampLight`. */
   lamp?: readonly [number, number, number];
+  falloff?: Falloff;
   style?: Partial<Style>;
   pixelRatio?: number;
   /** Simulated seconds. */
@@ -298,8 +299,8 @@ export function inputOf(scene: LabScene): FrameInput {
   };
 }
 
-function lightOf({ lamp, towardsLight = [0.5, 0.7, 0.5] }: LabScene): Light {
-  if (lamp) return { kind: 'lamp', place: new Vector3(...lamp) };
+function lightOf({ lamp, falloff, towardsLight = [0.5, 0.7, 0.5] }: LabScene): Light {
+  if (lamp) return { kind: 'lamp', place: new Vector3(...lamp), falloff };
   return { kind: 'sun', towards: new Vector3(...towardsLight).normalize() };
 }
 

@@ -11,7 +11,7 @@ use crate::ink::{self, Line};
 use crate::light::Light;
 use crate::lobes::Lobes;
 use crate::ray::{Camera, Ray};
-use crate::scene::{Row, Scene, Style};
+use crate::scene::{Illumination, Row, Scene, Style};
 use crate::shade::{Along, Shade, gradient_factor, ink_of};
 
 pub struct Body<'a> {
@@ -31,6 +31,8 @@ pub struct Body<'a> {
     up: DVec3,
     /// Unit vector from the centre to the light, in view space. The whole puff uses it.
     light: DVec3,
+    /// The light at the centre, which the whole puff has.
+    illumination: Illumination,
     form: Option<&'a Form<'a>>,
 }
 
@@ -91,6 +93,7 @@ impl<'a> Body<'a> {
             return None;
         }
         let turn = DMat3::from_mat4(camera.view_from_world);
+        let illumination = light.at(DVec3::from(row.place), &scene.style);
         let light = turn * light.towards(DVec3::from(row.place));
         let pixel = camera.metres_per_pixel(-center.z);
         let Style {
@@ -116,6 +119,7 @@ impl<'a> Body<'a> {
                 Puff::Billboard,
             ),
             center,
+            illumination,
             radius,
             near: camera.near,
             pixel,
@@ -240,7 +244,7 @@ impl<'a> Body<'a> {
         let style = &self.scene.style;
         let ramp = &style.smoke_ramps[self.attributes.ramp(&style.bands)];
         let gradient = gradient_factor(style, &self.along(place.y, height, screen));
-        Shade::of_puff(style, ramp, normal, self.light, whole).graded(gradient)
+        Shade::of_puff(style, &self.illumination, ramp, normal, self.light, whole).graded(gradient)
     }
 
     fn along(&self, puff: f64, height: f64, screen: f64) -> Along {

@@ -131,8 +131,8 @@ impl<'a> Painter<'a> {
     fn behind_smoke(&self, pixel: usize) -> Nearest {
         let ray = self.camera.ray_in_world(self.middle_of(pixel));
         let depths = [self.camera.near, self.camera.far];
-        let colors = &self.scene.style.illumination;
-        let Some((index, depth, shade)) = self.solids.meet(ray, depths, &self.light, colors) else {
+        let style = &self.scene.style;
+        let Some((index, depth, shade)) = self.solids.meet(ray, depths, &self.light, style) else {
             return backdrop(self.scene, self.height_of(pixel));
         };
         Nearest {

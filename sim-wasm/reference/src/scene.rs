@@ -28,16 +28,13 @@ pub struct Scene {
 #[serde(tag = "type", rename_all = "camelCase")]
 pub enum Light {
     /// Unit vector.
-    Sun {
-        towards: Triple,
-    },
-    Lamp {
-        place: Triple,
-    },
+    Sun { towards: Triple },
+    /// `decay`: exponent of the distance with which the light weakens.
+    Lamp { place: Triple, decay: f64 },
 }
 
 /// Linear factors on the direct and the ambient part of the light; 1 shows the colours of the style.
-#[derive(Deserialize)]
+#[derive(Clone, Copy, Deserialize)]
 pub struct Illumination {
     pub direct: Triple,
     pub ambient: Triple,
@@ -58,6 +55,8 @@ pub struct Style {
     /// How far ink follows the light, 0 to 1.
     pub ink_light: f64,
     pub illumination: Illumination,
+    /// Factors on the direct part at 1 m from a lamp, where it weakens with distance.
+    pub lamp_light: Option<Triple>,
     /// Swelling of lines away from the light, 0 to 1.
     pub ink_swell: f64,
     /// Trembling of the lines of puffs, 0 to 1, and the index of the drawing.

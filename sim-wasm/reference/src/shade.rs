@@ -73,18 +73,25 @@ impl Shade {
     }
 
     /// Shading of smoke, in view space. A rim covers silhouettes where the puff faces away from the light.
-    pub fn of_puff(style: &Style, ramp: &Ramp, normal: DVec3, light: DVec3, whole: Option<(&Form, f64)>) -> Self {
+    pub fn of_puff(
+        style: &Style,
+        colors: &Illumination,
+        ramp: &Ramp,
+        normal: DVec3,
+        light: DVec3,
+        whole: Option<(&Form, f64)>,
+    ) -> Self {
         let facing = normal.dot(light);
         // As a share of the radius of a ball.
         let band = 0.5 * style.rim * (0.5 - facing).clamp(0.0, 1.0);
         if band > 0.0 && normal.z < (band * (2.0 - band)).sqrt() {
-            let factor = DVec3::from(style.illumination.direct);
+            let factor = DVec3::from(colors.direct);
             return Self::same(display(linear(DVec3::from(style.rim_color)) * factor), Part::Rim);
         }
         let is_filled = normal.dot(towards_fill(light)) > FILL_BORDER;
-        let shade = Self::of(ramp, &style.illumination, facing, is_filled);
+        let shade = Self::of(ramp, colors, facing, is_filled);
         match whole {
-            Some((form, whole)) => shade.leaning(style, ramp, facing, form, whole),
+            Some((form, whole)) => shade.leaning(style, colors, ramp, facing, form, whole),
             None => shade,
         }
     }
@@ -102,8 +109,8 @@ impl Shade {
     }
 
     /// Light and shadow where the light leans on the form of the whole smoke. `own`, `whole`: cosines to the light.
-    fn leaning(self, style: &Style, ramp: &Ramp, own: f64, form: &Form, whole: f64) -> Self {
-        let (light, lit_from) = (&style.illumination, style.lit_from);
+    fn leaning(self, style: &Style, light: &Illumination, ramp: &Ramp, own: f64, form: &Form, whole: f64) -> Self {
+        let lit_from = style.lit_from;
         let lit_at = |own: f64| {
             let facing = own + form.lean * (whole - own);
             Self::of(ramp, light, facing.max(lit_from), false).as_lit()

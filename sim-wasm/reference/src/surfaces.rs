@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::light::Light;
 use crate::mesh::Mesh;
 use crate::ray::Ray;
-use crate::scene::{Illumination, Ramp, Shape, Surface};
+use crate::scene::{Ramp, Shape, Style, Surface};
 use crate::shade::Shade;
 use crate::triangles::{Crossing, Triangles};
 
@@ -33,13 +33,7 @@ impl<'a> Solids<'a> {
     }
 
     /// The surface that a ray meets between two depths, with its depth and colours.
-    pub fn meet(
-        &self,
-        ray: Ray,
-        depths: [f64; 2],
-        light: &Light,
-        colors: &Illumination,
-    ) -> Option<(usize, f64, Shade)> {
+    pub fn meet(&self, ray: Ray, depths: [f64; 2], light: &Light, style: &Style) -> Option<(usize, f64, Shade)> {
         let mut nearest: Option<(usize, Crossing)> = None;
         for (index, (solid, _)) in self.solids.iter().enumerate() {
             solid.cross(ray.origin, ray.direction, &mut |crossing| {
@@ -53,12 +47,10 @@ impl<'a> Solids<'a> {
         }
         nearest.map(|(index, crossing)| {
             let ramp: &Ramp = &self.solids[index].1.ramp;
-            let towards_light = light.towards(ray.at(crossing.at));
-            (
-                index,
-                crossing.at,
-                Shade::of(ramp, colors, crossing.normal.dot(towards_light), false),
-            )
+            let place = ray.at(crossing.at);
+            let facing = crossing.normal.dot(light.towards(place));
+            let shade = Shade::of(ramp, &light.at(place, style), facing, false);
+            (index, crossing.at, shade)
         })
     }
 

@@ -178,6 +178,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'light.kind': 'sun lamp source',
   'light.azimuth': 'sun angle rotation',
   'light.elevation': 'sun angle altitude',
+  'light.decay': 'lamp falloff fade attenuation distance',
   'light.color': 'sun lamp hue night dusk sunset',
   'light.intensity': 'sun lamp brightness dark night dusk exposure',
   'light.ambientColor': 'sky shadow shade hue night dusk',

@@ -25,7 +25,7 @@ export interface SceneOfCode {
 const OWN: AnyValues = { 'emitters.0.shape': 'disc', 'emitters.0.share': 1 };
 /** What a scene of three.js has of its own. */
 const OF_SCENE =
-  /^(scene$|light\.(kind|azimuth|elevation|distance)$|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
+  /^(scene$|light\.(kind|azimuth|elevation|distance|decay)$|camera\.|style\.(renderer|backdrop|volumes)$)|\.rigid$/;
 const NEEDED = ['seed', 'simulation.maxParticles'];
 /** The shape of emitters on meshes, as scenes write it. */
 const SURFACE = 8;

@@ -34,6 +34,11 @@ const viewWords: WordsOf<[...typeof lightRows, ...typeof cameraRows]> = {
     step: 0.1,
     slider: 'fine',
   },
+  'light.decay': {
+    label: 'Decay',
+    text: 'How fast the light of a lamp weakens with distance: 0 not at all, 2 as in nature. At the centre of the scene it keeps its strength.',
+    step: 0.1,
+  },
   'light.color': { label: 'Light colour', text: 'Colour of the light. White shows the tones of the style.' },
   'light.intensity': {
     label: 'Light strength',

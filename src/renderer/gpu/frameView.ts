@@ -18,6 +18,11 @@ export const MAX_PLANES = 8;
 export interface StyleUniforms extends Record<string, IUniform> {
   /** Width of the outlines in pixels of the target; 0 draws no lines. */
   inkPixels: IUniform<number>;
+  /** See shaders/lib/falloff.glsl. */
+  lampLight: IUniform<ThreeColor>;
+  lampStrength: IUniform<number>;
+  ambientLight: IUniform<ThreeColor>;
+  lampRim: IUniform<ThreeColor>;
   /** Factor on display-encoded colours at the low end of the gradient; at its high end it is 1. */
   gradientFactor: IUniform<ThreeColor>;
 }
@@ -35,6 +40,9 @@ export interface ViewUniforms extends StyleUniforms, RowUniforms {
   /** (unit vector towards the light, 0) or (position of the light, 1), see shaders/lib/light.glsl. */
   lightInWorld: IUniform<Vector4>;
   lightInView: IUniform<Vector4>;
+  /** How the light of a lamp weakens, see shaders/lib/falloff.glsl. */
+  lampReach: IUniform<Vector4>;
+  lampCone: IUniform<Vector4>;
   /** World-space box of everything that receives shadow. Shadow volumes end where they leave it. */
   receiversMin: IUniform<Vector3>;
   receiversMax: IUniform<Vector3>;
@@ -66,6 +74,8 @@ export class FrameView {
       near: { value: 0.1 },
       lightInWorld: { value: new Vector4(0, 1, 0, 0) },
       lightInView: { value: new Vector4(0, 1, 0, 0) },
+      lampReach: { value: new Vector4() },
+      lampCone: { value: new Vector4() },
       receiversMin: { value: new Vector3() },
       receiversMax: { value: new Vector3() },
       clippingPlanes: { value: new Float32Array(4 * MAX_PLANES) },
@@ -92,6 +102,12 @@ export class FrameView {
     this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
     this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
+  }
+
+  /** Sets how the light of a lamp weakens, as shaders/lib/falloff.glsl takes it. */
+  weaken({ reach, cone }: { reach: Vector4; cone: Vector4 }): void {
+    this.uniforms.lampReach.value.copy(reach);
+    this.uniforms.lampCone.value.copy(cone);
   }
 
   /** Unit vector along which the light travels at a point, world space; downwards at the place of a lamp. */

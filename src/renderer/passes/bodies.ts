@@ -12,7 +12,7 @@ import lobesFragmentShader from '../../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../../shaders/bodies/lobes.vert';
 import { DrawnRows, type RowGeometry } from '../gpu/drawnRows.ts';
 import type { FrameView } from '../gpu/frameView.ts';
-import { DEFORMED, withLobes, type Shaders } from '../gpu/programsAhead.ts';
+import { DEFORMED, FALLOFF, withLobes, type Shaders } from '../gpu/programsAhead.ts';
 import type { PuffTextures } from '../gpu/puffTextures.ts';
 import type { RampTexture } from '../gpu/ramps.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
@@ -28,6 +28,8 @@ export interface BodyKind {
   isShaded: boolean;
   /** Whether lobe puffs turn or stretch with the air, or unfold. */
   isDeformed: boolean;
+  /** Whether the light weakens with the distance from a lamp. */
+  isFalling?: boolean;
   /** Whether planes cut off puffs. A loop over them costs a fifth of a body, also without planes. */
   isClipped?: boolean;
 }
@@ -44,6 +46,8 @@ export class BodiesPass {
   private readonly isFlat: boolean;
   private readonly planeCount: IUniform<number>;
   private billboards: Shaders | undefined;
+  /** Whether the light weakens with the distance from a lamp, from the next `setForm` on. */
+  isFalling = false;
   private isShaded = false;
   private isClipped = false;
   private readonly common: Record<string, IUniform>;
@@ -77,7 +81,7 @@ export class BodiesPass {
     this.common = {
       ...eye.uniforms,
       ...this.uniforms,
-      ramps: { value: ramps.texture },
+      ...ramps.uniforms,
       ...this.puffUniforms,
     };
     this.rows = new DrawnRows(this.lobesMaterial());
@@ -169,8 +173,8 @@ export class BodiesPass {
   }
 
   private get kind(): BodyKind {
-    const { isFlat, isShaded, isClipped, puffs } = this;
-    return { isFlat, isShaded, isClipped, isDeformed: puffs.isDeformed };
+    const { isFlat, isShaded, isFalling, isClipped, puffs } = this;
+    return { isFlat, isShaded, isFalling, isClipped, isDeformed: puffs.isDeformed };
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -198,11 +202,12 @@ export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   };
 }
 
-function definesOf({ isFlat, isShaded, isDeformed, isClipped }: BodyKind): Shaders['defines'] {
+function definesOf({ isFlat, isShaded, isDeformed, isFalling, isClipped }: BodyKind): Shaders['defines'] {
   return {
     ...(isFlat && { FLAT: '' }),
     ...(isShaded && { SHADING: '' }),
     ...(isDeformed && DEFORMED),
+    ...(isFalling && FALLOFF),
     ...(isClipped && { CLIPPED: '' }),
   };
 }

@@ -6,6 +6,7 @@ import fragmentShader from '../../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../../shaders/surfaces/surfaces.vert';
 import { DrawnMesh } from '../gpu/drawnMesh.ts';
 import type { FrameView } from '../gpu/frameView.ts';
+import { setFalloff } from '../gpu/programsAhead.ts';
 import type { RampTexture } from '../gpu/ramps.ts';
 import type { SurfaceDescription } from './surface.ts';
 import { SurfaceGeometry } from './surfaceGeometry.ts';
@@ -42,7 +43,7 @@ export class SurfacesPass {
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
-      uniforms: { ...placed, ramps: { value: ramps.texture }, firstMaterial: { value: firstMaterial } },
+      uniforms: { ...placed, ...ramps.uniforms, firstMaterial: { value: firstMaterial } },
     });
     this.surfaces = new DrawnMesh(fill, new SurfaceGeometry(surfaces));
     this.hull = hullMaterial({ ...placed, isRaised: { value: false } }, hullFragmentShader);
@@ -66,6 +67,11 @@ export class SurfacesPass {
   /** Replaces the surfaces by others with the same vertices. */
   show(surfaces: readonly SurfaceDescription[]): void {
     this.surfaces.mesh.geometry.show(surfaces);
+  }
+
+  /** @param isFalling whether the light weakens with the distance from a lamp */
+  setFalloff(isFalling: boolean): void {
+    setFalloff(this.surfaces.material, isFalling);
   }
 
   /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */

@@ -11,7 +11,7 @@ import {
   type Ramp,
   type Tone,
 } from '../../../src/renderer/gpu/ramps.ts';
-import { illuminationOf } from '../../../src/renderer/light.ts';
+import { illuminationOf, lampLightOf } from '../../../src/renderer/light.ts';
 import {
   isFlat,
   parseColor,
@@ -216,6 +216,33 @@ describe('RampTexture under another light', () => {
     expect(illuminationOf(values)).toEqual({ direct: [0.5, 0, 0], ambient: [3, 3, 3] });
     // An sRGB code of 188 is 0.5029 of white.
     expect(illuminationOf({ ...values, 'light.ambientColor': '#bcbcbc' }).ambient[0]).toBeCloseTo(3 * 0.5029, 3);
+  });
+
+  it('is stronger at 1 m from a lamp with decay by the distance of the lamp, and of no other light', () => {
+    const lamp: Values = { ...defaults(), 'light.kind': 'lamp', 'light.distance': 3, 'light.color': '#ff0000' };
+    expect(lampLightOf({ ...lamp, 'light.decay': 2, 'light.intensity': 0.5 })).toEqual([4.5, 0, 0]);
+    expect(lampLightOf(lamp)).toBeUndefined();
+    expect(lampLightOf({ ...lamp, 'light.kind': 'sun', 'light.decay': 2 })).toBeUndefined();
+    expect(lampLightOf({ ...lamp, 'style.renderer': 'selle', 'light.decay': 2 })).toBeUndefined();
+  });
+
+  it('has the light of the style for a lamp with decay, and the share of the fill light as alpha', () => {
+    const ramps = new RampTexture(1);
+    const stops = parseStops('0:404040,.5:c0c0c0');
+    const ramp = rampOf([255, 255, 255], { tones: 2, shading: true, fill: 1, stops, isBlended: true });
+    ramps.write(0, ramp, { direct: [0, 0, 0], ambient: [0, 0, 0] }, true);
+    const data = ramps.styled.image.data as Uint8Array;
+    const texel = (row: number, column: number) => [...data.subarray(4 * (256 * row + column)).subarray(0, 4)];
+    expect([texel(0, 0), texel(1, 64), texel(1, 128)]).toEqual([
+      [64, 64, 64, 0],
+      [128, 128, 128, 0],
+      [192, 192, 192, 0],
+    ]);
+    expect([texel(2, 0), texel(3, 64), texel(3, 128)]).toEqual([
+      [192, 192, 192, 255],
+      [192, 192, 192, 128],
+      [192, 192, 192, 0],
+    ]);
   });
 
   it.each([

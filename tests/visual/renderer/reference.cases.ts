@@ -45,7 +45,12 @@ const SCENES = {
     cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }, 0, deformation),
   eroded: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, erosion),
   erodedByLamp: () =>
-    cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, erosion),
+    cluster(
+      looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]),
+      { lamp: [-0.6, 1.5, 0.5], falloff: { decay: 1.5 } },
+      0,
+      erosion,
+    ),
   erodedAndDeformed: () =>
     cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, (next) => ({
       ...deformation(next),
@@ -55,7 +60,8 @@ const SCENES = {
   eyeInside: () => cluster(looking(perspective(), [0.1, -0.1, 0.5], [0, -0.4, -0.8]), { towardsLight: [0.1, 1, 0.1] }),
   backlit: () => cluster(looking(perspective(), [0, 0.6, 4.5], [0, -0.2, 0]), { towardsLight: [0.1, 0.35, -1] }),
   touching: () => cluster(looking(perspective(), [0.4, 0.4, 3.6], [0, -0.7, 0]), SUN, -0.6),
-  byLamp: () => cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }),
+  byLamp: () =>
+    cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5], falloff: { decay: 2 } }),
   byLampAmongPuffs: () => cluster(looking(orthographic(), [2, 2.5, 5], [0, -0.2, 0]), { lamp: [0.3, 0.1, -0.2] }),
   lampAmongPuffs: () =>
     cluster(looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), { lamp: [0.3, 0.55, -0.2] }),
@@ -93,7 +99,7 @@ function looking(camera: Camera, from: [number, number, number], at: [number, nu
  */
 function cluster(
   camera: Camera,
-  light: Pick<LabScene, 'towardsLight' | 'lamp'>,
+  light: Pick<LabScene, 'towardsLight' | 'lamp' | 'falloff'>,
   raised = 0,
   change: (next: () => number) => Partial<LabPuff> = () => ({}),
 ): Shown {

@@ -107,6 +107,8 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
 ];
 /** A red sun and a blue sky, which ink and the rim follow. */
 const DUSK = { illumination: { direct: [0.9, 0.35, 0.2], ambient: [0.25, 0.3, 0.6] }, inkLight: 0.8 } as const;
+/** A lamp whose light weakens with distance. */
+const FADING = { lampLight: [3, 1.8, 0.9] } as const;
 const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
   [
     'perspective',
@@ -117,7 +119,16 @@ const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
       { ...DUSK, plumeForm: 0.6, shadowSteps: 2, shadowDepth: 3 },
     ],
   ],
-  ['byLamp', [{ ...DUSK, ...BILLBOARDS, stops: STOPS }]],
+  [
+    'byLamp',
+    [
+      { ...DUSK, ...BILLBOARDS, stops: STOPS },
+      { ...DUSK, ...FADING, tones: 3, fill: 0.4, rim: 0.5 },
+      { ...DUSK, ...FADING, ...BILLBOARDS, stops: STOPS },
+      { ...DUSK, ...FADING, ageColors: FIRE, heatColors: STOPS, plumeForm: 0.6 },
+    ],
+  ],
+  ['erodedByLamp', [{ ...ERODED, ...FADING, ...STRETCHED }]],
 ];
 /** Light by the form of the whole smoke. */
 const FORMS: readonly (readonly [SceneName, readonly Mode[]])[] = [

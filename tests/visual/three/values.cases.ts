@@ -86,6 +86,7 @@ export async function ofHost(link: string) {
   const given = {
     scene: 'train',
     'light.azimuth': 20,
+    'light.decay': 2,
     'camera.distance': 3,
     'style.renderer': 'selle',
     'style.backdrop': '0:112233,1:445566',

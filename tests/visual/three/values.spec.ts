@@ -37,7 +37,7 @@ test('smoke ignores what the scene of the host determines, and set names it', as
     (module, given) => module.ofHost(given),
     link,
   );
-  expect(errors.filter((error) => /^ParameterError: .*your scene sets it/.test(error))).toHaveLength(5);
+  expect(errors.filter((error) => /^ParameterError: .*your scene sets it/.test(error))).toHaveLength(6);
   expect(errors.filter((error) => /^ParameterError: .*at creation only/.test(error))).toHaveLength(2);
   expect(kept).toEqual([]);
   expect(sizes).toEqual([2, 2]);

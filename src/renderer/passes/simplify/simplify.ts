@@ -8,6 +8,7 @@ import tonesShader from '../../../../shaders/simplify/tones.frag';
 import { FLAT_TILE } from '../../../base/constants.ts';
 import type { FrameView } from '../../gpu/frameView.ts';
 import { DrawnPoints, FullScreen } from '../../gpu/fullScreen.ts';
+import { setFalloff } from '../../gpu/programsAhead.ts';
 import { pictureTarget, type Targets } from '../targets.ts';
 import type { RampTexture } from '../../gpu/ramps.ts';
 import { PlumeForm, type Particles } from './plumeForm.ts';
@@ -45,13 +46,14 @@ export class SimplifyPass {
   /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
   private leaning: { readonly form: PlumeForm; readonly tones: DrawnPoints } | undefined;
   private readonly eye: FrameView;
+  private isFalling = false;
 
   constructor(eye: FrameView, ramps: RampTexture) {
     const [fields, across, tiles, flatTiles] = [this.fields, this.across, this.tiles, this.flatTiles].map(
       ({ texture: value }) => ({ value }),
     );
     const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles };
-    const tones = { ...common, fields, across, ramps: { value: ramps.texture } };
+    const tones = { ...common, fields, across, ...ramps.uniforms };
     this.passes = [
       new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),
@@ -74,6 +76,11 @@ export class SimplifyPass {
     uniforms.reach.value = Math.ceil(REACH * deviation);
     uniforms.isBanded.value = isBanded;
     uniforms.litFrom.value = litFrom;
+  }
+
+  /** @param isFalling whether the light weakens with the distance from a lamp */
+  setFalloff(isFalling: boolean): void {
+    this.isFalling = isFalling;
   }
 
   /**
@@ -112,9 +119,10 @@ export class SimplifyPass {
 
   /** What it draws with. @param hasForm whether light follows the form of the smoke */
   meshes(hasForm: boolean): readonly (FullScreen | DrawnPoints)[] {
-    if (!hasForm) return this.passes;
-    this.leaning ??= this.createLeaning();
-    return [...this.passes.slice(0, -1), this.leaning.tones];
+    if (hasForm) this.leaning ??= this.createLeaning();
+    const passes = hasForm ? [...this.passes.slice(0, -1), this.leaning!.tones] : this.passes;
+    setFalloff(passes.at(-1)!.material, this.isFalling);
+    return passes;
   }
 
   /** Releases the render targets until the next draw. */

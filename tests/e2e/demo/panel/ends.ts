@@ -24,7 +24,7 @@ const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.washColor$/, { 'style.wash': 1 }],
   [/^style\.softColors$/, { 'style.ageRamp': '0:000000,1:ffffff' }],
   [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
-  [/^light\.distance$/, { 'light.kind': 'lamp' }],
+  [/^light\.(distance|decay)$/, { 'light.kind': 'lamp' }],
 ];
 
 const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, readonly [Value, Value]> = {

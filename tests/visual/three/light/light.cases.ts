@@ -12,11 +12,13 @@ import {
   RedFormat,
   SphereGeometry,
   SpotLight,
+  Vector3,
   type Light,
+  type Vector3Tuple,
 } from 'three';
 import type { Values } from '../../../../src/parameters/parameter.ts';
 import type { KeyLight } from '../../../../src/three/keyLight.ts';
-import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, type Host, type Pixels } from '../scene.ts';
+import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, WIDTH, type Host, type Pixels } from '../scene.ts';
 
 /** Linear reflectance of the material: C of Eq. 2. */
 const MATERIAL = [0.7, 0.45, 0.2];
@@ -78,6 +80,104 @@ export async function underLights(name: string): Promise<{ smoke: Colors; ball: 
   const ofBall = colorsOf(draw(host));
   dispose(smoke, host.renderer);
   return { smoke: ofSmoke, ball: ofBall };
+}
+
+/** A scene of two puffs by a lamp. */
+interface ByLamp {
+  readonly lamp: () => PointLight | SpotLight;
+  /** Position and scale of the smoke object. */
+  readonly smoke?: readonly [place: Vector3Tuple, scale: number];
+  readonly values?: Values;
+}
+
+/** Left and right. */
+const PUFFS: readonly [Vector3Tuple, Vector3Tuple] = [
+  [-0.9, 1, 0],
+  [0.9, 1, 0],
+];
+const NEAR_LEFT: Vector3Tuple = [-1.2, 2, 1.2];
+
+export const LAMPS: Readonly<Record<string, ByLamp>> = {
+  'a lamp that decays': { lamp: () => movedTo(new PointLight('#ffffff', 8), NEAR_LEFT) },
+  'simplified light': { lamp: () => movedTo(new PointLight('#ffffff', 8), NEAR_LEFT), values: { 'style.simplify': 1 } },
+  'a lamp that ends': { lamp: () => movedTo(new PointLight('#ffd0a0', 8, 3.2, 1), NEAR_LEFT) },
+  'a lamp that ends before the smoke object': {
+    lamp: () => movedTo(new PointLight('#ffffff', 8, 3.2), NEAR_LEFT),
+    smoke: [[9, 0, 0], 1],
+  },
+  'a spot light on one puff': { lamp: () => aimed(new SpotLight('#ffffff', 8, 0, 0.3), PUFFS[0]) },
+  'a spot light whose edge is at the other puff': {
+    lamp: () => aimed(new SpotLight('#ffffff', 20, 0, 0.9, 0.8), PUFFS[0]),
+  },
+  'smoke of half the size': {
+    lamp: () => aimed(new SpotLight('#ffffff', 20, 4, 0.9, 0.8), PUFFS[0]),
+    smoke: [[0.5, 0.2, 0], 0.5],
+  },
+};
+
+function movedTo<Kind extends Light>(light: Kind, place: Vector3Tuple): Kind {
+  light.position.set(...place);
+  return light;
+}
+
+function aimed(light: SpotLight, target: Vector3Tuple): SpotLight {
+  light.target.position.set(...target);
+  light.target.updateMatrixWorld();
+  return movedTo(light, NEAR_LEFT);
+}
+
+/** The colours of both puffs, from dark to light, and what each must have by the formulas of three.js. */
+export async function byLamp(name: string): Promise<{ smoke: [Colors, Colors]; expected: [Colors, Colors] }> {
+  const host = lightless();
+  const { lamp, smoke: [place, scale] = [[0, 0, 0], 1], values } = LAMPS[name];
+  const keyLight = lamp();
+  host.scene.add(keyLight, white);
+  const given: Values = { ...PLAIN, 'emission.rate': 0, 'emission.density': '0:1,1:1', ...values };
+  const smoke = await smokeIn({ ...host, keyLight: keyLight as never }, given, { light: 'scene', space: 'local' });
+  smoke.position.set(...place);
+  smoke.rotation.y = scale === 1 ? 0 : 0.7;
+  smoke.scale.setScalar(scale);
+  smoke.step(1);
+  for (const puff of PUFFS) {
+    const position = new Vector3(...puff);
+    smoke.burst({ position, count: 1, size: 0.5 / scale, sizeVariation: 0, speed: 0, shape: 'point', lifetime: 10 });
+  }
+  smoke.step(20);
+  const pixels = draw(host);
+  const halves = [0, 1].map((half) => colorsOf(halfOf(pixels, half)));
+  const expected = PUFFS.map((puff) => {
+    const colors = TONES.map(({ q }) => colorBy(keyLight, new Vector3(...puff), q));
+    return colors.filter((color, tone) => tone === 0 || String(color) !== String(colors[tone - 1]));
+  });
+  dispose(smoke, host.renderer);
+  return { smoke: halves as [Colors, Colors], expected: expected as [Colors, Colors] };
+}
+
+/** C (1 + I q) / pi under white ambient light of 1 and the light I that reaches a place, display-encoded. */
+function colorBy(light: PointLight | SpotLight, place: Vector3, q: number): number[] {
+  const { color, intensity, decay, distance, position } = light;
+  const metres = position.distanceTo(place);
+  const end = distance > 0 ? Math.max(0, 1 - (metres / distance) ** 4) ** 2 : 1;
+  let reach = end / metres ** decay;
+  if (light instanceof SpotLight) {
+    const towards = light.target.position.clone().sub(position).normalize();
+    const cosine = place.clone().sub(position).normalize().dot(towards);
+    const [edge, full] = [light.angle, light.angle * (1 - light.penumbra)].map(Math.cos);
+    const share = full > edge ? Math.min(1, Math.max(0, (cosine - edge) / (full - edge))) : Number(cosine > edge);
+    reach *= share * share * (3 - 2 * share);
+  }
+  const shown = new Color(
+    ...color.toArray().map((channel, index) => (MATERIAL[index] * (1 + intensity * reach * channel * q)) / Math.PI),
+  );
+  return shown
+    .convertLinearToSRGB()
+    .toArray()
+    .map((channel) => Math.round(255 * Math.min(1, channel)));
+}
+
+function halfOf(pixels: Pixels, half: number): Pixels {
+  const side = WIDTH / 2;
+  return pixels.filter((_, index) => Math.floor(((index / 4) % WIDTH) / side) === half);
 }
 
 /**
@@ -171,5 +271,8 @@ function colorsOf(pixels: Pixels): Colors {
   const own = [...counts].filter(([color, count]) => count >= FEW_PIXELS && color !== '255,0,255');
   const colors = own.map(([color]) => color.split(',').map(Number));
   const sum = (color: readonly number[]) => color.reduce((all, channel) => all + channel, 0);
-  return colors.toSorted((a, b) => sum(a) - sum(b));
+  // Puffs at slightly different distances from a lamp differ by rounding.
+  const isNew = (color: readonly number[], before?: readonly number[]) =>
+    !before || color.some((channel, index) => Math.abs(channel - before[index]) > 1);
+  return colors.toSorted((a, b) => sum(a) - sum(b)).filter((color, tone, all) => isNew(color, all[tone - 1]));
 }

@@ -32,6 +32,29 @@ for (const [name, tones] of Object.entries(LIGHTS)) {
   });
 }
 
+for (const name of [
+  'a lamp that decays',
+  'simplified light',
+  'a lamp that ends',
+  'a lamp that ends before the smoke object',
+  'a spot light on one puff',
+  'a spot light whose edge is at the other puff',
+  'smoke of half the size',
+]) {
+  test(`each puff has the light that reaches it: ${name}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { smoke, expected } = await cases.evaluate((module, given) => module.byLamp(given), name);
+    for (const half of [0, 1] as const) {
+      const [found, wanted] = [smoke[half], expected[half]];
+      const both = JSON.stringify({ found, wanted });
+      expect(found, both).toHaveLength(wanted.length);
+      const gaps = found.flatMap((color, tone) => color.map((channel, at) => Math.abs(channel - wanted[tone][at])));
+      expect(Math.max(...gaps), both).toBeLessThanOrEqual(2);
+    }
+    expect(expected[0]).not.toEqual(expected[1]);
+  });
+}
+
 test('the light of the style is that of no scene, and the key light of smoke can be replaced', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.changes())).toEqual({

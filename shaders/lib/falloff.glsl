@@ -1,0 +1,63 @@
+// FALLOFF: direct light that weakens with the distance from a lamp, see docs/design/rendering.md.
+// Factors on the direct light where the strength is 1, the largest of which is 1, and on the ambient light.
+uniform vec3 lampLight;
+uniform vec3 ambientLight;
+// Linear colour of the rim where the strength is 1.
+uniform vec3 lampRim;
+uniform float lampStrength;
+// As PointLight of three.js: exponent, 1 / distance of the end, least distance raised to the exponent, and a factor.
+uniform vec4 lampReach;
+// The dot product of xyz and the direction to the lamp, plus w, goes from 0 to 1 from the edge of the cone inwards.
+uniform vec4 lampCone;
+// Ramps in the light of the style, linear.
+uniform sampler2D styledRamps;
+
+#include srgb.glsl
+
+// Strength of the direct light where the shader is.
+float strength;
+
+// @param way to the lamp, world space
+float strengthAt(vec3 way) {
+  float distance = max(length(way), 1e-6);
+  float atEnd = clamp(1.0 - pow(distance * lampReach.y, 4.0), 0.0, 1.0);
+  float inside = clamp(dot(lampCone.xyz, way) / distance + lampCone.w, 0.0, 1.0);
+  float cone = inside * inside * (3.0 - 2.0 * inside);
+  return lampStrength * lampReach.w * cone * atEnd * atEnd / max(pow(distance, lampReach.x), lampReach.z);
+}
+
+// Strengths from 0 up as numbers below 1. In 8 bits, tones up to white are exact to 2 of 255.
+float packStrength(float strength) {
+  float power = pow(strength, 2.0 / 3.0);
+  return min(power / (1.0 + power), 0.997);
+}
+
+float unpackStrength(float code) {
+  float power = code / (1.0 - code);
+  return power * sqrt(power);
+}
+
+// Reads the strength from the fraction of a ramp index. Returns it packed.
+float takeStrength(inout float material) {
+  float code = fract(material);
+  material = floor(material);
+  strength = unpackStrength(code);
+  return code;
+}
+
+vec3 rimInLight() {
+  return displayFromLinear(min(lampRim * strength, 1.0));
+}
+
+// S a + (T - S) k f for a texel T of the ramps, linear. Its alpha is the share of the fill light, which stays.
+vec3 linearInLight(ivec2 texel) {
+  int first = texel.y & ~3;
+  vec4 tone = texelFetch(styledRamps, texel, 0);
+  vec3 ambient = texelFetch(styledRamps, ivec2(0, first), 0).rgb;
+  vec3 byFill = tone.a * (texelFetch(styledRamps, ivec2(0, first + 2), 0).rgb - ambient);
+  return ambient * ambientLight + (tone.rgb - ambient - byFill) * lampLight * strength + byFill;
+}
+
+vec3 inLight(ivec2 texel) {
+  return displayFromLinear(clamp(linearInLight(texel), 0.0, 1.0));
+}
