@@ -42,9 +42,6 @@ layout(location = 2) out vec4 shading;
 #endif
 
 #include ../lib/depth.glsl
-#ifdef FALLOFF
-#include ../lib/falloff.glsl
-#endif
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl
@@ -94,11 +91,7 @@ void main() {
   lit.rgb = vec3(packPosition(position), ink);
 #else
   vec3 gradient = paint.rgb * mix(gradientFactor, vec3(1.0), position);
-#ifdef FALLOFF
-  Shades shades = shade(light, ramps, material, gradient, rimInLight());
-#else
   Shades shades = shade(light, ramps, material, gradient, rimColor);
-#endif
   unlit.rgb = mix(shades.unlit, inkColor, ink);
   lit.rgb = mix(shades.lit, inkColor, ink);
 #endif

@@ -37,8 +37,7 @@ flat out vec3 towardsLight;
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
 #ifdef FALLOFF
-uniform vec4 lightInWorld;
-#include ../lib/falloff.glsl
+float packedStrengthAt(vec3 place);
 #endif
 
 void main() {
@@ -57,7 +56,7 @@ void main() {
   towardsLight = towardsLightFrom(lightInView, centre);
   rampIndex = materialOf(attributes, ramps);
 #ifdef FALLOFF
-  rampIndex += packStrength(strengthAt(lightInWorld.xyz - place.xyz));
+  rampIndex += packedStrengthAt(place.xyz);
 #endif
   vec4 clip = clipFromView * vec4(centre + vec3(point * radius, 0.0), 1.0);
   gradientPosition = dot(gradientWeights, vec3(0.5 + 0.5 * point.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes)));

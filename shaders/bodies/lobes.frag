@@ -38,9 +38,6 @@ layout(location = 2) out vec4 shading;
 
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
-#ifdef FALLOFF
-#include ../lib/falloff.glsl
-#endif
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl
@@ -236,11 +233,7 @@ void main() {
   lit.rgb = vec3(packPosition(position), ink);
 #else
   vec3 gradient = mix(gradientFactor, vec3(1.0), position);
-#ifdef FALLOFF
-  Shades shades = shade(light, ramps, material, gradient, rimInLight());
-#else
   Shades shades = shade(light, ramps, material, gradient, rimColor);
-#endif
   unlit.rgb = mix(shades.unlit, inkColor, ink);
   lit.rgb = mix(shades.lit, inkColor, ink);
 #endif

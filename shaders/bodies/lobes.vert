@@ -37,8 +37,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/material.glsl
 #include ../lib/orientation.glsl
 #ifdef FALLOFF
-uniform vec4 lightInWorld;
-#include ../lib/falloff.glsl
+float packedStrengthAt(vec3 place);
 #endif
 #ifdef BITES
 mat2x3 bitesIn(mat3 viewFromPuff);
@@ -115,7 +114,7 @@ void main() {
   middleAndInkReach = vec4(middle, inkReach * exp2(-inkSwell));
   depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
 #ifdef FALLOFF
-  depthsAndRamp.w += packStrength(strengthAt(lightInWorld.xyz - place.xyz));
+  depthsAndRamp.w += packedStrengthAt(place.xyz);
 #endif
 #ifdef DEFORMED
   // The fragment shader computes the same projection; interpolating it would take vectors that not every device has.

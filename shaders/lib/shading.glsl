@@ -16,7 +16,7 @@ const vec2 LOG_RADII = vec2(-10.0, 6.0);
 
 // The two colours of a pixel of smoke hold what does not depend on the light instead: the unlit one the colour C of Eq. 2,
 // and the lit one the position along the gradient in two bytes of red and green, and the opacity of ink in blue. FALLOFF: the alpha of
-// the unlit one is the strength of the light, see falloff.glsl.
+// the unlit one is the strength of the light, see falloff/falloff.glsl.
 vec2 packPosition(float position) {
   float number = floor(65535.0 * position + 0.5);
   float high = floor(number / 256.0);

@@ -31,7 +31,9 @@ out vec4 pixel;
 #define ALONG_COLUMNS
 #include smoothing.glsl
 #ifdef FALLOFF
-#include ../lib/falloff.glsl
+void unpackStrength(float code);
+vec3 inLight(ivec2 texel);
+vec3 rimInLight();
 #endif
 #ifdef FORM
 #include ../lib/depth.glsl
@@ -82,7 +84,7 @@ void main() {
   Shading own = unpackShading(texelFetch(shading, at, 0));
 #ifdef FALLOFF
   if (own.radius > 0.0) {
-    strength = unpackStrength(shadowed.a);
+    unpackStrength(shadowed.a);
     shadowed.a = 1.0;
   }
 #endif

@@ -15,16 +15,13 @@ layout(location = 1) out vec4 lit;
 layout(location = 2) out float number;
 
 #include ../lib/light.glsl
-#ifdef FALLOFF
-#include ../lib/falloff.glsl
-#endif
 #include ../lib/shade.glsl
 
 void main() {
   vec3 towardsLight = towardsLightFrom(lightInWorld, worldPlace);
   Lighting light = lightingOf(normalize(worldNormal), towardsLight, 0.0);
 #ifdef FALLOFF
-  strength = strengthAt(lightInWorld.xyz - worldPlace);
+  findStrength(worldPlace);
 #endif
   Shades shades = shade(light, ramps, material, vec3(1.0), vec3(0.0));
   unlit = vec4(shades.unlit, 1.0);

@@ -1,6 +1,7 @@
 /** Code that few smokes need. It is loaded on first use and shared by all smokes of the thread. */
 import type { PassSources } from './frameInput.ts';
 import type { PuffForm } from './gpu/puffTextures.ts';
+import type { Factors } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import type { DebugView } from '../parameters/quality.ts';
 import { LoadError } from '../base/errors.ts';
@@ -18,6 +19,7 @@ const modules = new LazyModules({
   simplify: () => import('./passes/simplify/simplify.ts'),
   strokes: () => import('./passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
+  falloff: () => import('./falloff.ts'),
 });
 /** The modules that are loaded. */
 export const { loaded } = modules;
@@ -40,6 +42,8 @@ export interface PictureKind {
   readonly strokes: number;
   /** Whether puffs have bites. */
   readonly isEroded: boolean;
+  /** The light of a lamp that weakens with distance. */
+  readonly lampLight?: Factors;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
@@ -66,7 +70,7 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, view, isTiled } = kind;
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, view, isTiled } = kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -76,6 +80,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(isSimplified(kind) && { simplify: 'Simplified light' }),
     ...(hasStrokes(kind) && { strokes: 'Strokes' }),
     ...(isEroded && { bites: 'Bites' }),
+    ...(lampLight && { falloff: 'The decay of light' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

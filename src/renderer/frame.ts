@@ -5,7 +5,7 @@ import type { PuffRows } from './gpu/puffRows.ts';
 import { ALL_PARTICLES } from '../simulator/view.ts';
 import { countVolumes, limitOf, type ArrangedFrame, type SmokePasses } from './smokePasses.ts';
 import { hasStrokes, isSimplified } from './extraPasses.ts';
-import { homogeneous, packedFalloff } from './light.ts';
+import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { Style } from './style.ts';
 import { eyeView, lightView, shownWithin, smokeBox, viewSources } from './views.ts';
@@ -140,7 +140,7 @@ function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, 
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
-  if (light.kind === 'lamp' && light.falloff) passes.eye.weaken(packedFalloff(light.falloff));
+  if (light.kind === 'lamp') passes.eye.lampLight?.look(light.place, light.falloff);
   passes.scene?.place(rigids, parts ?? []);
   passes.scene?.refine(deviation ?? 0);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));

@@ -57,29 +57,26 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
-  const { isDeformed } = style;
+  const { isDeformed, lampLight } = style;
+  if (lampLight) await fetchExtras(style);
   const isShaded = isSimplified(style);
-  const isFalling = style.lampLight !== undefined;
-  const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed, isFalling });
+  const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
   const compile = async (...all: Shaders[]) => {
     for (const shaders of all) {
       if (!device.isUsable) return;
-      programs.compile(renderer, shaders);
+      programs.compile(renderer, lampLight ? codeOf('falloff').withFalloff(shaders) : shaders);
       await nextTask();
     }
   };
   await compile(bodies(false), SELF_TEST_SHADERS, volumeShaders(lobes, isDeformed));
   const [eye, ramps] = [new FrameView(styleUniforms()), new RampTexture(1)];
   const { surfaces, creases, volumes } = new SceneSurfaces(eye, ramps, 0, []);
-  surfaces.setFalloff(isFalling);
   const passes: object[] = [new BackdropPass(eye), surfaces, creases, volumes, new MaskPass()];
   await compile(...passes.flatMap(shadersOf), ...RESOLVE_SHADERS);
   await fetchExtras(style);
   if (isShaded) {
     const { SimplifyPass } = codeOf('simplify');
-    const simplify = new SimplifyPass(eye, ramps);
-    simplify.setFalloff(isFalling);
-    await compile(...shadersOf(simplify.meshes(style.plumeForm > 0)));
+    await compile(...shadersOf(new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0)));
   }
   if (hasStrokes(style)) await compile(...shadersOf(codeOf('strokes').strokeMaterials(eye, isDeformed)));
   await programs.finished(renderer);

@@ -3,6 +3,7 @@ import { FrameView } from './gpu/frameView.ts';
 import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
 import { RampTexture, type Color, blendedAt, toneAt, type Bands, type Tone } from './gpu/ramps.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
+import type { LampLight } from './falloff.ts';
 import type { FrameInput } from './frameInput.ts';
 import { plainColorOf, rampOf, surfaceToning, litThresholdOf, washed, multiply } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasStrokes } from './extraPasses.ts';
@@ -33,6 +34,7 @@ const PLAIN_PICTURE = {
   plumeForm: 0,
   strokes: 0,
   isEroded: false,
+  lampLight: undefined,
 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
@@ -51,6 +53,7 @@ export class SmokeRenderer {
   private readonly backdrop: SmokeOptions['backdrop'];
   private style: Style | undefined;
   private pixelRatio = 0;
+  private lampLight: LampLight | undefined;
   /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
@@ -115,6 +118,7 @@ export class SmokeRenderer {
   private release(): void {
     this.passes.release();
     this.ramps.dispose();
+    this.lampLight?.dispose();
   }
 
   private availableStyle(input: FrameInput): FrameInput {
@@ -126,19 +130,16 @@ export class SmokeRenderer {
   }
 
   private apply(style: Style, pixelRatio: number): void {
-    const { eye, scene, body, volumes, mask, resolve, extras } = this.passes;
+    const { eye, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
+    eye.lampLight = style.lampLight && (this.lampLight ??= new (codeOf('falloff').LampLight)());
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
-    const isFalling = style.lampLight !== undefined;
-    body.isFalling = isFalling;
-    scene?.surfaces.setFalloff(isFalling);
     body.setForm(extras.billboardsOf(style.form));
     extras.simplify?.setUniforms(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
-    extras.simplify?.setFalloff(isFalling);
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
     strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
@@ -168,10 +169,9 @@ export class SmokeRenderer {
       ...colors.map((color) => rampOf(color, style)),
     ];
     this.ramps.resize(ramps.length);
-    ramps.forEach((ramp, material) =>
-      this.ramps.write(material, ramp, style.illumination, style.lampLight !== undefined),
-    );
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
     this.ramps.writeBands(bands);
+    if (style.lampLight) this.lampLight!.apply(style, ramps);
   }
 }
 

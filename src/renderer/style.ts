@@ -2,11 +2,11 @@ import { Color as ThreeColor, type IUniform } from 'three';
 import type { StyleUniforms } from './gpu/frameView.ts';
 import { MAX_STRETCH } from '../base/constants.ts';
 import type { PuffForm } from './gpu/puffTextures.ts';
-import { linear, scaled, writeColor, type Color, type Factors, type Illumination, type Tone } from './gpu/ramps.ts';
+import { scaled, writeColor, type Color, type Factors, type Illumination, type Tone } from './gpu/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
 import { styleRows } from '../parameters/rows/style.ts';
 import { defaults } from '../parameters/values.ts';
-import { illuminationOf, lampLightOf } from './light.ts';
+import { hasDecay, illuminationOf } from './light.ts';
 import { parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
@@ -76,7 +76,7 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   heatColors: readonly Tone[];
   /** Factors on the light in which smoke and surfaces have the colours of the style. */
   illumination: Illumination;
-  /** Factors on the direct light at 1 m from a lamp whose light weakens with distance; absent for other light. */
+  /** Factors on the direct light of a lamp that weakens with distance, at the unit of its falloff; absent for other light. */
   lampLight?: Factors;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
@@ -100,6 +100,7 @@ export function styleOf(values: Values): Style {
   const fields = Object.fromEntries(
     rows.map((row) => [nameOf(row), fieldOf(row, (values as AnyValues)[row.key])]),
   ) as Fields;
+  const illumination = illuminationOf(values);
   const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
   const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
   return {
@@ -113,8 +114,8 @@ export function styleOf(values: Values): Style {
       (values['emission.dissolve'] === 'erode' || values['emission.dissolve'] === 'tear'),
     isTorn: values['emission.dissolve'] === 'tear',
     gradientHeights: [gradientBottom, gradientTop],
-    illumination: illuminationOf(values),
-    lampLight: lampLightOf(values),
+    illumination,
+    lampLight: hasDecay(values) ? illumination.direct : undefined,
     stops: ramp,
     isBlended: rampBlend,
     ageColors: ageRamp,
@@ -146,27 +147,19 @@ function fieldOf({ kind }: Parameter, value: Value | undefined): unknown {
 
 /**
  * Uniforms of a style, for the shaders of all passes: each number, toggle and colour that is a field of {@link Style},
- * by its name, and those of {@link StyleUniforms}.
+ * by its name, `inkPixels` and `gradientFactor`.
  */
 export function styleUniforms(): StyleUniforms {
   const uniforms = Object.entries(styleOf(defaults())).flatMap(([name, value]): [string, IUniform][] => {
     if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
     return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
   });
-  return {
-    ...Object.fromEntries(uniforms),
-    inkPixels: { value: 0 },
-    gradientFactor: { value: new ThreeColor() },
-    lampLight: { value: new ThreeColor() },
-    lampStrength: { value: 0 },
-    ambientLight: { value: new ThreeColor() },
-    lampRim: { value: new ThreeColor() },
-  };
+  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 }, gradientFactor: { value: new ThreeColor() } };
 }
 
 /** @param pixelRatio pixels of the target for each CSS pixel */
 export function setStyle(
-  { inkPixels, gradientFactor, lampLight, lampStrength, ambientLight, lampRim, ...uniforms }: StyleUniforms,
+  { inkPixels, gradientFactor, ...uniforms }: StyleUniforms,
   style: Style,
   pixelRatio: number,
 ): void {
@@ -183,21 +176,6 @@ export function setStyle(
   }
   inkPixels.value = inkPixelsOf(style, pixelRatio);
   gradientFactor.value.fromArray(gradientFactorOf(style));
-  setLamp({ lampLight, lampStrength, ambientLight, lampRim }, style);
-}
-
-/** Sets the uniforms of shaders/lib/falloff.glsl. */
-function setLamp(
-  uniforms: Pick<StyleUniforms, 'lampLight' | 'lampStrength' | 'ambientLight' | 'lampRim'>,
-  { lampLight, illumination, rimColor }: Style,
-): void {
-  if (!lampLight) return;
-  const strength = Math.max(...lampLight);
-  const light = lampLight.map((factor) => factor / (strength || 1));
-  uniforms.lampStrength.value = strength;
-  uniforms.lampLight.value.fromArray(light);
-  uniforms.ambientLight.value.fromArray(illumination.ambient);
-  uniforms.lampRim.value.fromArray(linear(rimColor).map((channel, at) => channel * light[at]));
 }
 
 /** Fills from the gradient's colour at its low end to the smoke's own colour at its high end. */

@@ -146,7 +146,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
         loadSimulators({ physics: options.physics ?? false }),
         // Casters that are balls are lobes and do not deform. Volumes are counted where the host's buffer is multisampled.
         fetchExtras({ ...hostStyle(values), form: 'lobes', isDeformed: false, volumes: 'counted' }),
-        fetchExtras(hostStyle(values)),
+        // Lamps of the host weaken.
+        fetchExtras({ ...hostStyle(values), ...(options.light === 'scene' && { lampLight: [1, 1, 1] }) }),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,

@@ -1,6 +1,7 @@
 import { MathUtils, Vector3, type DirectionalLight, type PointLight, type SpotLight } from 'three';
 import { ParameterError } from '../base/errors.ts';
-import { NEAREST, type Cone, type Falloff, type Light } from '../renderer/light.ts';
+import type { Cone, Falloff } from '../renderer/gpu/frameView.ts';
+import { NEAREST, type Light } from '../renderer/light.ts';
 
 /** A light of the host's scene that shades smoke. */
 export type KeyLight = DirectionalLight | PointLight | SpotLight;

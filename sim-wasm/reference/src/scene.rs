@@ -29,8 +29,8 @@ pub struct Scene {
 pub enum Light {
     /// Unit vector.
     Sun { towards: Triple },
-    /// `decay`: exponent of the distance with which the light weakens.
-    Lamp { place: Triple, decay: f64 },
+    /// `decay`: exponent of the distance with which the light weakens. `scale`: units of this distance for each metre.
+    Lamp { place: Triple, decay: f64, scale: f64 },
 }
 
 /// Linear factors on the direct and the ambient part of the light; 1 shows the colours of the style.
@@ -55,7 +55,7 @@ pub struct Style {
     /// How far ink follows the light, 0 to 1.
     pub ink_light: f64,
     pub illumination: Illumination,
-    /// Factors on the direct part at 1 m from a lamp, where it weakens with distance.
+    /// Factors on the direct part at a unit of distance from a lamp, where it weakens with distance.
     pub lamp_light: Option<Triple>,
     /// Swelling of lines away from the light, 0 to 1.
     pub ink_swell: f64,

@@ -8,6 +8,7 @@ import {
   type Color as ThreeColor,
   type IUniform,
   type Plane,
+  type RawShaderMaterial,
 } from 'three';
 import { rowUniforms, type RowUniforms } from './drawnRows.ts';
 
@@ -18,11 +19,6 @@ export const MAX_PLANES = 8;
 export interface StyleUniforms extends Record<string, IUniform> {
   /** Width of the outlines in pixels of the target; 0 draws no lines. */
   inkPixels: IUniform<number>;
-  /** See shaders/lib/falloff.glsl. */
-  lampLight: IUniform<ThreeColor>;
-  lampStrength: IUniform<number>;
-  ambientLight: IUniform<ThreeColor>;
-  lampRim: IUniform<ThreeColor>;
   /** Factor on display-encoded colours at the low end of the gradient; at its high end it is 1. */
   gradientFactor: IUniform<ThreeColor>;
 }
@@ -40,9 +36,6 @@ export interface ViewUniforms extends StyleUniforms, RowUniforms {
   /** (unit vector towards the light, 0) or (position of the light, 1), see shaders/lib/light.glsl. */
   lightInWorld: IUniform<Vector4>;
   lightInView: IUniform<Vector4>;
-  /** How the light of a lamp weakens, see shaders/lib/falloff.glsl. */
-  lampReach: IUniform<Vector4>;
-  lampCone: IUniform<Vector4>;
   /** World-space box of everything that receives shadow. Shadow volumes end where they leave it. */
   receiversMin: IUniform<Vector3>;
   receiversMax: IUniform<Vector3>;
@@ -51,12 +44,38 @@ export interface ViewUniforms extends StyleUniforms, RowUniforms {
   planeCount: IUniform<number>;
 }
 
+/** The light of a lamp that weakens with distance. */
+export interface WeakeningLight {
+  /** Sets the place of the lamp in the world, and how its light weakens. */
+  look(place: Vector3, falloff?: Falloff): void;
+  /** The variant of a material that shades. */
+  on(material: RawShaderMaterial): RawShaderMaterial;
+}
+
+/** How the light of a lamp weakens with distance, as that of a PointLight or a SpotLight of three.js. */
+export interface Falloff {
+  readonly decay: number;
+  /** Distance at which the light ends, in its units. Default Infinity. */
+  readonly end?: number;
+  readonly cone?: Cone;
+  /** Units of distance for each metre of the space of the smoke. Default 1. */
+  readonly scale?: number;
+}
+
+/** The cone of a spot light: the unit vector towards the lamp, and the cosines from its edge to where light is full. */
+export interface Cone {
+  readonly axis: Vector3;
+  readonly cosines: readonly [edge: number, full: number];
+}
+
 /** The style, the camera and the light of one frame, as the passes use them. */
 export class FrameView {
   /** The part of the uniforms that the style sets. */
   readonly style: StyleUniforms;
   readonly uniforms: ViewUniforms;
   readonly clipFromWorld = new Matrix4();
+  /** The light of a lamp that weakens with distance; undefined for other light. */
+  lampLight: WeakeningLight | undefined;
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
   /** Depth of the camera along `forward`, measured from the world origin. */
@@ -74,8 +93,6 @@ export class FrameView {
       near: { value: 0.1 },
       lightInWorld: { value: new Vector4(0, 1, 0, 0) },
       lightInView: { value: new Vector4(0, 1, 0, 0) },
-      lampReach: { value: new Vector4() },
-      lampCone: { value: new Vector4() },
       receiversMin: { value: new Vector3() },
       receiversMax: { value: new Vector3() },
       clippingPlanes: { value: new Float32Array(4 * MAX_PLANES) },
@@ -102,12 +119,6 @@ export class FrameView {
     this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
     this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
-  }
-
-  /** Sets how the light of a lamp weakens, as shaders/lib/falloff.glsl takes it. */
-  weaken({ reach, cone }: { reach: Vector4; cone: Vector4 }): void {
-    this.uniforms.lampReach.value.copy(reach);
-    this.uniforms.lampCone.value.copy(cone);
   }
 
   /** Unit vector along which the light travels at a point, world space; downwards at the place of a lamp. */

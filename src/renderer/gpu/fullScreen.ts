@@ -66,7 +66,7 @@ export function triangle(): BufferGeometry {
 class PointsWithoutAttributes extends Object3D {
   readonly isPoints = true;
   readonly geometry: BufferGeometry = new BufferGeometry();
-  readonly material: RawShaderMaterial;
+  material: RawShaderMaterial;
 
   constructor(material: RawShaderMaterial) {
     super();
@@ -93,6 +93,10 @@ export class DrawnPoints {
 
   get material(): RawShaderMaterial {
     return this.points.material;
+  }
+
+  set material(material: RawShaderMaterial) {
+    this.points.material = material;
   }
 
   draw(renderer: WebGLRenderer, count: number): void {

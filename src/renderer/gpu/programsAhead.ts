@@ -22,17 +22,6 @@ export function withLobes(shader: string, lobes: number): string {
 /** Defines of programs whose puffs turn, stretch or unfold; see shaders/lib/orientation.glsl. */
 export const DEFORMED = { DEFORMED: '' };
 
-/** Defines of programs for light that weakens with the distance from a lamp; see shaders/lib/falloff.glsl. */
-export const FALLOFF = { FALLOFF: '' };
-
-/** Adds FALLOFF to the defines of a material, or removes it. */
-export function setFalloff(material: RawShaderMaterial, isFalling: boolean): void {
-  if (isFalling === 'FALLOFF' in material.defines) return;
-  const { FALLOFF: _, ...others } = material.defines;
-  material.defines = isFalling ? { ...others, ...FALLOFF } : others;
-  material.needsUpdate = true;
-}
-
 /**
  * Compiles programs in the background. three.js compiles a program when it first draws with it and waits for the
  * result. The materials here draw nothing: they keep programs in the cache of three.js, which finds them by their

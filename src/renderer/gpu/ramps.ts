@@ -3,7 +3,6 @@ import {
   DataTexture,
   NearestFilter,
   RGBAFormat,
-  SRGBColorSpace,
   UnsignedByteType,
   type Color as ThreeColor,
   type IUniform,
@@ -66,95 +65,72 @@ export const FIRST_BORDER = 0.3;
  * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
  * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has
  * four rows: in shadow, in the light, then both again where the fill light reaches. Nearest filtering keeps the colours
- * exact. The last row holds the {@link Bands}.
+ * exact. Alpha is the share of the filled tone. The last row holds the {@link Bands}.
  */
 export class RampTexture {
   readonly texture: DataTexture;
-  /** For shaders/lib/falloff.glsl: the same in the light of the style, linear. Alpha is the share of the filled tone. */
-  readonly styled: DataTexture;
   private materials: number;
 
   /** @param materials number of ramps */
   constructor(materials: number) {
     this.materials = materials;
-    [this.texture, this.styled] = [rampsFor(materials), rampsFor(materials)];
-    this.styled.colorSpace = SRGBColorSpace;
-  }
-
-  /** Uniforms of both textures. */
-  get uniforms() {
-    return { ramps: { value: this.texture }, styledRamps: { value: this.styled } };
+    this.texture = new DataTexture(bytesFor(materials), RAMP_TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
+    this.texture.wrapS = ClampToEdgeWrapping;
+    this.texture.wrapT = ClampToEdgeWrapping;
+    this.texture.minFilter = NearestFilter;
+    this.texture.magFilter = NearestFilter;
   }
 
   /** Changes the number of ramps. All ramps must be written again afterwards. */
   resize(materials: number): void {
     if (materials === this.materials) return;
     this.materials = materials;
-    this.dispose();
-    for (const texture of [this.texture, this.styled]) texture.image = rampsFor(materials).image;
+    this.texture.dispose();
+    this.texture.image = { data: bytesFor(materials), width: RAMP_TEXELS, height: rowsFor(materials) };
   }
 
-  /** @param isFalling whether the light also weakens with the distance from a lamp */
-  write(material: number, ramp: Ramp, illumination?: Illumination, isFalling = false): void {
-    this.writeRows(this.texture, material, ramp, illumination);
-    if (isFalling) this.writeRows(this.styled, material, ramp);
-  }
-
-  private writeRows(
-    texture: DataTexture,
-    material: number,
-    { lit, unlit, filled, isBlended = false }: Ramp,
-    illumination?: Illumination,
-  ): void {
-    const { data } = texture.image as { data: Uint8Array };
+  write(material: number, { lit, unlit, filled, isBlended = false }: Ramp, illumination?: Illumination): void {
     const first = RAMP_ROWS * material;
     const other = isChanged(illumination) ? illumination : undefined;
     const shown: Shown = (color, filledShare) =>
       other ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
     [unlit, lit].forEach((tones, row) => {
-      writeRow(data, first + row, tones, isBlended, shown, 0);
-      if (!filled) return;
-      writeRow(data, first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
+      this.writeRow(first + row, tones, isBlended, shown, 0);
+      if (filled) this.writeRow(first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
     });
     const [start, end] = [first, first + 2].map((row) => 4 * RAMP_TEXELS * row);
-    if (!filled) data.copyWithin(end, start, end);
-    texture.needsUpdate = true;
+    if (!filled) this.data.copyWithin(end, start, end);
+    this.texture.needsUpdate = true;
   }
 
   writeBands({ ages, temperatures }: Bands): void {
-    const { data } = this.texture.image as { data: Uint8Array };
     const first = RAMP_TEXELS * RAMP_ROWS * this.materials;
     for (let byte = 0; byte < RAMP_TEXELS; ++byte) {
       const [age, heat] = [ages[byte], temperatures[byte]];
-      data.set([age & 255, age >> 8, heat & 255, heat >> 8], 4 * (first + byte));
+      this.data.set([age & 255, age >> 8, heat & 255, heat >> 8], 4 * (first + byte));
     }
     this.texture.needsUpdate = true;
   }
 
   dispose(): void {
     this.texture.dispose();
-    this.styled.dispose();
   }
-}
 
-/** @param fill share of the filled tone in the first one */
-function writeRow(
-  data: Uint8Array,
-  row: number,
-  tones: readonly Tone[],
-  isBlended: boolean,
-  shown: Shown,
-  fill = 1,
-): void {
-  const flat = tones.map(({ color }, tone) => shown(color, tone === 0 ? fill : 0));
-  const isFlat = !isBlended || tones.length === 1;
-  for (let texel = 0; texel < RAMP_TEXELS; ++texel) {
-    const facing = texel / RAMP_TEXELS;
-    const tone = toneAt(tones, facing);
-    const firstShare = isFlat ? 1 : 1 - shareAt(tones, tone, facing);
-    const share = tone === 0 ? fill * firstShare : 0;
-    const color = isFlat ? flat[tone] : shown(blendedAt(tones, facing), share);
-    data.set([...color, Math.round(255 * share)], (row * RAMP_TEXELS + texel) * 4);
+  private get data(): Uint8Array {
+    return this.texture.image.data as Uint8Array;
+  }
+
+  /** @param fill share of the filled tone in the first one */
+  private writeRow(row: number, tones: readonly Tone[], isBlended: boolean, shown: Shown, fill = 1): void {
+    const flat = tones.map(({ color }, tone) => shown(color, tone === 0 ? fill : 0));
+    const isFlat = !isBlended || tones.length === 1;
+    for (let texel = 0; texel < RAMP_TEXELS; ++texel) {
+      const facing = texel / RAMP_TEXELS;
+      const tone = toneAt(tones, facing);
+      const share = tone === 0 ? fill * (isFlat ? 1 : 1 - shareAt(tones, tone, facing)) : 0;
+      const color = isFlat ? flat[tone] : shown(blendedAt(tones, facing), share);
+      this.data.set([...color, Math.round(255 * share)], (row * RAMP_TEXELS + texel) * 4);
+    }
   }
 }
 
@@ -162,20 +138,12 @@ function isChanged(illumination?: Illumination): boolean {
   return illumination !== undefined && [...illumination.direct, ...illumination.ambient].some((factor) => factor !== 1);
 }
 
-function rampsFor(materials: number): DataTexture {
-  const rows = RAMP_ROWS * materials + 1;
-  const texture = new DataTexture(
-    new Uint8Array(4 * RAMP_TEXELS * rows),
-    RAMP_TEXELS,
-    rows,
-    RGBAFormat,
-    UnsignedByteType,
-  );
-  texture.wrapS = ClampToEdgeWrapping;
-  texture.wrapT = ClampToEdgeWrapping;
-  texture.minFilter = NearestFilter;
-  texture.magFilter = NearestFilter;
-  return texture;
+function rowsFor(materials: number): number {
+  return RAMP_ROWS * materials + 1;
+}
+
+function bytesFor(materials: number): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(4 * RAMP_TEXELS * rowsFor(materials));
 }
 
 /** The tone of a ramp at a value of max(0, N.L). */

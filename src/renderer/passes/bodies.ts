@@ -12,7 +12,7 @@ import lobesFragmentShader from '../../../shaders/bodies/lobes.frag';
 import lobesVertexShader from '../../../shaders/bodies/lobes.vert';
 import { DrawnRows, type RowGeometry } from '../gpu/drawnRows.ts';
 import type { FrameView } from '../gpu/frameView.ts';
-import { DEFORMED, FALLOFF, withLobes, type Shaders } from '../gpu/programsAhead.ts';
+import { DEFORMED, withLobes, type Shaders } from '../gpu/programsAhead.ts';
 import type { PuffTextures } from '../gpu/puffTextures.ts';
 import type { RampTexture } from '../gpu/ramps.ts';
 import type { SurfaceDepth } from './surfaceDepth.ts';
@@ -28,8 +28,6 @@ export interface BodyKind {
   isShaded: boolean;
   /** Whether lobe puffs turn or stretch with the air, or unfold. */
   isDeformed: boolean;
-  /** Whether the light weakens with the distance from a lamp. */
-  isFalling?: boolean;
   /** Whether planes cut off puffs. A loop over them costs a fifth of a body, also without planes. */
   isClipped?: boolean;
 }
@@ -44,10 +42,8 @@ export class BodiesPass {
   private readonly materials = new Map<string, RawShaderMaterial>();
   private readonly puffs: PuffTextures;
   private readonly isFlat: boolean;
-  private readonly planeCount: IUniform<number>;
+  private readonly eye: FrameView;
   private billboards: Shaders | undefined;
-  /** Whether the light weakens with the distance from a lamp, from the next `setForm` on. */
-  isFalling = false;
   private isShaded = false;
   private isClipped = false;
   private readonly common: Record<string, IUniform>;
@@ -76,12 +72,12 @@ export class BodiesPass {
    */
   constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture, isFlat = false) {
     this.isFlat = isFlat;
-    this.planeCount = eye.uniforms.planeCount;
+    this.eye = eye;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
       ...this.uniforms,
-      ...ramps.uniforms,
+      ramps: { value: ramps.texture },
       ...this.puffUniforms,
     };
     this.rows = new DrawnRows(this.lobesMaterial());
@@ -143,15 +139,17 @@ export class BodiesPass {
   }
 
   private touch(surfaces: SurfaceDepth | undefined): void {
-    if (this.isClipped !== this.planeCount.value > 0) this.selectMaterial();
+    if (this.isClipped !== this.eye.uniforms.planeCount.value > 0) this.selectMaterial();
     this.uniforms.hasSurfaces.value = surfaces !== undefined;
     this.uniforms.surfaceDepth.value = surfaces?.depth ?? null;
     this.uniforms.surfaceSlack.value = surfaces?.slack ?? 0;
   }
 
   private selectMaterial(): void {
-    this.isClipped = this.planeCount.value > 0;
-    this.rows.material = this.billboards ? this.billboardsMaterial(this.billboards) : this.lobesMaterial();
+    const { uniforms, lampLight } = this.eye;
+    this.isClipped = uniforms.planeCount.value > 0;
+    const material = this.billboards ? this.billboardsMaterial(this.billboards) : this.lobesMaterial();
+    this.rows.material = lampLight?.on(material) ?? material;
   }
 
   private lobesMaterial(): RawShaderMaterial {
@@ -173,8 +171,8 @@ export class BodiesPass {
   }
 
   private get kind(): BodyKind {
-    const { isFlat, isShaded, isFalling, isClipped, puffs } = this;
-    return { isFlat, isShaded, isFalling, isClipped, isDeformed: puffs.isDeformed };
+    const { isFlat, isShaded, isClipped, puffs } = this;
+    return { isFlat, isShaded, isClipped, isDeformed: puffs.isDeformed };
   }
 
   private materialOf(lobes: number, shaders: Shaders): RawShaderMaterial {
@@ -202,12 +200,11 @@ export function lobeBodyShaders(lobes: number, kind: BodyKind): Shaders {
   };
 }
 
-function definesOf({ isFlat, isShaded, isDeformed, isFalling, isClipped }: BodyKind): Shaders['defines'] {
+function definesOf({ isFlat, isShaded, isDeformed, isClipped }: BodyKind): Shaders['defines'] {
   return {
     ...(isFlat && { FLAT: '' }),
     ...(isShaded && { SHADING: '' }),
     ...(isDeformed && DEFORMED),
-    ...(isFalling && FALLOFF),
     ...(isClipped && { CLIPPED: '' }),
   };
 }

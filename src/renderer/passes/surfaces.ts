@@ -6,7 +6,6 @@ import fragmentShader from '../../../shaders/surfaces/surfaces.frag';
 import vertexShader from '../../../shaders/surfaces/surfaces.vert';
 import { DrawnMesh } from '../gpu/drawnMesh.ts';
 import type { FrameView } from '../gpu/frameView.ts';
-import { setFalloff } from '../gpu/programsAhead.ts';
 import type { RampTexture } from '../gpu/ramps.ts';
 import type { SurfaceDescription } from './surface.ts';
 import { SurfaceGeometry } from './surfaceGeometry.ts';
@@ -43,7 +42,7 @@ export class SurfacesPass {
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
-      uniforms: { ...placed, ...ramps.uniforms, firstMaterial: { value: firstMaterial } },
+      uniforms: { ...placed, ramps: { value: ramps.texture }, firstMaterial: { value: firstMaterial } },
     });
     this.surfaces = new DrawnMesh(fill, new SurfaceGeometry(surfaces));
     this.hull = hullMaterial({ ...placed, isRaised: { value: false } }, hullFragmentShader);
@@ -69,15 +68,10 @@ export class SurfacesPass {
     this.surfaces.mesh.geometry.show(surfaces);
   }
 
-  /** @param isFalling whether the light weakens with the distance from a lamp */
-  setFalloff(isFalling: boolean): void {
-    setFalloff(this.surfaces.material, isFalling);
-  }
-
   /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */
   draw(renderer: WebGLRenderer, targets: Targets): void {
     const { surfaces, geometry, hull, raisedHull, isNumbered } = this;
-    this.drawRange(0, geometry.end, renderer, surfaces.material);
+    this.drawRange(0, geometry.end, renderer, this.eye.lampLight?.on(surfaces.material) ?? surfaces.material);
     if (isNumbered) this.groups.value = targets.endNumbers(renderer);
     const { firstInked, endInked } = geometry;
     if (this.eye.uniforms.inkPixels.value > 0) this.drawRange(firstInked, endInked, renderer, hull);

@@ -11,7 +11,7 @@ import {
   type Ramp,
   type Tone,
 } from '../../../src/renderer/gpu/ramps.ts';
-import { illuminationOf, lampLightOf } from '../../../src/renderer/light.ts';
+import { illuminationOf } from '../../../src/renderer/light.ts';
 import {
   isFlat,
   parseColor,
@@ -218,20 +218,23 @@ describe('RampTexture under another light', () => {
     expect(illuminationOf({ ...values, 'light.ambientColor': '#bcbcbc' }).ambient[0]).toBeCloseTo(3 * 0.5029, 3);
   });
 
-  it('is stronger at 1 m from a lamp with decay by the distance of the lamp, and of no other light', () => {
-    const lamp: Values = { ...defaults(), 'light.kind': 'lamp', 'light.distance': 3, 'light.color': '#ff0000' };
-    expect(lampLightOf({ ...lamp, 'light.decay': 2, 'light.intensity': 0.5 })).toEqual([4.5, 0, 0]);
-    expect(lampLightOf(lamp)).toBeUndefined();
-    expect(lampLightOf({ ...lamp, 'light.kind': 'sun', 'light.decay': 2 })).toBeUndefined();
-    expect(lampLightOf({ ...lamp, 'style.renderer': 'selle', 'light.decay': 2 })).toBeUndefined();
+  it('weakens with the distance from a lamp with decay only', () => {
+    const lamp: Values = { ...defaults(), 'light.kind': 'lamp', 'light.intensity': 0.5 };
+    expect(styleOf({ ...lamp, 'light.decay': 2 }).lampLight).toEqual([0.5, 0.5, 0.5]);
+    const others: Values[] = [
+      {},
+      { 'light.kind': 'sun', 'light.decay': 2 },
+      { 'style.renderer': 'selle', 'light.decay': 2 },
+    ];
+    for (const other of others) expect(styleOf({ ...lamp, ...other }).lampLight).toBeUndefined();
   });
 
-  it('has the light of the style for a lamp with decay, and the share of the fill light as alpha', () => {
+  it('has the share of the fill light as alpha', () => {
     const ramps = new RampTexture(1);
     const stops = parseStops('0:404040,.5:c0c0c0');
     const ramp = rampOf([255, 255, 255], { tones: 2, shading: true, fill: 1, stops, isBlended: true });
-    ramps.write(0, ramp, { direct: [0, 0, 0], ambient: [0, 0, 0] }, true);
-    const data = ramps.styled.image.data as Uint8Array;
+    ramps.write(0, ramp);
+    const data = ramps.texture.image.data as Uint8Array;
     const texel = (row: number, column: number) => [...data.subarray(4 * (256 * row + column)).subarray(0, 4)];
     expect([texel(0, 0), texel(1, 64), texel(1, 128)]).toEqual([
       [64, 64, 64, 0],

@@ -47,7 +47,7 @@ const SCENES = {
   erodedByLamp: () =>
     cluster(
       looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]),
-      { lamp: [-0.6, 1.5, 0.5], falloff: { decay: 1.5 } },
+      { lamp: [-0.6, 1.5, 0.5], falloff: { decay: 1.5, scale: 1.2 } },
       0,
       erosion,
     ),

@@ -8,7 +8,6 @@ import tonesShader from '../../../../shaders/simplify/tones.frag';
 import { FLAT_TILE } from '../../../base/constants.ts';
 import type { FrameView } from '../../gpu/frameView.ts';
 import { DrawnPoints, FullScreen } from '../../gpu/fullScreen.ts';
-import { setFalloff } from '../../gpu/programsAhead.ts';
 import { pictureTarget, type Targets } from '../targets.ts';
 import type { RampTexture } from '../../gpu/ramps.ts';
 import { PlumeForm, type Particles } from './plumeForm.ts';
@@ -46,14 +45,13 @@ export class SimplifyPass {
   /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
   private leaning: { readonly form: PlumeForm; readonly tones: DrawnPoints } | undefined;
   private readonly eye: FrameView;
-  private isFalling = false;
 
   constructor(eye: FrameView, ramps: RampTexture) {
     const [fields, across, tiles, flatTiles] = [this.fields, this.across, this.tiles, this.flatTiles].map(
       ({ texture: value }) => ({ value }),
     );
     const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles };
-    const tones = { ...common, fields, across, ...ramps.uniforms };
+    const tones = { ...common, fields, across, ramps: { value: ramps.texture } };
     this.passes = [
       new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),
@@ -76,11 +74,6 @@ export class SimplifyPass {
     uniforms.reach.value = Math.ceil(REACH * deviation);
     uniforms.isBanded.value = isBanded;
     uniforms.litFrom.value = litFrom;
-  }
-
-  /** @param isFalling whether the light weakens with the distance from a lamp */
-  setFalloff(isFalling: boolean): void {
-    this.isFalling = isFalling;
   }
 
   /**
@@ -109,20 +102,23 @@ export class SimplifyPass {
     for (const target of [fields, across]) target.setSize(width, height);
     const [columns, rows] = [width, height].map((pixels) => Math.ceil(pixels / FLAT_TILE));
     for (const target of [tiles, flatTiles]) target.setSize(columns, rows);
+    const tones = meshes.at(-1)!;
+    const { material } = tones;
+    tones.material = eye.lampLight?.on(material) ?? material;
     [tiles, flatTiles, fields, across, output].forEach((target, index) => {
       renderer.setRenderTarget(target);
       const pass = meshes[index];
       if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
       else pass.draw(renderer);
     });
+    tones.material = material;
   }
 
   /** What it draws with. @param hasForm whether light follows the form of the smoke */
   meshes(hasForm: boolean): readonly (FullScreen | DrawnPoints)[] {
-    if (hasForm) this.leaning ??= this.createLeaning();
-    const passes = hasForm ? [...this.passes.slice(0, -1), this.leaning!.tones] : this.passes;
-    setFalloff(passes.at(-1)!.material, this.isFalling);
-    return passes;
+    if (!hasForm) return this.passes;
+    this.leaning ??= this.createLeaning();
+    return [...this.passes.slice(0, -1), this.leaning.tones];
   }
 
   /** Releases the render targets until the next draw. */

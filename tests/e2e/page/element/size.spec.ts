@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 81 },
+    { name: 'embed.coreKb', kB: core, limit: 81.5 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 124.5 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -45,7 +45,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await page.evaluate(() => document.querySelector('cartoon-smoke')!.setAttribute('style-simplify', '3'));
   await expect.poll(() => server.sent.filter(({ file }) => file.endsWith('simplify.js')).length).toBe(1);
   judge([
-    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 5.4 },
+    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 5.6 },
   ]);
 });
 

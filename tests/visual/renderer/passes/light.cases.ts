@@ -124,7 +124,7 @@ function lampScene({ balls, radius, wall, lamp }: LampScene, values: Values): La
       { name: 'wall', mesh: box([0, 0, wall - 0.1], [3, 3, 0.1]), color: [255, 255, 255], casts: false, inked: false },
     ],
     lamp,
-    falloff: { decay: values['light.decay'] ?? 0 },
+    falloff: { decay: values['light.decay'] ?? 0, scale: 1 / (values['light.distance'] ?? 1) },
   };
 }
 

@@ -1,4 +1,6 @@
-// FALLOFF: direct light that weakens with the distance from a lamp, see docs/design/rendering.md.
+// Direct light that weakens with the distance from a lamp, see docs/design/rendering.md. src/renderer/falloff.ts adds this to
+// shaders with FALLOFF.
+uniform vec3 lampPlace;
 // Factors on the direct light where the strength is 1, the largest of which is 1, and on the ambient light.
 uniform vec3 lampLight;
 uniform vec3 ambientLight;
@@ -12,13 +14,14 @@ uniform vec4 lampCone;
 // Ramps in the light of the style, linear.
 uniform sampler2D styledRamps;
 
-#include srgb.glsl
+#include ../lib/srgb.glsl
 
 // Strength of the direct light where the shader is.
 float strength;
 
-// @param way to the lamp, world space
-float strengthAt(vec3 way) {
+// @param place in the world
+float strengthAt(vec3 place) {
+  vec3 way = lampPlace - place;
   float distance = max(length(way), 1e-6);
   float atEnd = clamp(1.0 - pow(distance * lampReach.y, 4.0), 0.0, 1.0);
   float inside = clamp(dot(lampCone.xyz, way) / distance + lampCone.w, 0.0, 1.0);
@@ -26,23 +29,27 @@ float strengthAt(vec3 way) {
   return lampStrength * lampReach.w * cone * atEnd * atEnd / max(pow(distance, lampReach.x), lampReach.z);
 }
 
-// Strengths from 0 up as numbers below 1. In 8 bits, tones up to white are exact to 2 of 255.
-float packStrength(float strength) {
-  float power = pow(strength, 2.0 / 3.0);
+// The strength at a place as a number below 1. In 8 bits, tones up to white are exact to 2 of 255.
+float packedStrengthAt(vec3 place) {
+  float power = pow(strengthAt(place), 2.0 / 3.0);
   return min(power / (1.0 + power), 0.997);
 }
 
-float unpackStrength(float code) {
+void unpackStrength(float code) {
   float power = code / (1.0 - code);
-  return power * sqrt(power);
+  strength = power * sqrt(power);
 }
 
 // Reads the strength from the fraction of a ramp index. Returns it packed.
 float takeStrength(inout float material) {
   float code = fract(material);
   material = floor(material);
-  strength = unpackStrength(code);
+  unpackStrength(code);
   return code;
+}
+
+void findStrength(vec3 place) {
+  strength = strengthAt(place);
 }
 
 vec3 rimInLight() {
