@@ -52,10 +52,6 @@ void findStrength(vec3 place) {
   strength = strengthAt(place);
 }
 
-vec3 rimInLight() {
-  return displayFromLinear(min(lampRim * strength, 1.0));
-}
-
 // S a + (T - S) k f for a texel T of the ramps, linear. Its alpha is the share of the fill light, which stays.
 vec3 linearInLight(ivec2 texel) {
   int first = texel.y & ~3;
@@ -65,6 +61,7 @@ vec3 linearInLight(ivec2 texel) {
   return ambient * ambientLight + (tone.rgb - ambient - byFill) * lampLight * strength + byFill;
 }
 
-vec3 inLight(ivec2 texel) {
-  return displayFromLinear(clamp(linearInLight(texel), 0.0, 1.0));
+// The display-encoded colour of a texel, or that of the rim. One encoding for both, because it costs most.
+vec3 inLight(ivec2 texel, bool isRim) {
+  return displayFromLinear(clamp(isRim ? lampRim * strength : linearInLight(texel), 0.0, 1.0));
 }

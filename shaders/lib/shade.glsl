@@ -41,25 +41,21 @@ Lighting lightingOf(vec3 normal, vec3 towardsLight, float rimWidth) {
 #ifdef FALLOFF
 void findStrength(vec3 place);
 float takeStrength(inout float material);
-vec3 inLight(ivec2 texel);
-vec3 rimInLight();
+vec3 inLight(ivec2 texel, bool isRim);
 #endif
 
 // Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.
 // Both colours are equal on the side away from the light, so that no edge is visible there: rows start with the same tone,
 // and fill and rim apply to both.
 Shades shade(Lighting light, sampler2D ramps, float material, vec3 gradient, vec3 rimColor) {
-#ifdef FALLOFF
-  rimColor = rimInLight();
-#endif
-  if (light.isRim) return Shades(rimColor, rimColor);
   float column = clamp(light.facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
   ivec2 texel = ivec2(column, RAMP_ROWS * material + (light.isFilled ? 2.0 : 0.0));
-  vec3 unlit = texelFetch(ramps, texel, 0).rgb * gradient;
 #ifdef FALLOFF
-  vec3 lit = inLight(texel + ivec2(0, 1)) * gradient;
+  vec3 lit = inLight(texel + ivec2(0, 1), light.isRim);
+  rimColor = lit;
 #else
-  vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb * gradient;
+  vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb;
 #endif
-  return Shades(unlit, lit);
+  if (light.isRim) return Shades(rimColor, rimColor);
+  return Shades(texelFetch(ramps, texel, 0).rgb * gradient, lit * gradient);
 }

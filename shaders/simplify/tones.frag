@@ -32,8 +32,7 @@ out vec4 pixel;
 #include smoothing.glsl
 #ifdef FALLOFF
 void unpackStrength(float code);
-vec3 inLight(ivec2 texel);
-vec3 rimInLight();
+vec3 inLight(ivec2 texel, bool isRim);
 #endif
 #ifdef FORM
 #include ../lib/depth.glsl
@@ -45,7 +44,8 @@ const float RAMP_ROWS = 4.0;
 
 vec3 rampAt(float material, float row, float facing) {
 #ifdef FALLOFF
-  if (row == 1.0 || row == 3.0) return inLight(ivec2(clamp(256.0 * facing, 0.0, 255.0), RAMP_ROWS * material + row));
+  ivec2 texel = ivec2(clamp(256.0 * facing, 0.0, 255.0), RAMP_ROWS * material + row);
+  if (row == 1.0 || row == 3.0) return inLight(texel, false);
 #endif
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
   return textureLod(ramps, vec2(facing, (RAMP_ROWS * material + row + 0.5) * pitch), 0.0).rgb;
@@ -104,7 +104,7 @@ void main() {
   }
   if (light.a > 0.5) {
 #ifdef FALLOFF
-    pixel = vec4(rimInLight(), shadowed.a);
+    pixel = vec4(inLight(ivec2(0), true), shadowed.a);
 #else
     pixel = vec4(rimColor, shadowed.a);
 #endif

@@ -85,7 +85,7 @@ function rowsAsObjects({ count, place, attributes }: Rows): object[] {
 function lightAsObject(light: Light): object {
   return light.kind === 'sun'
     ? { type: 'sun', towards: light.towards.toArray() }
-    : { type: 'lamp', place: light.place.toArray(), ...{ decay: 0, scale: 1, ...light.falloff } };
+    : { type: 'lamp', place: light.place.toArray(), decay: 0, scale: 1, ...light.falloff };
 }
 
 function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {
