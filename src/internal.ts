@@ -30,6 +30,8 @@ export { ALL_PARTICLES as ALL_THAT_LIVES, type View } from './simulator/view.ts'
 export type { Arranger, FrameInput } from './renderer/frameInput.ts';
 export type { Light } from './renderer/light.ts';
 export { showsBillboards } from './renderer/livePuffs.ts';
+export { formatColor, parseColor } from './renderer/palette.ts';
+export { linear, mixed, scaled, type Color } from './renderer/gpu/ramps.ts';
 export { automaticColors, inkOf, styleOf } from './renderer/style.ts';
 export type { DrawnDepth } from './stage/picture.ts';
 export { openScene } from './stage/openScene.ts';

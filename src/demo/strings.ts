@@ -82,6 +82,19 @@ export const strings = {
     remove: (label: string) => `Remove ${label}`,
     world: 'Nothing',
   },
+  dial: {
+    words: {
+      label: 'Time of day',
+      text: 'Moves the sun and changes its colours, the ambient light and the backdrop together. At 14:00 they are those of the preset.',
+    },
+    /** @param own hour of the preset's own light */
+    hour: (hour: number | undefined, own: number) => {
+      if (hour === undefined) return 'own light';
+      const time = `${Math.floor(hour)}`.padStart(2, '0') + `:${`${60 * (hour % 1)}`.padStart(2, '0')}`;
+      const part = hour < 5 ? 'night' : hour < 8 ? 'dawn' : hour < 17 ? 'day' : hour < 20.5 ? 'dusk' : 'night';
+      return `${time}, ${hour === own ? 'own light' : part}`;
+    },
+  },
   gizmos: {
     title: 'Handles',
     how: 'Drag, or use the arrow keys, Page Up and Page Down.',

@@ -155,6 +155,11 @@ export function parseStops(text: string): Tone[] {
   return (readRamp(text) ?? []).map(({ at, color }) => ({ from: at, color: parseColor(color) }));
 }
 
+/** Formats a colour as `#rrggbb`. */
+export function formatColor([red, green, blue]: Color): string {
+  return `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}`;
+}
+
 export function multiply(color: Color, factor: Color): Color {
   return color.map((channel, index) => Math.round((channel * factor[index]) / 255)) as [number, number, number];
 }

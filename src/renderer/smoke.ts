@@ -165,7 +165,7 @@ export class SmokeRenderer {
     const ramps = [
       rampOf(plainColorOf(style), style),
       ...style.tints.map((tint) => rampOf(tint, style)),
-      ...this.surfaces.map(({ color }) => rampOf(washed(color, style.wash), surfaces)),
+      ...this.surfaces.map(({ color, glows }) => ({ ...rampOf(washed(color, style.wash), surfaces), glows })),
       ...colors.map((color) => rampOf(color, style)),
     ];
     this.ramps.resize(ramps.length);

@@ -7,7 +7,7 @@ import type { AnyValues, Parameter, Value, Values } from '../parameters/paramete
 import { styleRows } from '../parameters/rows/style.ts';
 import { defaults } from '../parameters/values.ts';
 import { hasDecay, illuminationOf } from './light.ts';
-import { parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
+import { formatColor, parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
 export type Renderer = 'nailboards' | 'selle';
@@ -89,8 +89,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
  * @param values every other key of the table
  */
 export function automaticColors(values: Values): Values {
-  const [red, green, blue] = surfaceShadowOf({ ...styleOf(values), surfaceShadowColor: undefined });
-  return { 'style.surfaceShadowColor': `#${((red << 16) | (green << 8) | blue).toString(16).padStart(6, '0')}` };
+  const color = surfaceShadowOf({ ...styleOf(values), surfaceShadowColor: undefined });
+  return { 'style.surfaceShadowColor': formatColor(color) };
 }
 
 const rows = styleRows.filter(({ reader }) => reader === 'style');

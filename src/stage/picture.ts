@@ -19,6 +19,7 @@ import { deviationFor, drawnSurfaces } from '../renderer/sceneSurfaces.ts';
 import { drawFrame } from '../renderer/frame.ts';
 import type { FrameInput, FrameReport } from '../renderer/frameInput.ts';
 import { lightOf, moved, type Light } from '../renderer/light.ts';
+import { formatColor } from '../renderer/palette.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer, type SmokeOptions } from '../renderer/smoke.ts';
 import { OrbitCamera } from './orbit.ts';
@@ -207,6 +208,13 @@ export class Picture {
     this.timeGpu(false);
     this.smoke.dispose();
     this.presenter.dispose();
+  }
+
+  /** The scene's backdrop as a value of `style.backdrop`; no value if it has none. */
+  get sceneBackdrop(): Values {
+    const { backdrop } = this.scene;
+    const [bottom, top] = backdrop ? [backdrop.bottom, backdrop.top].map((color) => formatColor(color).slice(1)) : [];
+    return backdrop ? { 'style.backdrop': `0:${bottom},1:${top}` } : {};
   }
 
   private smokeOf(values: Values): ShownSmoke {

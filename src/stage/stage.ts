@@ -235,9 +235,10 @@ export class Stage {
     return (this.#running.opened.scene.parts ?? []).map(({ name }) => name);
   }
 
-  /** Optional parameters that the scene sets. They apply where `get()` has no value. */
+  /** Optional parameters that the scene sets, and its backdrop. They apply where `get()` has no value or an empty ramp. */
   get rig(): Values {
-    return { ...this.#running.simulation.rig, ...this.#running.picture.eye.wanted };
+    const { simulation, picture } = this.#running;
+    return { ...simulation.rig, ...picture.eye.wanted, ...picture.sceneBackdrop };
   }
 
   /**

@@ -1,6 +1,6 @@
 /** A frame in the format of the renderer in sim-wasm/reference. Runs inside a page. The names are those of scene.rs. */
 import { Matrix4 } from 'three';
-import type { Color, Ramp } from '../../src/renderer/gpu/ramps.ts';
+import { glowing, isChanged, type Color, type Ramp } from '../../src/renderer/gpu/ramps.ts';
 import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
 import type { TriangleMesh } from '../../src/renderer/passes/extrusion.ts';
 import { fromHalf } from '../../src/renderer/puffs/billboards/layers.ts';
@@ -166,13 +166,15 @@ function lobesOf(table: Float32Array, variations: number, lobes: number, columns
 }
 
 function surfaceAsObject(surface: Shaped, index: number, shown: Shown): object {
-  const { mesh, solid, color, casts, inked, rigid, part, group } = surface;
+  const { mesh, solid, color, casts, inked, rigid, part, group, glows = false } = surface;
   const { style } = shown.input;
   const shape = solid ?? { type: 'triangles', ...arraysOf(mesh), worldFromModel: placeOf(surface, shown).toArray() };
+  const ramp = rampOf(washed(color, style.wash), surfaceToning(style));
   const first = shown.surfaces.findIndex((other) => group !== undefined && other.group === group);
   return {
     shape,
-    ramp: rampOf(washed(color, style.wash), surfaceToning(style)),
+    ramp: glows && isChanged(style.illumination) ? glowing(ramp) : ramp,
+    glows,
     casts,
     inked,
     group: first < 0 ? index : first,

@@ -40,6 +40,13 @@ pub struct Illumination {
     pub ambient: Triple,
 }
 
+impl Illumination {
+    pub const SAME: Self = Self {
+        direct: [1.0; 3],
+        ambient: [1.0; 3],
+    };
+}
+
 #[derive(Deserialize)]
 pub struct Backdrop {
     pub top: Triple,
@@ -202,6 +209,9 @@ pub struct Surface {
     pub group: usize,
     /// Name of the object it moves with; none if it stands still.
     pub carrier: Option<String>,
+    /// Shows the colours of its ramp in any light.
+    #[serde(default)]
+    pub glows: bool,
 }
 
 #[derive(Deserialize)]

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::light::Light;
 use crate::mesh::Mesh;
 use crate::ray::Ray;
-use crate::scene::{Ramp, Shape, Style, Surface};
+use crate::scene::{Illumination, Shape, Style, Surface};
 use crate::shade::Shade;
 use crate::triangles::{Crossing, Triangles};
 
@@ -46,11 +46,14 @@ impl<'a> Solids<'a> {
             });
         }
         nearest.map(|(index, crossing)| {
-            let ramp: &Ramp = &self.solids[index].1.ramp;
+            let surface = self.solids[index].1;
             let place = ray.at(crossing.at);
             let facing = crossing.normal.dot(light.towards(place));
-            let shade = Shade::of(ramp, &light.at(place, style), facing, false);
-            (index, crossing.at, shade)
+            let colors = match surface.glows {
+                true => Illumination::SAME,
+                false => light.at(place, style),
+            };
+            (index, crossing.at, Shade::of(&surface.ramp, &colors, facing, false))
         })
     }
 
@@ -134,6 +137,7 @@ fn cross_box(center: DVec3, half: DVec3, origin: DVec3, direction: DVec3, found:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Ramp;
 
     /// Distances of the intersections of a line with a shape, nearest first.
     fn crossings(shape: &Shape, origin: DVec3, direction: DVec3) -> Vec<f64> {
@@ -200,6 +204,7 @@ mod tests {
             inked: false,
             group: 0,
             carrier: None,
+            glows: false,
         }];
         let count = |x: f64, y: f64| Solids::new(&surfaces).shadows_over(DVec3::new(x, y, 0.0), &Light::Sun(DVec3::Y));
         assert_eq!([count(0.9, 0.0), count(1.1, 0.0), count(0.0, 3.5)], [1, 0, 0]);

@@ -86,7 +86,7 @@ function createNumber(parameter: NumberParameter, describedBy: string, listener:
   return { elements: [exact, range], id, show };
 }
 
-const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+export const ARROWS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 
 function createRange(parameter: NumberParameter, id: string, describedBy: string, listener: ControlListener) {
   const limits = { min: lowestPlace(parameter), max: PLACES, step: 1 };

@@ -3,6 +3,7 @@ import { groups, table, type Parameter, type AnyValues, type State } from '../..
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { icon } from '../ui/icons.ts';
+import { createDial, hourParameter } from './dial.ts';
 import { createItems, type SceneLists } from './items.ts';
 import { createRow, type Row } from './row.ts';
 import { createSearch } from './search.ts';
@@ -20,7 +21,7 @@ export async function createPanel(
   feet: Feet,
   close: () => void,
 ): Promise<HTMLElement> {
-  const rows = await inPieces(creatingRows(editor));
+  const rows = await inPieces(creatingRows(editor, scene));
   await nextTask();
   const head = createHead(editor, close);
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
@@ -46,8 +47,8 @@ export async function createPanel(
   return panel;
 }
 
-function* creatingRows(editor: Editor): Generator<void, ReadonlyMap<Parameter, Row>, void> {
-  const rows = new Map<Parameter, Row>();
+function* creatingRows(editor: Editor, scene: SceneLists): Generator<void, ReadonlyMap<Parameter, Row>, void> {
+  const rows = new Map<Parameter, Row>([[hourParameter, createDial(editor, scene)]]);
   for (const parameter of table.filter((each) => hasChoice(each) && isOfPanel(each))) {
     rows.set(parameter, createRow(parameter, editor));
     yield;

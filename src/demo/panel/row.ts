@@ -1,6 +1,7 @@
 import { showsBillboards } from '../../internal.ts';
 import type { Parameter, Value } from '../../preset.ts';
 import { createControl } from './control.ts';
+import type { Control } from './controlTypes.ts';
 import { create, iconButton, uniqueId } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
 import { icon } from '../ui/icons.ts';
@@ -14,7 +15,6 @@ export interface Row {
 }
 
 export function createRow(parameter: Parameter, editor: Editor): Row {
-  const { key, label, text, kind } = parameter;
   const textId = uniqueId();
   const control = createControl(
     parameter,
@@ -22,7 +22,13 @@ export function createRow(parameter: Parameter, editor: Editor): Row {
     connect(parameter, editor, (value) => control.show(value)),
     () => editor.state.values,
   );
-  const reset = iconButton('reset', strings.panel.reset(label), icon('reset'), () => editor.reset(key));
+  return frameRow(parameter, textId, control, () => editor.reset(parameter.key));
+}
+
+/** The row around a control. @param textId id of the element with the description, which it creates */
+export function frameRow(parameter: Parameter, textId: string, control: Control, restore: () => void): Row {
+  const { key, label, text, kind } = parameter;
+  const reset = iconButton('reset', strings.panel.reset(label), icon('reset'), restore);
   const name = create('label', { for: control.id }, label, ...unitOf(parameter));
   const hidden = create('span', { id: textId, class: 'read-aloud' }, text);
   const attributes = { class: `row row-${kind}`, 'data-key': key, 'data-text': text };

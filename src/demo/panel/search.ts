@@ -175,6 +175,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'style.innerLine': 'inside detail',
   'style.gradient': 'blend fade',
   'style.renderer': 'method engine',
+  'light.hour': 'clock daytime night dusk dawn sunset sunrise noon evening morning moon',
   'light.kind': 'sun lamp source',
   'light.azimuth': 'sun angle rotation',
   'light.elevation': 'sun angle altitude',

@@ -19,20 +19,23 @@ const smoke: Values = {
   'light.elevation': 62,
 };
 
+/** The first look of the scene, in the light of any hour. */
+const inked: Values = {
+  ...smoke,
+  'style.ramp': '0:bcb8e2,.28:fffaf0',
+  'style.innerLine': 0.3,
+  'style.gradient': 'height',
+  'style.gradientColor': '#e6e2f4',
+  'style.gradientBottom': 0.6,
+  'style.gradientTop': 2.6,
+  'style.inkColor': '#2b2740',
+  'style.strokes': 0.45,
+};
+
 export const cloudscapePresets: readonly Preset[] = [
   {
     name: 'cloudscape',
-    values: {
-      ...smoke,
-      'style.ramp': '0:bcb8e2,.28:fffaf0',
-      'style.innerLine': 0.3,
-      'style.gradient': 'height',
-      'style.gradientColor': '#e6e2f4',
-      'style.gradientBottom': 0.6,
-      'style.gradientTop': 2.6,
-      'style.inkColor': '#2b2740',
-      'style.strokes': 0.45,
-    },
+    values: inked,
   },
   {
     name: 'cloudscape-gouache',
@@ -90,6 +93,39 @@ export const cloudscapePresets: readonly Preset[] = [
       'style.backdrop': '0:f4f0e6,1:e6e1d6',
       'style.wash': 1,
       'style.washColor': '#efebe2',
+    },
+  },
+  {
+    name: 'cloudscape-dusk',
+    values: {
+      ...inked,
+      'style.rim': 0.3,
+      'style.rimColor': '#ffe0a0',
+      'style.inkLight': 0.4,
+      'style.backdrop': '0:ffb060,.45:ee7a80,1:5a4694',
+      'light.azimuth': 100,
+      'light.elevation': 45,
+      'light.color': '#ffa45e',
+      'light.intensity': 1.1,
+      'light.ambientColor': '#a084d8',
+      'light.ambient': 0.9,
+    },
+  },
+  {
+    name: 'cloudscape-night',
+    values: {
+      ...inked,
+      'style.ramp': '0:a4a8dc,.28:ffffff',
+      'style.rim': 0.25,
+      'style.rimColor': '#f4f8ff',
+      'style.inkLight': 0.8,
+      'style.backdrop': '0:465c9e,.5:24336c,1:101840',
+      'light.azimuth': -40,
+      'light.elevation': 56,
+      'light.color': '#8ca8ff',
+      'light.intensity': 1,
+      'light.ambientColor': '#6076cc',
+      'light.ambient': 0.5,
     },
   },
 ];

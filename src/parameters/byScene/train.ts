@@ -27,14 +27,19 @@ const steam: Values = {
   'emission.company': 1,
 };
 
+/** The first look of the scene, in the light of any hour. */
+const inked: Values = {
+  ...steam,
+  'style.smokeColor': '#fffaf0',
+  'style.inkColor': '#2a1d2e',
+  'style.strokes': 0.3,
+};
+
 export const trainPresets: readonly Preset[] = [
   {
     name: 'train',
     values: {
-      ...steam,
-      'style.smokeColor': '#fffaf0',
-      'style.inkColor': '#2a1d2e',
-      'style.strokes': 0.3,
+      ...inked,
       'light.azimuth': 34,
       'light.elevation': 52,
     },
@@ -117,6 +122,38 @@ export const trainPresets: readonly Preset[] = [
       'style.washColor': '#8a96d0',
       'light.azimuth': -60,
       'light.elevation': 40,
+    },
+  },
+  {
+    name: 'train-dusk',
+    values: {
+      ...inked,
+      'style.rim': 0.3,
+      'style.rimColor': '#ffe0a0',
+      'style.inkLight': 0.4,
+      'style.backdrop': '0:ffb060,.45:ee7a80,1:5a4694',
+      'light.azimuth': 66,
+      'light.elevation': 32,
+      'light.color': '#ffa45e',
+      'light.intensity': 1.1,
+      'light.ambientColor': '#a084d8',
+      'light.ambient': 0.9,
+    },
+  },
+  {
+    name: 'train-night',
+    values: {
+      ...inked,
+      'style.rim': 0.3,
+      'style.rimColor': '#f4f8ff',
+      'style.inkLight': 0.8,
+      'style.backdrop': '0:4a62a8,.5:26366e,1:101840',
+      'light.azimuth': -36,
+      'light.elevation': 48,
+      'light.color': '#8ca8ff',
+      'light.intensity': 0.9,
+      'light.ambientColor': '#6076cc',
+      'light.ambient': 0.5,
     },
   },
 ];

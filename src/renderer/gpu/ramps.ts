@@ -31,6 +31,8 @@ export interface Ramp {
   filled?: Color;
   /** Whether tones are interpolated instead of flat. */
   isBlended?: boolean;
+  /** Whether the material shows its last tone in every light but that of the style. */
+  glows?: boolean;
 }
 
 /** Selects the ramp of a puff: the ramp index is `ages[ageByte] + temperatures[temperatureByte]`. */
@@ -89,11 +91,12 @@ export class RampTexture {
     this.texture.image = { data: bytesFor(materials), width: RAMP_TEXELS, height: rowsFor(materials) };
   }
 
-  write(material: number, { lit, unlit, filled, isBlended = false }: Ramp, illumination?: Illumination): void {
+  write(material: number, ramp: Ramp, illumination?: Illumination): void {
     const first = RAMP_ROWS * material;
     const other = isChanged(illumination) ? illumination : undefined;
+    const { lit, unlit, filled, isBlended = false } = ramp.glows && other ? glowing(ramp) : ramp;
     const shown: Shown = (color, filledShare) =>
-      other ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
+      other && !ramp.glows ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
     [unlit, lit].forEach((tones, row) => {
       this.writeRow(first + row, tones, isBlended, shown, 0);
       if (filled) this.writeRow(first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
@@ -134,7 +137,13 @@ export class RampTexture {
   }
 }
 
-function isChanged(illumination?: Illumination): boolean {
+/** Only the tone of full light. */
+export function glowing({ lit }: Ramp): Ramp {
+  const full = lit.slice(-1);
+  return { lit: full, unlit: full };
+}
+
+export function isChanged(illumination?: Illumination): boolean {
   return illumination !== undefined && [...illumination.direct, ...illumination.ambient].some((factor) => factor !== 1);
 }
 

@@ -131,15 +131,16 @@ export function sun(rays: number, face: number): SurfaceDescription[] {
   const disc = placed(ballMesh(1, 24), { scale: [SUN, SUN, 0.2] });
   const { features, cheeks } = friendlyFace(0.6, 4);
   const all = merged(...Array.from({ length: 12 }, (_, index) => ray(index)));
-  const look = { casts: false, inked: true };
+  const look = { casts: false, inked: true, glows: true };
   const plain = { casts: false, inked: false, part: face };
+  const bright = { part: rays, glows: true };
   return [
     { name: 'rays', mesh: all, color: GLOW, ...look, part: rays },
     { name: 'disc', mesh: disc, color: GOLD, ...look, part: rays },
-    { name: 'glow', mesh: shining(all), color: GLOW, ...plain, part: rays },
-    { name: 'sun', mesh: shining(disc), color: GOLD, ...plain, part: rays },
+    { name: 'glow', mesh: shining(all), color: GLOW, ...plain, ...bright },
+    { name: 'sun', mesh: shining(disc), color: GOLD, ...plain, ...bright },
     { name: 'sun eyes', mesh: placed(features, { at: [0, 0, 0.225] }), color: [140, 70, 50], ...plain },
-    { name: 'sun cheeks', mesh: shining(placed(cheeks, { at: [0, 0, 0.19] })), color: GLOW, ...plain },
+    { name: 'sun cheeks', mesh: shining(placed(cheeks, { at: [0, 0, 0.19] })), color: GLOW, ...plain, glows: true },
   ];
 }
 

@@ -248,6 +248,13 @@ describe('RampTexture under another light', () => {
     ]);
   });
 
+  it('shows only full light of a material that glows, but in the light of the style its tones', () => {
+    const ramp = rampOf(CREAM, { tones: 3, shading: true });
+    const night = { direct: [0.1, 0.2, 0.6], ambient: [0, 0.1, 0.3] } as const;
+    expect(texelsOf({ ...ramp, glows: true }, SAME)).toEqual(texelsOf(ramp, SAME));
+    expect(new Set(texelsOf({ ...ramp, glows: true }, night).map(String))).toEqual(new Set([String(CREAM)]));
+  });
+
   it.each([
     ['two tones', { tones: 2, shading: true }],
     ['three tones and a fill light', { tones: 3, shading: true, fill: 0.4 }],
