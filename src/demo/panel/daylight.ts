@@ -24,13 +24,13 @@ const LOWEST = 5;
 /** Azimuth and elevation of sun and moon by the hour, degrees: those of the preset times `own`, and added to them. */
 const PATH: readonly (readonly [hour: number, own: 0 | 1, azimuth: number, elevation: number])[] = [
   [0, 0, -40, 48],
-  [4.5, 0, -54, 32],
-  [6, 0, -62, 16],
+  [4.5, 0, -54, 36],
+  [6, 0, -62, 32],
   [9.5, 1, -24, -6],
   [OWN_HOUR, 1, 0, 0],
   [16.5, 1, 16, -8],
-  [18.5, 0, 64, 18],
-  [20, 0, 56, 12],
+  [18.5, 0, 64, 32],
+  [20, 0, 50, 26],
   [22, 0, -25, 42],
   [24, 0, -40, 48],
 ];
