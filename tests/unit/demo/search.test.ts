@@ -1,5 +1,6 @@
 /** The search of the panel. */
 import { expect, test } from 'vitest';
+import { hourParameter } from '../../../src/demo/panel/dial.ts';
 import { rankOf, synonyms } from '../../../src/demo/panel/search.ts';
 import { findParameter, groups, table } from '../../../src/preset.ts';
 
@@ -81,5 +82,6 @@ test('a search finds nothing within words, except within labels', () => {
 });
 
 test('each synonym is of a parameter', () => {
-  expect(Object.keys(synonyms).filter((key) => !findParameter(key.replace('#', '0')))).toEqual([]);
+  const isKnown = (key: string) => key === hourParameter.key || findParameter(key.replace('#', '0'));
+  expect(Object.keys(synonyms).filter((key) => !isKnown(key))).toEqual([]);
 });
