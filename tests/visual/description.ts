@@ -173,7 +173,7 @@ function surfaceAsObject(surface: Shaped, index: number, shown: Shown): object {
   const first = shown.surfaces.findIndex((other) => group !== undefined && other.group === group);
   return {
     shape,
-    ramp: glows && isChanged(style.illumination) ? glowing(ramp) : ramp,
+    ramp: glows && isChanged(style.illumination) ? glowing(ramp, style.illumination) : ramp,
     glows,
     casts,
     inked,

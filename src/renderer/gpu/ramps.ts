@@ -31,7 +31,7 @@ export interface Ramp {
   filled?: Color;
   /** Whether tones are interpolated instead of flat. */
   isBlended?: boolean;
-  /** Whether the material shows its last tone in every light but that of the style. */
+  /** Whether the material is a source of light, see {@link glowing}. */
   glows?: boolean;
 }
 
@@ -94,7 +94,7 @@ export class RampTexture {
   write(material: number, ramp: Ramp, illumination?: Illumination): void {
     const first = RAMP_ROWS * material;
     const other = isChanged(illumination) ? illumination : undefined;
-    const { lit, unlit, filled, isBlended = false } = ramp.glows && other ? glowing(ramp) : ramp;
+    const { lit, unlit, filled, isBlended = false } = ramp.glows && other ? glowing(ramp, other) : ramp;
     const shown: Shown = (color, filledShare) =>
       other && !ramp.glows ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
     [unlit, lit].forEach((tones, row) => {
@@ -137,9 +137,16 @@ export class RampTexture {
   }
 }
 
-/** Only the tone of full light. */
-export function glowing({ lit }: Ramp): Ramp {
-  const full = lit.slice(-1);
+/**
+ * Only the tone of full light, in the hue of the direct light as far as that is coloured: the same sun is orange at dusk and
+ * a pale moon at night.
+ */
+export function glowing({ lit }: Ramp, { direct }: Illumination): Ramp {
+  const [{ from, color }] = lit.slice(-1);
+  const [least, most] = [Math.min(...direct), Math.max(...direct)];
+  const share = most > 0 ? 1 - least / most : 0;
+  const hue = linear(color).map((light, at) => light + share * (direct[at] / (most || 1) - light));
+  const full = [{ from, color: encoded(hue) }];
   return { lit: full, unlit: full };
 }
 

@@ -11,7 +11,7 @@ export interface SurfaceDescription {
   casts: boolean;
   /** Whether it has outlines. */
   inked: boolean;
-  /** Whether it is a source of light: in another light than that of the style it keeps its colour. */
+  /** Whether it is a source of light, which has the hue of the light where `light.color` sets one. */
   glows?: boolean;
   /**
    * Surfaces of the same group have no line between them. A surface without a group has outlines against all others.

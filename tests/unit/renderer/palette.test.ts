@@ -5,10 +5,12 @@ import { defaults } from '../../../src/parameters/values.ts';
 import {
   blendedAt,
   colorAt,
+  type Factors,
   FIRST_BORDER,
-  RampTexture,
   type Illumination,
+  linear,
   type Ramp,
+  RampTexture,
   type Tone,
 } from '../../../src/renderer/gpu/ramps.ts';
 import { illuminationOf } from '../../../src/renderer/light.ts';
@@ -248,11 +250,17 @@ describe('RampTexture under another light', () => {
     ]);
   });
 
-  it('shows only full light of a material that glows, but in the light of the style its tones', () => {
-    const ramp = rampOf(CREAM, { tones: 3, shading: true });
-    const night = { direct: [0.1, 0.2, 0.6], ambient: [0, 0.1, 0.3] } as const;
-    expect(texelsOf({ ...ramp, glows: true }, SAME)).toEqual(texelsOf(ramp, SAME));
-    expect(new Set(texelsOf({ ...ramp, glows: true }, night).map(String))).toEqual(new Set([String(CREAM)]));
+  it('shows only full light of a material that glows, in the hue of coloured light, but its tones in that of the style', () => {
+    const ramp = { ...rampOf(CREAM, { tones: 3, shading: true }), glows: true };
+    const shown = (direct: Factors) => [...new Set(texelsOf(ramp, { direct, ambient: [0, 0.1, 0.3] }).map(String))];
+    expect(texelsOf(ramp, SAME)).toEqual(texelsOf({ ...ramp, glows: false }, SAME));
+    expect(shown([0.2, 0.2, 0.2])).toEqual([String(CREAM)]);
+    expect(shown([0, 0, 0])).toEqual([String(CREAM)]);
+    expect(shown([0, 0, 0.5])).toEqual(['0,0,255']);
+    const half = linear(CREAM).map((light, at) => (light + [0.5, 0.5, 1][at]) / 2);
+    shown([0.25, 0.25, 0.5])[0]
+      .split(',')
+      .forEach((channel, at) => expect(linear([Number(channel), 0, 0])[0]).toBeCloseTo(half[at], 2));
   });
 
   it.each([
