@@ -49,6 +49,11 @@ test('the search of the panel', async ({ page }) => {
     await field.fill('');
     expect((await order()).filter((key) => before.includes(key))).toEqual(before);
   });
+  await test.step('no control is wider than the panel', async () => {
+    const wide = rowsOf(page).evaluateAll((rows) => rows.filter((row) => row.scrollWidth > row.clientWidth).length);
+    expect(await rowsOf(page).count()).toBeGreaterThan(40);
+    expect(await wide).toBe(0);
+  });
   await test.step('typed words find parameters, and an empty search shows all', async () => {
     await expectSearch(page, async (words) => {
       await field.press('Control+a');
