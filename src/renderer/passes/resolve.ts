@@ -5,7 +5,7 @@ import edgesVertexShader from '../../../shaders/resolve/edges.vert';
 import tilesShader from '../../../shaders/resolve/tiles.frag';
 import tonesShader from '../../../shaders/resolve/tones.frag';
 import vertexShader from '../../../shaders/lib/fullScreen.vert';
-import { EDGE_TILE } from '../../base/constants.ts';
+import { EDGE_TILE, FEW_TILES } from '../../base/constants.ts';
 import type { FrameView } from '../gpu/frameView.ts';
 import { DrawnPoints, FullScreen } from '../gpu/fullScreen.ts';
 import { pictureTarget, type Targets } from './targets.ts';
@@ -21,6 +21,9 @@ export interface InkOverlay {
 
 /** Draws tones that differ from the plain ones into a target. */
 export type ChooseTones = (output: WebGLRenderTarget) => void;
+
+/** What tiles.frag writes for tiles with an edge. */
+const MARKED = 0xff0000;
 
 /** The shaders of the pass. */
 export const RESOLVE_SHADERS: readonly Shaders[] = [
@@ -102,9 +105,13 @@ export class ResolvePass {
     const [columns, rows] = [Math.ceil(width / EDGE_TILE), Math.ceil(height / EDGE_TILE)];
     this.marks.setSize(columns, rows);
     renderer.setRenderTarget(this.marks);
-    this.tiles.draw(renderer);
+    const isSmall = columns * rows <= FEW_TILES;
+    if (isSmall) {
+      renderer.setClearColor(MARKED, 1);
+      renderer.clear(true, false, false);
+    } else this.tiles.draw(renderer);
     renderer.setRenderTarget(output);
-    this.copy.draw(renderer);
+    if (!isSmall) this.copy.draw(renderer);
     this.edges.draw(renderer, columns * rows);
   }
 }

@@ -5,7 +5,7 @@ import fieldsShader from '../../../../shaders/simplify/fields.frag';
 import flatShader from '../../../../shaders/simplify/flat.frag';
 import tilesShader from '../../../../shaders/simplify/tiles.frag';
 import tonesShader from '../../../../shaders/simplify/tones.frag';
-import { FLAT_TILE } from '../../../base/constants.ts';
+import { FEW_TILES, FLAT_TILE } from '../../../base/constants.ts';
 import type { FrameView } from '../../gpu/frameView.ts';
 import { DrawnPoints, FullScreen } from '../../gpu/fullScreen.ts';
 import { pictureTarget, type Targets } from '../targets.ts';
@@ -105,9 +105,16 @@ export class SimplifyPass {
     const tones = meshes.at(-1)!;
     const { material } = tones;
     tones.material = eye.lampLight?.on(material) ?? material;
+    const isSmall = columns * rows <= FEW_TILES;
+    if (isSmall) {
+      renderer.setRenderTarget(flatTiles);
+      renderer.setClearColor(ACTIVE, 1);
+      renderer.clear(true, false, false);
+    }
     [tiles, flatTiles, fields, across, output].forEach((target, index) => {
-      renderer.setRenderTarget(target);
       const pass = meshes[index];
+      if (isSmall && index < 2) return;
+      renderer.setRenderTarget(target);
       if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
       else pass.draw(renderer);
     });
@@ -140,6 +147,8 @@ export class SimplifyPass {
   }
 }
 
+/** What flat.frag writes for tiles that are not flat. */
+const ACTIVE = 0x00ff00;
 /** Makes shaders mix in the light of the whole form. */
 const LEANING = { FORM: '' };
 /** Makes points cover what is averaged with active tiles, too. */
