@@ -42,6 +42,7 @@ layout(location = 2) out vec4 shading;
 #endif
 
 #include ../lib/depth.glsl
+#include ../lib/srgb.glsl
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl

@@ -38,6 +38,7 @@ flat out vec3 towardsLight;
 #include ../lib/material.glsl
 #ifdef FALLOFF
 float packedStrengthAt(vec3 place);
+#include ../lib/srgb.glsl
 #endif
 
 void main() {

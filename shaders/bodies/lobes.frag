@@ -38,6 +38,7 @@ layout(location = 2) out vec4 shading;
 
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
+#include ../lib/srgb.glsl
 #include ../lib/shade.glsl
 #include ../lib/shading.glsl
 #include ../lib/pixel.glsl

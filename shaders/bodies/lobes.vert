@@ -38,6 +38,7 @@ flat out vec4 lobes[LOBES];
 #include ../lib/orientation.glsl
 #ifdef FALLOFF
 float packedStrengthAt(vec3 place);
+#include ../lib/srgb.glsl
 #endif
 #ifdef BITES
 mat2x3 bitesIn(mat3 viewFromPuff);

@@ -1,5 +1,5 @@
 // Direct light that weakens with the distance from a lamp, see docs/design/rendering.md. src/renderer/falloff.ts adds this to
-// shaders with FALLOFF.
+// shaders with FALLOFF, which include srgb.glsl.
 uniform vec3 lampPlace;
 // Factors on the direct light where the strength is 1, the largest of which is 1, and on the ambient light.
 uniform vec3 lampLight;
@@ -13,8 +13,6 @@ uniform vec4 lampReach;
 uniform vec4 lampCone;
 // Ramps in the light of the style, linear.
 uniform sampler2D styledRamps;
-
-#include ../lib/srgb.glsl
 
 // Strength of the direct light where the shader is.
 float strength;
@@ -52,13 +50,16 @@ void findStrength(vec3 place) {
   strength = strengthAt(place);
 }
 
-// S a + (T - S) k f for a texel T of the ramps, linear. Its alpha is the share of the fill light, which stays.
+// S a + (T - S) k f for a texel T of the ramps, linear, and the share of T that glows instead. Its alpha is the share of the fill
+// light, which stays.
 vec3 linearInLight(ivec2 texel) {
   int first = texel.y & ~3;
   vec4 tone = texelFetch(styledRamps, texel, 0);
-  vec3 ambient = texelFetch(styledRamps, ivec2(0, first), 0).rgb;
+  vec4 shadow = texelFetch(styledRamps, ivec2(0, first), 0);
+  vec3 ambient = shadow.rgb;
   vec3 byFill = tone.a * (texelFetch(styledRamps, ivec2(0, first + 2), 0).rgb - ambient);
-  return ambient * ambientLight + (tone.rgb - ambient - byFill) * lampLight * strength + byFill;
+  vec3 color = ambient * ambientLight + (tone.rgb - ambient - byFill) * lampLight * strength + byFill;
+  return mix(color, tone.rgb, shadow.a);
 }
 
 // The display-encoded colour of a texel, or that of the rim. One encoding for both, because it costs most.

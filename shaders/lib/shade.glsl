@@ -1,4 +1,4 @@
-// How the light falls on a pixel.
+// How the light falls on a pixel. Needs srgb.glsl.
 struct Lighting {
   float facing;
   bool isFilled;
@@ -30,6 +30,16 @@ bool isRim(float facingEye, float facingLight, float width) {
   return band > 0.0 && facingEye < sqrt(band * (2.0 - band));
 }
 
+// Linear colour of the rim in the light of the style.
+uniform vec3 rimGlow;
+
+// The rim of a material. A share of it glows, see src/renderer/gpu/ramps.ts.
+// @param color of the rim in the light
+vec3 rimOf(vec3 color, sampler2D ramps, float material) {
+  float glow = texelFetch(ramps, ivec2(0.0, RAMP_ROWS * material), 0).a;
+  return glow > 0.0 ? displayFromLinear(mix(linearFromDisplay(color), rimGlow, glow)) : color;
+}
+
 // Takes unit vectors in view space; a material without fill and rim may use any space.
 Lighting lightingOf(vec3 normal, vec3 towardsLight, float rimWidth) {
   float facing = dot(normal, towardsLight);
@@ -56,6 +66,9 @@ Shades shade(Lighting light, sampler2D ramps, float material, vec3 gradient, vec
 #else
   vec3 lit = texelFetch(ramps, texel + ivec2(0, 1), 0).rgb;
 #endif
-  if (light.isRim) return Shades(rimColor, rimColor);
+  if (light.isRim) {
+    vec3 rim = rimOf(rimColor, ramps, material);
+    return Shades(rim, rim);
+  }
   return Shades(texelFetch(ramps, texel, 0).rgb * gradient, lit * gradient);
 }

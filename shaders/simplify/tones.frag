@@ -30,17 +30,16 @@ out vec4 pixel;
 #include unpackShading.glsl
 #define ALONG_COLUMNS
 #include smoothing.glsl
+#include ../lib/srgb.glsl
 #ifdef FALLOFF
 void unpackStrength(float code);
-vec3 inLight(ivec2 texel, bool isRim);
 #endif
+#include ../lib/shade.glsl
 #ifdef FORM
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
 #endif
-
-const float RAMP_ROWS = 4.0;
 
 vec3 rampAt(float material, float row, float facing) {
 #ifdef FALLOFF
@@ -104,10 +103,11 @@ void main() {
   }
   if (light.a > 0.5) {
 #ifdef FALLOFF
-    pixel = vec4(inLight(ivec2(0), true), shadowed.a);
+    vec3 rim = inLight(ivec2(0), true);
 #else
-    pixel = vec4(rimColor, shadowed.a);
+    vec3 rim = rimColor;
 #endif
+    pixel = vec4(rimOf(rim, ramps, own.material), shadowed.a);
     return;
   }
 #ifdef FORM

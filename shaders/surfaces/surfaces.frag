@@ -15,6 +15,7 @@ layout(location = 1) out vec4 lit;
 layout(location = 2) out float number;
 
 #include ../lib/light.glsl
+#include ../lib/srgb.glsl
 #include ../lib/shade.glsl
 
 void main() {

@@ -27,6 +27,14 @@ function readStop(text: string): Stop | undefined {
   return { at: Number(parts[0]), value: Number(parts[1]) };
 }
 
+/** The value of a curve at a position. It is constant before the first stop and after the last. */
+export function valueAt(stops: readonly Stop[], at: number): number {
+  const next = stops.findIndex((stop) => stop.at > at);
+  if (next < 1) return stops.at(next)!.value;
+  const [from, to] = [stops[next - 1], stops[next]];
+  return from.value + ((at - from.at) / (to.at - from.at)) * (to.value - from.value);
+}
+
 /** Formats a curve with three decimal places and without leading zeros. */
 export function writeCurve(stops: readonly Stop[]): string {
   const short = (number: number) => String(Number(number.toFixed(3))).replace(/^0\./, '.');

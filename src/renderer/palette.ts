@@ -131,7 +131,7 @@ export function isFlat({ tones, shading, stops }: Toning): boolean {
 }
 
 /** The base colour of the smoke's ramp; white with custom stops, which are used unchanged. */
-export function plainColorOf({ stops, smokeColor }: Toning & { smokeColor: Color }): Color {
+export function plainColorOf({ stops, smokeColor }: Pick<Toning, 'stops'> & { smokeColor: Color }): Color {
   return stops?.length ? WHITE : smokeColor;
 }
 

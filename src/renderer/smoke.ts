@@ -11,6 +11,7 @@ import type { DrawnSurfaces } from './sceneSurfaces.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import { SmokePasses } from './smokePasses.ts';
 import { TINTS } from '../base/constants.ts';
+import { valueAt, type Stop } from '../parameters/curve.ts';
 import { TEMPERATURE_MAX } from '../simulator/layout.ts';
 
 export interface SmokeOptions {
@@ -161,12 +162,12 @@ export class SmokeRenderer {
   private writeRamps(style: Style): void {
     const surfaces = surfaceToning(style);
     const first = FIRST_SURFACE_RAMP + this.surfaces.length;
-    const { colors, bands } = bandsOf(style, first);
+    const { colors, glows: shares, bands } = bandsOf(style, first);
     const ramps = [
       rampOf(plainColorOf(style), style),
       ...style.tints.map((tint) => rampOf(tint, style)),
       ...this.surfaces.map(({ color, glows }) => ({ ...rampOf(washed(color, style.wash), surfaces), glows })),
-      ...colors.map((color) => rampOf(color, style)),
+      ...colors.map((color, band) => ({ ...rampOf(color, style), glow: shares[band] })),
     ];
     this.ramps.resize(ramps.length);
     ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
@@ -176,11 +177,7 @@ export class SmokeRenderer {
 }
 
 /** The fields of a style that colour smoke over its life; see Style. */
-interface Coloring {
-  ageColors: readonly Tone[];
-  heatColors: readonly Tone[];
-  softColors: boolean;
-}
+type Coloring = Pick<Style, 'ageColors' | 'heatColors' | 'softColors' | 'glow' | 'smokeColor' | 'stops'>;
 
 /**
  * Number of steps that approximate interpolated colours. With both ramps, every pair of steps takes rows of the ramp
@@ -189,27 +186,49 @@ interface Coloring {
 const SOFT_STEPS = 64;
 const SOFT_STEPS_OF_BOTH = 16;
 
-const WHITE: readonly Tone[] = [{ from: 0, color: [255, 255, 255] }];
+const WHITE: Color = [255, 255, 255];
 const BYTES = Array.from({ length: 256 }, (_, byte) => byte);
 const NONE = BYTES.map(() => 0);
 
+/** Flat bands of smoke: their colours, the share of each that glows, 0..1, and where they apply. */
+interface BandsOfSmoke {
+  readonly colors: readonly Color[];
+  readonly glows: readonly number[];
+  readonly bands: Bands;
+}
+
 /**
  * Divides the colours of smoke by age and temperature into flat bands, and maps an age (0..1) and a temperature (0..1;
- * higher values are clamped to 1) to its band. With both ramps the two colours are multiplied.
+ * higher values are clamped to 1) to its band. With both ramps the two colours are multiplied. Smoke that glows has bands
+ * by temperature even if its colour is the same at all temperatures.
  * @param first material index of the first band; without colour ramps all smoke has material 0
  */
-export function bandsOf(coloring: Coloring, first: number): { colors: Color[]; bands: Bands } {
-  const { ageColors, heatColors } = coloring;
+export function bandsOf(coloring: Coloring, first: number): BandsOfSmoke {
+  const { ageColors, glow, softColors } = coloring;
+  const isPlain = ageColors.length + coloring.heatColors.length === 0;
+  const whole: readonly Tone[] = [{ from: 0, color: isPlain ? plainColorOf(coloring) : WHITE }];
+  const hasSteps = glow.length > 0 && coloring.heatColors.length === 0;
+  const heatColors = hasSteps ? whole : coloring.heatColors;
   const steps = ageColors.length && heatColors.length ? SOFT_STEPS_OF_BOTH : SOFT_STEPS;
-  const [ages, heats] = [ageColors, heatColors].map((ramp) => (coloring.softColors ? softened(ramp, steps) : ramp));
-  if (ages.length + heats.length === 0) return { colors: [], bands: { ages: NONE, temperatures: NONE } };
-  const [byAge, byHeat] = [ages, heats].map((ramp) => (ramp.length ? ramp : WHITE));
+  const ages = softColors ? softened(ageColors, steps) : ageColors;
+  const heats = softColors || hasSteps ? softened(heatColors, steps) : heatColors;
+  if (ages.length + heats.length === 0) return { colors: [], glows: [], bands: { ages: NONE, temperatures: NONE } };
+  const [byAge, byHeat] = [ages, heats].map((ramp) => (ramp.length ? ramp : [{ from: 0, color: WHITE }]));
   const colors = byHeat.flatMap((heat) => byAge.map((age) => multiply(age.color, heat.color)));
+  const glows = byHeat.flatMap((_, heat) => byAge.map(() => glowOf(glow, byHeat, heat)));
   const bands = {
     ages: BYTES.map((byte) => first + toneAt(byAge, byte / 256)),
     temperatures: BYTES.map((byte) => byAge.length * toneAt(byHeat, (byte / 255) * TEMPERATURE_MAX)),
   };
-  return { colors, bands };
+  return { colors, glows, bands };
+}
+
+/** The share that glows in the middle of a band, which the last one has at temperature 1. In steps of the ramp texture. */
+function glowOf(glow: readonly Stop[], byHeat: readonly Tone[], band: number): number {
+  if (glow.length === 0) return 0;
+  const next = byHeat[band + 1];
+  const middle = next ? (byHeat[band].from + next.from) / 2 : 1;
+  return Math.round(255 * valueAt(glow, middle)) / 255;
 }
 
 /** Divides a ramp into equal steps; the first and the last step have the colours of its ends. */

@@ -2,9 +2,10 @@ import { Color as ThreeColor, type IUniform } from 'three';
 import type { StyleUniforms } from './gpu/frameView.ts';
 import { MAX_STRETCH } from '../base/constants.ts';
 import type { PuffForm } from './gpu/puffTextures.ts';
-import { scaled, writeColor, type Color, type Factors, type Illumination, type Tone } from './gpu/ramps.ts';
+import { linear, scaled, writeColor, type Color, type Factors, type Illumination, type Tone } from './gpu/ramps.ts';
 import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
 import { styleRows } from '../parameters/rows/style.ts';
+import { readCurve, type Stop } from '../parameters/curve.ts';
 import { defaults } from '../parameters/values.ts';
 import { hasDecay, illuminationOf } from './light.ts';
 import { formatColor, parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
@@ -74,6 +75,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   /** Colours of untinted smoke over its age and over its temperature, 0..1 each; `smokeColor` if empty. */
   ageColors: readonly Tone[];
   heatColors: readonly Tone[];
+  /** Share of the colour that the light does not scale, over temperature, 0..1 each; empty if it is 0 everywhere. */
+  glow: readonly Stop[];
   /** Factors on the light in which smoke and surfaces have the colours of the style. */
   illumination: Illumination;
   /** Factors on the direct light of a lamp that weakens with distance, at the unit of its falloff; absent for other light. */
@@ -120,6 +123,7 @@ export function styleOf(values: Values): Style {
     isBlended: rampBlend,
     ageColors: ageRamp,
     heatColors: heatRamp,
+    glow: glowOf(values),
     tints: [tint1, tint2, tint3],
     backdropColors: backdrop,
     wash: { share: wash, color: washColor },
@@ -133,6 +137,11 @@ export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' 
   const stretch = endsStretched ? MAX_STRETCH : moving;
   const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };
+}
+
+function glowOf(values: Values): Stop[] {
+  const stops = readCurve(values['emission.glow']!) ?? [];
+  return stops.some(({ value }) => value > 0) ? stops : [];
 }
 
 function nameOf({ key }: Parameter): string {
@@ -154,12 +163,17 @@ export function styleUniforms(): StyleUniforms {
     if (typeof value === 'number' || typeof value === 'boolean') return [[name, { value }]];
     return Array.isArray(value) && typeof value[2] === 'number' ? [[name, { value: new ThreeColor() }]] : [];
   });
-  return { ...Object.fromEntries(uniforms), inkPixels: { value: 0 }, gradientFactor: { value: new ThreeColor() } };
+  return {
+    ...Object.fromEntries(uniforms),
+    inkPixels: { value: 0 },
+    gradientFactor: { value: new ThreeColor() },
+    rimGlow: { value: new ThreeColor() },
+  };
 }
 
 /** @param pixelRatio pixels of the target for each CSS pixel */
 export function setStyle(
-  { inkPixels, gradientFactor, ...uniforms }: StyleUniforms,
+  { inkPixels, gradientFactor, rimGlow, ...uniforms }: StyleUniforms,
   style: Style,
   pixelRatio: number,
 ): void {
@@ -176,6 +190,7 @@ export function setStyle(
   }
   inkPixels.value = inkPixelsOf(style, pixelRatio);
   gradientFactor.value.fromArray(gradientFactorOf(style));
+  rimGlow.value.fromArray(linear(style.rimColor));
 }
 
 /** Fills from the gradient's colour at its low end to the smoke's own colour at its high end. */

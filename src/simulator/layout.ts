@@ -68,6 +68,12 @@ export const END_STEPS = 256;
 /** Word of a row with `end` at its maximum and no other bits: an unbounded shadow. */
 export const NO_END = 0xffff0000;
 
+/** Intervals between the temperatures, 0 to 1, of the colours that `glow` takes; see arrange/glow.rs. */
+export const GLOW_HEATS = 64;
+
+/** Floats of a lamp: x, y, z in metres and 1, then its light in square metres: linear red, green, blue and luminance. */
+export const LAMP_FLOATS = 8;
+
 /** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */
 export const POSE_FLOATS = 7;
 

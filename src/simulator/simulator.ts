@@ -215,6 +215,17 @@ export class Simulator {
     return this.#attempt(() => this.#handle.variationsAlive);
   }
 
+  /**
+   * The lamps at the glowing parts of smoke, three times {@link LAMP_FLOATS} numbers: functions of the state, the same for
+   * every camera.
+   * @param blend elapsed share of the step, 0..1
+   * @param colors light of a puff of radius 1 m at each of {@link GLOW_HEATS} + 1 temperatures from 0 to 1: linear red, green
+   * and blue, and their luminance
+   */
+  glow(blend: number, colors: Float32Array): Float32Array {
+    return this.#attempt(() => this.#handle.glow(blend, colors));
+  }
+
   /** Displacement in the latest step of each row of the last {@link arrange}, metres: x, y, z. */
   moves(): Float32Array {
     return this.#attempt(() => this.#handle.moves());

@@ -8,6 +8,7 @@ import {
   type JSONMeta,
   type Material,
   type Object3DJSON,
+  type PointLight,
   type Scene,
   type WebGLRenderer,
 } from 'three';
@@ -34,6 +35,7 @@ import { Collider, requireCollideOptions, type CollideOptions, type Obstacles } 
 import type { BurstOptions, EmitterOptions } from '../simulator/emitterOptions.ts';
 import { EmitterPool, PooledEmitter, TableEmitter, TableNumbers, type EmitterHandle } from './emitters.ts';
 import { SmokeFrame, type SmokeSpace } from './smokeSpace.ts';
+import { GlowLights } from './glowLights.ts';
 import { Handles, type Handle, type SmokeHandle } from './handle.ts';
 import { borrowDevice, releaseDevice, HostPasses } from './hostPasses.ts';
 import { drawIntoHost } from './hostFrame.ts';
@@ -97,6 +99,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private readonly sceneLight: SceneLight | undefined;
   private readonly onRelight: (isInShadow: boolean) => void;
   private readonly simulator: Simulator;
+  private glow: GlowLights | undefined;
   /** The state before the first step, without handles. */
   private readonly start: Uint8Array;
   private readonly passes: HostPasses;
@@ -302,6 +305,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       this.handles.show(this.clock.blend);
       this.shown.bake(BAKING_MS);
       this.markVisible();
+      this.showGlow();
     } catch (error) {
       this.reportOnce(error);
     }
@@ -321,6 +325,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.handles.show(this.clock.blend);
     this.shown.bake();
     this.markVisible();
+    this.showGlow();
   }
 
   /**
@@ -334,6 +339,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     requireChangeable(values);
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.change({ ...this.shown.values, ...values });
+    this.showGlow();
   }
 
   /**
@@ -357,6 +363,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     this.simulator.inputClear();
     this.markVisible();
+    this.showGlow();
     return this;
   }
 
@@ -393,6 +400,20 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.restoreState(bytes);
     this.useValues(valuesIn(this.simulator, this.shown.values, {}));
     this.shown.keepVariations(this.simulator.variationsAlive);
+  }
+
+  /**
+   * Three lights at the parts of smoke that glow by `emission.glow`, for the other objects of the scene:
+   * `smoke.add(...smoke.glowLights)`. Each `update` and `step` sets their position in the space of this object, metres, their
+   * colour, and their intensity in candela, which is 0 if nothing glows. They do not shade smoke. The first access creates them.
+   */
+  get glowLights(): readonly PointLight[] {
+    this.requireAlive();
+    if (!this.glow) {
+      this.glow = new GlowLights();
+      this.showGlow();
+    }
+    return this.glow.lights;
   }
 
   get stats(): CartoonSmokeStats {
@@ -445,6 +466,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.stopListening();
     this.geometry.dispose();
     this.passes.dispose();
+    this.glow?.dispose();
     releaseDevice(this.device);
   }
 
@@ -500,6 +522,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.clock.settle();
     this.handles.show(this.clock.blend);
     this.markVisible();
+    this.showGlow();
   }
 
   /** Draws smoke. The next `update` reports why it could not be drawn. */
@@ -535,6 +558,12 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const isVisible = !this.hasDrawn || this.simulator.alive > 0 || !this.passes.casters.isEmpty;
     this.material.visible = isVisible;
     if (!isVisible) this.drawn = NOTHING;
+  }
+
+  /** Moves the lights at glowing smoke to those of the current frame. */
+  private showGlow(): void {
+    const { frame, simulator, shown, clock } = this;
+    this.glow?.show({ object: this, frame, simulator, style: shown.style, blend: clock.blend });
   }
 
   private advance(steps: number): void {

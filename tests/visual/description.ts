@@ -89,14 +89,15 @@ function lightAsObject(light: Light): object {
 }
 
 function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {
-  const { colors, bands } = bandsOf(style, 1 + style.tints.length);
-  const ramps = [plainColorOf(style), ...style.tints, ...colors].map((own): Ramp => rampOf(own, style));
+  const { colors, glows, bands } = bandsOf(style, 1 + style.tints.length);
+  const ramps = [plainColorOf(style), ...style.tints].map((own): Ramp => rampOf(own, style));
+  const inBands = colors.map((own, band): Ramp => ({ ...rampOf(own, style), glow: glows[band] }));
   return {
     ...style,
     inkPixels: inkPixelsOf(style, pixelRatio),
     drawing: Math.floor(DRAWINGS_PER_SECOND * time),
     smokeColor: smokeColorOf(style),
-    smokeRamps: ramps,
+    smokeRamps: [...ramps, ...inBands],
     bands,
     litFrom: litThresholdOf(style),
     rim: style.shading ? style.rim : 0,

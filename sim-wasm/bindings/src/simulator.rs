@@ -83,6 +83,11 @@ impl Simulator {
         self.simulator.moves().into_flattened()
     }
 
+    /// Place and light of the lamps at the glowing parts of smoke, eight floats each. See `sim::arrange::glow`.
+    pub fn glow(&self, blend: f32, colors: &[f32]) -> Vec<f32> {
+        self.simulator.glow(blend, colors)
+    }
+
     /// One more than the highest variation of a living particle; 0 without particles.
     #[wasm_bindgen(getter = variationsAlive)]
     pub fn variations_alive(&self) -> u32 {

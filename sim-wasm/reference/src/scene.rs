@@ -134,6 +134,9 @@ pub struct Ramp {
     /// True if tones blend into each other.
     #[serde(default)]
     pub is_blended: bool,
+    /// Share of its colours that glows: the light does not scale it, 0 to 1.
+    #[serde(default)]
+    pub glow: f64,
 }
 
 #[derive(Deserialize)]

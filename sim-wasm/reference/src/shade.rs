@@ -63,7 +63,8 @@ impl Shade {
             // The fill light stays as it is.
             let by_fill = share * first.map_or(DVec3::ZERO, |first| linear(DVec3::from(first)) - ambient);
             let by_key = linear(tone) - ambient - by_fill;
-            display(ambient * DVec3::from(light.ambient) + by_key * DVec3::from(light.direct) + by_fill)
+            let scaled = ambient * DVec3::from(light.ambient) + by_key * DVec3::from(light.direct) + by_fill;
+            display(scaled.lerp(linear(tone), ramp.glow))
         };
         Self {
             lit: color(&ramp.lit),
@@ -85,8 +86,9 @@ impl Shade {
         // As a share of the radius of a ball.
         let band = 0.5 * style.rim * (0.5 - facing).clamp(0.0, 1.0);
         if band > 0.0 && normal.z < (band * (2.0 - band)).sqrt() {
-            let factor = DVec3::from(colors.direct);
-            return Self::same(display(linear(DVec3::from(style.rim_color)) * factor), Part::Rim);
+            let own = linear(DVec3::from(style.rim_color));
+            let scaled = (own * DVec3::from(colors.direct)).min(DVec3::ONE);
+            return Self::same(display(scaled.lerp(own, ramp.glow)), Part::Rim);
         }
         let is_filled = normal.dot(towards_fill(light)) > FILL_BORDER;
         let shade = Self::of(ramp, colors, facing, is_filled);

@@ -192,6 +192,7 @@ mod tests {
             unlit: Vec::new(),
             filled: None,
             is_blended: false,
+            glow: 0.0,
         };
         let ball = Shape::Ball {
             center: [0.0, 2.0, 0.0],

@@ -126,6 +126,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'emission.lifetime': 'duration length age time fade',
   'emission.growthTime': 'grow expand swell',
   'emission.density': 'opacity transparency opaque transparent alpha thickness thick thin fade',
+  'emission.glow': 'fire flame emissive emission bright night hot heat lamp',
   'emission.dissolve': 'fade vanish disappear erode opacity tear strand tatter',
   'emission.entrainment': 'expand spread widen grow',
   'emission.company': 'group cluster neighbours stragglers crumbs end',

@@ -26,6 +26,7 @@ export const smokeRows = [
   simulated('emission.lifetime'),
   simulated('emission.growthTime'),
   { kind: 'curve', key: 'emission.density', reader: 'simulator', default: '0:1,1:0' },
+  { kind: 'curve', key: 'emission.glow', reader: 'style', default: '0:0,1:0' },
   simulatedChoice('emission.dissolve'),
   ofScene(simulated('emission.entrainment')),
   simulated('emission.company'),

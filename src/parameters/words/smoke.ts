@@ -40,6 +40,10 @@ export const smokeWords: WordsOf<Rows> = {
     label: 'Density',
     text: 'Size of a puff over its life, from birth to death; it always ends at 0.',
   },
+  'emission.glow': {
+    label: 'Glow',
+    text: 'Share of the colour of smoke that no light dims, from cold smoke to temperature 1: fire stays bright at night.',
+  },
   'emission.dissolve': {
     label: 'Dissolving',
     text: 'How puffs end as their density falls: they shrink; holes open and leave crescents, rings and hooks; they tear along their motion; or they shrink and thin to strands. Billboards and the renderer selle have no holes.',

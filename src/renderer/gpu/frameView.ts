@@ -19,6 +19,8 @@ export const MAX_PLANES = 8;
 export interface StyleUniforms extends Record<string, IUniform> {
   /** Width of the outlines in pixels of the target; 0 draws no lines. */
   inkPixels: IUniform<number>;
+  /** Linear colour of the rim in the light of the style. */
+  rimGlow: IUniform<ThreeColor>;
   /** Factor on display-encoded colours at the low end of the gradient; at its high end it is 1. */
   gradientFactor: IUniform<ThreeColor>;
 }

@@ -33,6 +33,8 @@ export interface Ramp {
   isBlended?: boolean;
   /** Whether the material is a source of light, see {@link glowing}. */
   glows?: boolean;
+  /** Share of its colours that the light does not scale, 0..1; defaults to 0. */
+  glow?: number;
 }
 
 /** Selects the ramp of a puff: the ramp index is `ages[ageByte] + temperatures[temperatureByte]`. */
@@ -53,8 +55,6 @@ export interface Illumination {
   readonly ambient: Factors;
 }
 
-const SAME: Factors = [1, 1, 1];
-
 /** The displayed colour, given that of a ramp and the share of the ramp's first tone in it. */
 type Shown = (color: Color, firstShare: number) => Color;
 
@@ -67,7 +67,8 @@ export const FIRST_BORDER = 0.3;
  * The quantisation q of Eq. 2 (McGuire and Fein 2006) as a texture of final colours over max(0, N.L); clamping the
  * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has
  * four rows: in shadow, in the light, then both again where the fill light reaches. Nearest filtering keeps the colours
- * exact. Alpha is the share of the filled tone. The last row holds the {@link Bands}.
+ * exact. Alpha is the share of the filled tone, and in the first texel the share that glows. The last row holds the
+ * {@link Bands}.
  */
 export class RampTexture {
   readonly texture: DataTexture;
@@ -94,15 +95,16 @@ export class RampTexture {
   write(material: number, ramp: Ramp, illumination?: Illumination): void {
     const first = RAMP_ROWS * material;
     const other = isChanged(illumination) ? illumination : undefined;
-    const { lit, unlit, filled, isBlended = false } = ramp.glows && other ? glowing(ramp, other) : ramp;
+    const { lit, unlit, filled, isBlended = false, glow = 0 } = ramp.glows && other ? glowing(ramp, other) : ramp;
     const shown: Shown = (color, filledShare) =>
-      other && !ramp.glows ? inLight(color, unlit[0].color, other, filledShare, filled) : color;
+      other && !ramp.glows ? inLight(color, unlit[0].color, other, { share: filledShare, filled, glow }) : color;
     [unlit, lit].forEach((tones, row) => {
       this.writeRow(first + row, tones, isBlended, shown, 0);
       if (filled) this.writeRow(first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
     });
     const [start, end] = [first, first + 2].map((row) => 4 * RAMP_TEXELS * row);
     if (!filled) this.data.copyWithin(end, start, end);
+    this.data[4 * RAMP_TEXELS * first + 3] = Math.round(255 * glow);
     this.texture.needsUpdate = true;
   }
 
@@ -217,31 +219,35 @@ export function scaled(color: Color, factors: Factors): Color {
     : encoded(linear(color).map((light, at) => light * factors[at]));
 }
 
+/** What the key light and the ambient light do not scale in a colour of a ramp. */
+interface Unscaled {
+  /** Share of the filled tone F in the colour, 0..1, and F. */
+  readonly share?: number;
+  readonly filled?: Color;
+  /** Share of the colour that glows, 0..1. */
+  readonly glow?: number;
+}
+
 /**
  * A colour of a ramp in another light. With the tone of ambient light S = C Ka of Eq. 2 and this colour T = C (Ka + KL q),
  * it is S a + (T - S) k in linear light. T - S is negative where a ramp gets darker towards the light. The part of the fill
- * light, which T contains with a share of F - S, has the factor g instead of k.
+ * light, which T contains with a share of F - S, keeps its strength. A share e that glows is e T, and the rest 1 - e of that.
  * @param ambient S
- * @param fillShare share of the filled tone F in the colour, 0..1
- * @param fill g
  */
 export function inLight(
   color: Color,
   ambient: Color,
   illumination: Illumination,
-  fillShare = 0,
-  filled = ambient,
-  fill = SAME,
+  { share = 0, filled = ambient, glow = 0 }: Unscaled = {},
 ): Color {
   const [all, first] = [linear(color), linear(ambient)];
-  const byFill = linear(filled).map((light, at) => fillShare * (light - first[at]));
+  const byFill = linear(filled).map((light, at) => share * (light - first[at]));
   return encoded(
-    all.map(
-      (light, at) =>
-        first[at] * illumination.ambient[at] +
-        (light - first[at] - byFill[at]) * illumination.direct[at] +
-        byFill[at] * fill[at],
-    ),
+    all.map((light, at) => {
+      const direct = light - first[at] - byFill[at];
+      const lit = first[at] * illumination.ambient[at] + direct * illumination.direct[at] + byFill[at];
+      return glow * light + (1 - glow) * lit;
+    }),
   );
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { moved } from '../../../src/demo/panel/curveControl.ts';
-import { readCurve, writeCurve } from '../../../src/parameters/curve.ts';
+import { readCurve, writeCurve, valueAt } from '../../../src/parameters/curve.ts';
 import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 
 describe('curves', () => {
@@ -49,4 +49,10 @@ describe('curves', () => {
     expect(moved(stops, 0, { at: -1, value: 3 })[0]).toEqual({ at: 0, value: 1 });
     expect(moved(stops, 2, { at: 0.1, value: 0.3 })[2]).toEqual({ at: 0.52, value: 0.3 });
   });
+});
+
+it('has a value at each position, constant before the first stop and after the last', () => {
+  const stops = readCurve('.2:.4,.6:1,.8:0')!;
+  const values = [0, 0.2, 0.3, 0.6, 0.7, 0.8, 1].map((at) => valueAt(stops, at));
+  expect(values.map((value) => Number(value.toFixed(9)))).toEqual([0.4, 0.4, 0.55, 1, 0.5, 0, 0]);
 });

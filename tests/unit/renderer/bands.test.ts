@@ -11,7 +11,7 @@ const FADING: Tone[] = [
   { from: 0.1, color: [255, 255, 255] },
   { from: 0.5, color: [51, 102, 255] },
 ];
-const NONE = { ageColors: [], heatColors: [], softColors: false };
+const NONE = { ageColors: [], heatColors: [], softColors: false, glow: [], smokeColor: [9, 8, 7] } as const;
 const FIRST = 7;
 
 describe('bandsOf', () => {
@@ -41,8 +41,31 @@ describe('bandsOf', () => {
     expect(colors[bands.ages[255] + bands.temperatures[255] - FIRST]).toEqual([51, 92, 160]);
   });
 
+  it('glows by the curve at the middle of a band, and at temperature 1 in the last one', () => {
+    const glow = [
+      { at: 0.25, value: 0 },
+      { at: 0.75, value: 1 },
+    ];
+    const { glows } = bandsOf({ ...NONE, ageColors: FADING, heatColors: SMOKE_TO_FIRE, glow }, FIRST);
+    // The middle of 0.25 to 0.75, in steps of 1/255; the same at both ages.
+    expect(glows).toEqual([0, 0, 128 / 255, 128 / 255, 1, 1]);
+    expect(bandsOf({ ...NONE, heatColors: SMOKE_TO_FIRE }, FIRST).glows).toEqual([0, 0, 0]);
+  });
+
+  it('has bands of the one colour of smoke that glows without colours by heat', () => {
+    const glow = [
+      { at: 0, value: 0 },
+      { at: 1, value: 1 },
+    ];
+    const { colors, glows, bands } = bandsOf({ ...NONE, glow }, FIRST);
+    expect(new Set(colors.map(String))).toEqual(new Set([String(NONE.smokeColor)]));
+    const at = (heat: number) => glows[bands.ages[0] + bands.temperatures[Math.round((255 * heat) / 4)] - FIRST];
+    for (const heat of [0, 0.3, 0.5, 0.9]) expect(Math.abs(at(heat) - heat), `at ${heat}`).toBeLessThan(0.02);
+    expect([at(1), at(3)]).toEqual([1, 1]);
+  });
+
   it('blends softly in steps that fit into the texture for every pair of ramps', () => {
-    const soft = { ageColors: FADING, heatColors: [], softColors: true };
+    const soft = { ...NONE, ageColors: FADING, softColors: true };
     const { colors, bands } = bandsOf(soft, FIRST);
     expect(colors[0]).toEqual(FADING[0].color);
     expect(colors.at(-1)).toEqual(FADING[1].color);

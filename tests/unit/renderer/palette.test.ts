@@ -292,6 +292,40 @@ describe('RampTexture under another light', () => {
     expect(texels[256]).toEqual(texels[255]);
   });
 
+  it('leaves the share that glows as it is, mixed in linear light', () => {
+    const stops = parseStops('0:404040,.5:c0c0c0');
+    const plain = rampOf([255, 255, 255], { tones: 2, shading: true, stops });
+    const light = { direct: [0.5, 0.5, 0.5], ambient: [0, 0, 4] } as const;
+    const at = (glow: number) => {
+      const texels = texelsOf({ ...plain, glow }, light);
+      return [texels[256 + 255], texels[255]];
+    };
+    // In linear light, codes of 64 and 192 are 0.05127 and 0.52712. Half of their difference is 0.23793: 134. With the
+    // ambient light of blue, 0.20508, it is 0.44301: 178. In shadow there is ambient light only.
+    expect(at(0)).toEqual([
+      [134, 134, 178],
+      [0, 0, 125],
+    ]);
+    // (0.52712 + 0.23793) / 2 = 0.38252 is 166, (0.52712 + 0.44301) / 2 = 0.48506 is 185; 0.02564 is 44, 0.12818 is 100.
+    expect(at(0.5)).toEqual([
+      [166, 166, 185],
+      [44, 44, 100],
+    ]);
+    expect(at(1)).toEqual([
+      [192, 192, 192],
+      [64, 64, 64],
+    ]);
+  });
+
+  it('has the share that glows as alpha of its first texel alone', () => {
+    const ramps = new RampTexture(2);
+    ramps.write(1, { ...rampOf(CREAM, { tones: 2, shading: true }), glow: 0.6 });
+    const data = ramps.texture.image.data as Uint8Array;
+    const alphas = Array.from({ length: 4 * 256 }, (_, texel) => data[4 * (4 * 256 + texel) + 3]);
+    expect(alphas[0]).toBe(153);
+    expect(alphas.slice(1).every((alpha) => alpha === 0)).toBe(true);
+  });
+
   it('does not change the part of the fill light', () => {
     const ramp = rampOf([255, 255, 255], { tones: 2, shading: true, fill: 1, stops: parseStops('0:404040,.5:c0c0c0') });
     const texels = texelsOf(ramp, { direct: [0, 0, 0], ambient: [0, 0, 0] });

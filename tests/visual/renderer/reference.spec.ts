@@ -107,6 +107,13 @@ const TONES: readonly (readonly [SceneName, readonly Mode[]])[] = [
 ];
 /** A red sun and a blue sky, which ink and the rim follow. */
 const DUSK = { illumination: { direct: [0.9, 0.35, 0.2], ambient: [0.25, 0.3, 0.6] }, inkLight: 0.8 } as const;
+/** Smoke that glows the more the hotter it is. */
+const FIERY = {
+  glow: [
+    { at: 0.2, value: 0 },
+    { at: 0.9, value: 1 },
+  ],
+} as const;
 /** A lamp whose light weakens with distance. */
 const FADING = { lampLight: [3, 1.8, 0.9] } as const;
 const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
@@ -117,6 +124,9 @@ const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
       { ...DUSK, stops: STOPS, isBlended: true, fill: 0.5 },
       { ...DUSK, ageColors: FIRE, heatColors: STOPS, gradient: 'height' },
       { ...DUSK, plumeForm: 0.6, shadowSteps: 2, shadowDepth: 3 },
+      { ...DUSK, ...FIERY, heatColors: STOPS, tones: 3, fill: 0.4, rim: 0.5 },
+      { ...DUSK, ...FIERY, ageColors: FIRE },
+      { ...DUSK, ...FIERY, plumeForm: 0.6 },
     ],
   ],
   [
@@ -126,6 +136,8 @@ const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
       { ...DUSK, ...FADING, tones: 3, fill: 0.4, rim: 0.5 },
       { ...DUSK, ...FADING, ...BILLBOARDS, stops: STOPS },
       { ...DUSK, ...FADING, ageColors: FIRE, heatColors: STOPS, plumeForm: 0.6 },
+      { ...DUSK, ...FADING, ...FIERY, heatColors: STOPS, tones: 3, fill: 0.4, rim: 0.5 },
+      { ...DUSK, ...FADING, ...FIERY, ...BILLBOARDS, stops: STOPS, isBlended: true, fill: 0.5 },
     ],
   ],
   ['erodedByLamp', [{ ...ERODED, ...FADING, ...STRETCHED }]],

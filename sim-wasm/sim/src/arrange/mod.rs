@@ -7,6 +7,7 @@
 
 pub(crate) mod coverage;
 pub(crate) mod deformation;
+pub mod glow;
 pub mod row_layout;
 pub mod rows;
 pub(crate) mod view;

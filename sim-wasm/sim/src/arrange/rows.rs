@@ -44,6 +44,8 @@ impl RowSampler {
     }
 
     /// Place and radius of particle `i`. The radius is 0 before birth.
+    // Called in two loops, as the next one.
+    #[inline(never)]
     pub fn place(&self, particles: &Particles, i: usize) -> [f32; PLACE_FLOATS] {
         if let Some(held) = &particles.held {
             return self.held_place(held, particles.lifetime[i], i);

@@ -11,6 +11,7 @@ pub(crate) mod snapshot;
 pub mod take;
 
 use crate::arrange::Arranger;
+use crate::arrange::glow;
 use crate::arrange::row_layout::Attributes;
 use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
@@ -239,16 +240,26 @@ impl Simulator {
     /// rows of the last call.
     pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
         let view = View::new(view)?;
-        let radii = RadiusLaw::new(&self.parameters);
-        let sampler = RowSampler {
-            radii,
+        let sampler = self.sampler(view.blend);
+        Ok(self.arranger.arrange(&self.particles, &view, &sampler))
+    }
+
+    /// Lamps at the glowing parts of smoke, as [`glow::lamps`] documents them. `blend`: elapsed share of the step, 0..1.
+    pub fn glow(&self, blend: f32, colors: &[f32]) -> Vec<f32> {
+        glow::lamps(&self.particles, &self.sampler(blend), colors)
+    }
+
+    // Called twice; inlined, it would take more space.
+    #[inline(never)]
+    fn sampler(&self, blend: f32) -> RowSampler {
+        RowSampler {
+            radii: RadiusLaw::new(&self.parameters),
             flow: FlowLaw::new(&self.parameters),
             billow: self.parameters.puff.billow as f32,
             // Held particles do not move between steps.
-            blend: if self.particles.held.is_some() { 1.0 } else { view.blend },
+            blend: if self.particles.held.is_some() { 1.0 } else { blend },
             dt: STEP as f32,
-        };
-        Ok(self.arranger.arrange(&self.particles, &view, &sampler))
+        }
     }
 
     /// Rows of x, y, z and radius (m). Valid up to the count of the last `arrange`.

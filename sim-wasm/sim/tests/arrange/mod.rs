@@ -1,4 +1,5 @@
 //! Rows and coverage.
 
 mod coverage;
+mod glow;
 mod rows;

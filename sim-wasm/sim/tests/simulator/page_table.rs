@@ -4,6 +4,7 @@
 use std::fs;
 use std::path::Path;
 
+use sim::arrange::glow::{HEATS, LAMP_FLOATS};
 use sim::arrange::row_layout::{
     ATTRIBUTE_BITS, ATTRIBUTE_WORDS, Bits, END, END_STEPS, MAX_TEMPERATURE, NO_END, PLACE_FLOATS,
 };
@@ -58,6 +59,12 @@ export const END_STEPS = {END_STEPS};
 
 /** Word of a row with `end` at its maximum and no other bits: an unbounded shadow. */
 export const NO_END = {no_end:#x};
+
+/** Intervals between the temperatures, 0 to 1, of the colours that `glow` takes; see arrange/glow.rs. */
+export const GLOW_HEATS = {HEATS};
+
+/** Floats of a lamp: x, y, z in metres and 1, then its light in square metres: linear red, green, blue and luminance. */
+export const LAMP_FLOATS = {LAMP_FLOATS};
 
 /** One pose: x, y, z in metres, then the unit quaternion x, y, z, w. */
 export const POSE_FLOATS = {POSE_FLOATS};

@@ -25,6 +25,7 @@ const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.softColors$/, { 'style.ageRamp': '0:000000,1:ffffff' }],
   [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
   [/^light\.(distance|decay)$/, { 'light.kind': 'lamp' }],
+  [/^emission\.glow$/, { 'light.intensity': 0, 'light.ambient': 0.1 }],
 ];
 
 const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, readonly [Value, Value]> = {

@@ -1,0 +1,34 @@
+/** What glows, as the simulator takes it for the lamps of a host's scene. */
+import { valueAt } from '../parameters/curve.ts';
+import { GLOW_HEATS } from '../simulator/layout.ts';
+import { blendedAt, colorAt, linear, type Tone } from './gpu/ramps.ts';
+import { plainColorOf, rampOf } from './palette.ts';
+import type { Style } from './style.ts';
+
+/** Luminance of linear red, green and blue (IEC 61966-2-1). */
+const LUMINANCE = [0.2126, 0.7152, 0.0722];
+/** Engines differ in the last bits of powers. Fewer bits are the same in all of them. */
+const STEPS = 65536;
+
+/**
+ * The light of glowing smoke in full light: for each temperature from 0 to 1 linear red, green and blue, and their
+ * luminance. Undefined if nothing glows.
+ */
+export function glowColors(style: Style): Float32Array | undefined {
+  const { glow, heatColors, softColors } = style;
+  if (glow.length === 0) return undefined;
+  const heats: readonly Tone[] = heatColors.length ? heatColors : [{ from: 0, color: plainColorOf(style) }];
+  const colors = new Float32Array(4 * (GLOW_HEATS + 1));
+  for (let step = 0; step <= GLOW_HEATS; ++step) {
+    const heat = step / GLOW_HEATS;
+    const { lit } = rampOf((softColors ? blendedAt : colorAt)(heats, heat), style);
+    const light = linear(lit[lit.length - 1].color).map((channel) => Math.round(STEPS * channel) / STEPS);
+    const share = valueAt(glow, heat);
+    const luminance = light.reduce((sum, channel, at) => sum + LUMINANCE[at] * channel, 0);
+    colors.set(
+      [...light, luminance].map((number) => share * number),
+      4 * step,
+    );
+  }
+  return colors;
+}

@@ -1,0 +1,67 @@
+/** The campfire by day and at night, with and without glowing flames. */
+import type { Values } from '../../../src/parameters/parameter.ts';
+import { SceneLab } from '../sceneLab.ts';
+
+const NIGHT: Values = { 'light.intensity': 0, 'light.ambient': 0.1 };
+/** Flames are hotter; below is smoke. */
+const GLOW: Values = { 'emission.glow': '.15:0,.19:1' };
+
+/** How the flames and the grey smoke of a picture change with the light. */
+export interface Changes {
+  flames: number;
+  smoke: number;
+  /** Greatest change of a channel of a flame from day to night, with and without glow. */
+  glowing: number;
+  dull: number;
+  /** Brightest channel of grey smoke by day, and at night. */
+  byDay: number;
+  atNight: number;
+}
+
+/** The campfire after 3 s under the lights, drawn with further values. */
+export async function changes(values: Values): Promise<Changes> {
+  const [day, bare, glowing, dull] = await Promise.all([
+    // Without decay all smoke has the colours of the style.
+    picture({ ...values, 'light.decay': 0 }),
+    picture({ ...values, 'light.decay': 0 }, true),
+    picture({ ...values, ...NIGHT, ...GLOW }),
+    picture({ ...values, ...NIGHT }),
+  ]);
+  const result: Changes = { flames: 0, smoke: 0, glowing: 0, dull: 0, byDay: 0, atNight: 0 };
+  for (let at = 0; at < day.length; at += 4) {
+    const colors = [day, bare, glowing, dull].map((pixels) => [...pixels.subarray(at, at + 3)]);
+    const [own, behind, hot, cold] = colors;
+    // Puffs, and neither ink nor what is in front of them.
+    if (own.every((channel, index) => channel === behind[index]) || Math.max(...own) < 60) continue;
+    const [red, , blue] = own;
+    const apart = (other: number[]) => Math.max(...own.map((channel, index) => Math.abs(channel - other[index])));
+    if (blue < 0.42 * red) {
+      result.flames++;
+      result.glowing = Math.max(result.glowing, apart(hot));
+      result.dull = Math.max(result.dull, apart(cold));
+    } else if (blue > 0.95 * red) {
+      result.smoke++;
+      result.byDay = Math.max(result.byDay, ...own);
+      result.atNight = Math.max(result.atNight, ...hot);
+    }
+  }
+  return result;
+}
+
+async function picture(values: Values, isBare = false): Promise<Uint8Array> {
+  // Lines have no light. The rim of flames has the colour of smoke.
+  const plain: Values = { 'style.outlines': 0, 'style.rim': 0, ...values };
+  const lab = await SceneLab.create('campfire', {
+    width: 300,
+    height: 260,
+    values: plain,
+    surfaces: () => [],
+    ownLook: true,
+  });
+  lab.step(180);
+  // The bounds are those of the previous frame.
+  lab.draw();
+  const { pixels } = lab.draw({ isBare });
+  lab.dispose();
+  return pixels;
+}

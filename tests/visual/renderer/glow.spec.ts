@@ -1,0 +1,22 @@
+import { expect, test } from '../../support/fixtures.ts';
+
+type Cases = typeof import('./glow.cases.ts');
+const CASES = '/tests/visual/renderer/glow.cases.ts';
+
+for (const [name, values] of Object.entries({
+  'simplified light': {},
+  'plain light': { 'style.simplify': 0 },
+  'a lamp that fades': { 'light.kind': 'lamp', 'light.decay': 1, 'style.simplify': 0 },
+  'a lamp that fades on simplified light': { 'light.kind': 'lamp', 'light.decay': 1 },
+} as const)) {
+  test(`flames that glow keep their colours at night, and smoke is dark: ${name}`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { flames, smoke, ...found } = await cases.evaluate((module, given) => module.changes(given), values);
+    const all = JSON.stringify({ flames, smoke, ...found });
+    expect(Math.min(flames, smoke), all).toBeGreaterThan(400);
+    expect(found.glowing, all).toBeLessThanOrEqual(2);
+    expect(found.dull, all).toBeGreaterThan(100);
+    expect(found.byDay, all).toBeGreaterThan(100);
+    expect(found.atNight, all).toBeLessThan(60);
+  });
+}
