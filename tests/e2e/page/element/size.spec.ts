@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 81.7 },
+    { name: 'embed.coreKb', kB: core, limit: 82.3 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 124.5 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
