@@ -38,7 +38,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
     { name: 'embed.coreKb', kB: core, limit: 82.3 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 124.5 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 125.4 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);

@@ -151,7 +151,7 @@ export function repeated(): number {
  * Pixels that change if every tile is smoothed, not only those of smoke and of its shadow; and those that smoothing changes.
  * The picture ends within a tile on both sides.
  */
-export function everyTile(): { differing: number; smoothed: number } {
+export function everyTile(width: number, height: number): { differing: number; smoothed: number } {
   const next = random(5);
   const puffs = Array.from({ length: 12 }, (): LabPuff => ({
     place: [0.9 * next() - 0.2, 0.8 * next() - 0.4, 0.3 * next()],
@@ -163,7 +163,7 @@ export function everyTile(): { differing: number; smoothed: number } {
     { mesh: box([-0.7, 0.5, 0.6], [0.1, 0.1, 0.1]), color: [90, 160, 230], name: 'block', casts: true, inked: true },
   ];
   const style: LabScene['style'] = { tones: 3, fill: 0.4, shadowSteps: 2, shadowDepth: 1, plumeForm: 0.3 };
-  const scene = { ...sceneOf(puffs, puffs, 1, style, surfaces), width: 203, height: 157 };
+  const scene = { ...sceneOf(puffs, puffs, 1, style, surfaces), width, height };
   const lab = new Lab({ ...scene, capacity: puffs.length });
   const front = [0.5, 0.4, 0.8] as const;
   const draw = (simplify: number, towardsLight: readonly [number, number, number] = front) =>
