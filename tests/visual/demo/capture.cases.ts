@@ -121,7 +121,15 @@ export function video(format: 'webm' | 'mp4', hasBackground = true) {
       if (last) moves.push(differing(last, pixels, 24));
       last = pixels;
     }
-    return { times, moves, size: [track.displayWidth, track.displayHeight], corner: last!.data[3] };
+    const drawn = unzipSync(await bytesOf(await captured({ format: 'zip', hasBackground, width: WIDTH - 1 })));
+    const frames = await Promise.all(Object.values(drawn).map(pixelsOfBytes));
+    return {
+      times,
+      moves,
+      drawnMoves: frames.slice(1).map((frame, at) => differing(frames[at], frame, 24)),
+      size: [track.displayWidth, track.displayHeight],
+      corner: last!.data[3],
+    };
   });
 }
 

@@ -26,7 +26,9 @@ for (const format of ['webm', 'mp4'] as const) {
     const report = await (await load<Cases>(CASES)).evaluate((cases, name) => cases.video(name), format);
     expect(report.times).toHaveLength(6);
     report.times.forEach((time, frame) => expect(time).toBeCloseTo(frame / 24, 2));
-    for (const moved of report.moves) expect(moved).toBeGreaterThan(20);
+    // Compression hides some of the pixels in which the drawn frames differ.
+    report.moves.forEach((moved, at) => expect(moved).toBeGreaterThan(0.4 * report.drawnMoves[at]));
+    for (const moved of report.drawnMoves) expect(moved).toBeGreaterThan(20);
     expect(report.size).toEqual([160, 120]);
     expect(report.isUntouched).toBe(true);
   });
