@@ -1,6 +1,6 @@
 /** A frame in the format of the renderer in sim-wasm/reference. Runs inside a page. The names are those of scene.rs. */
 import { Matrix4 } from 'three';
-import { glowing, isChanged, type Color, type Ramp } from '../../src/renderer/gpu/ramps.ts';
+import { glowing, isChanged, type Color, type Ramp, type Tone } from '../../src/renderer/gpu/ramps.ts';
 import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
 import type { TriangleMesh } from '../../src/renderer/passes/extrusion.ts';
 import { fromHalf } from '../../src/renderer/puffs/billboards/layers.ts';
@@ -69,9 +69,8 @@ function viewOf({ blend }: FrameInput, purpose: View['purpose']): View {
   return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction: [0, -1, 0], reach: 1, receivers: everywhere };
 }
 
-function backdropOf({ backdropColors = [] }: Style, own: { top: Color; bottom: Color }): object {
-  const [top, bottom] = [backdropColors.at(-1)?.color, backdropColors.at(0)?.color];
-  return { top: top ?? own.top, bottom: bottom ?? own.bottom };
+function backdropOf({ backdropColors = [] }: Style, { top, bottom }: { top: Color; bottom: Color }): readonly Tone[] {
+  return backdropColors.length > 0 ? backdropColors : [bottom, top].map((color, from) => ({ from, color }));
 }
 
 function rowsAsObjects({ count, place, attributes }: Rows): object[] {

@@ -237,10 +237,13 @@ impl<'a> Painter<'a> {
 }
 
 fn backdrop(scene: &Scene, height: f64) -> Nearest {
-    let color = match &scene.backdrop {
-        Some(backdrop) => DVec3::from(backdrop.bottom).lerp(DVec3::from(backdrop.top), height),
-        None => DVec3::ZERO,
-    };
+    let color = scene.backdrop.as_ref().map_or(DVec3::ZERO, |stops| {
+        let above = stops.partition_point(|stop| stop.from <= height);
+        let [low, high] = [above.saturating_sub(1), above.min(stops.len() - 1)].map(|index| &stops[index]);
+        let span = high.from - low.from;
+        let share = if span > 0.0 { (height - low.from) / span } else { 0.0 };
+        DVec3::from(low.color).lerp(DVec3::from(high.color), share)
+    });
     Nearest {
         shade: Shade::same(color, Part::Only),
         window_depth: 1.0,

@@ -13,7 +13,8 @@ pub struct Scene {
     pub view_from_world: [f64; 16],
     pub clip_from_view: [f64; 16],
     pub light: Light,
-    pub backdrop: Option<Backdrop>,
+    /// Colours at heights of the picture, from bottom to top, blended between them.
+    pub backdrop: Option<Vec<Tone>>,
     pub style: Style,
     pub puffs: Puffs,
     pub bodies: Vec<Row>,
@@ -45,12 +46,6 @@ impl Illumination {
         direct: [1.0; 3],
         ambient: [1.0; 3],
     };
-}
-
-#[derive(Deserialize)]
-pub struct Backdrop {
-    pub top: Triple,
-    pub bottom: Triple,
 }
 
 #[derive(Deserialize)]
