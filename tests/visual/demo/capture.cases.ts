@@ -121,8 +121,8 @@ export function video(format: 'webm' | 'mp4', hasBackground = true) {
       if (last) moves.push(differing(last, pixels, 24));
       last = pixels;
     }
-    const drawn = unzipSync(await bytesOf(await captured({ format: 'zip', hasBackground, width: WIDTH - 1 })));
-    const frames = await Promise.all(Object.values(drawn).map(pixelsOfBytes));
+    const stills = unzipSync(await bytesOf(await captured({ format: 'zip', hasBackground, width: WIDTH - 1 })));
+    const frames = await Promise.all(Object.values(stills).map(pixelsOfBytes));
     return {
       times,
       moves,
