@@ -64,8 +64,6 @@ export const EDGE_TILE = 8;
 
 /** Side of the square tiles in which the simplify pass looks for light that is the same everywhere, pixels. */
 export const FLAT_TILE = 8;
-/** Pictures of at most so many tiles are drawn in all of them: finding those that need it takes more time. */
-export const FEW_TILES = 64;
 
 /** Side of the square tiles whose receivers are measured for large shadow volumes, pixels. */
 export const DEPTH_TILE = 32;

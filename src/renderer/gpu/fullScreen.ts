@@ -62,6 +62,9 @@ export function triangle(): BufferGeometry {
   return geometry;
 }
 
+/** Pictures of at most so many tiles are drawn in all of them: finding those that need it takes more draw calls. */
+export const FEW_TILES = 64;
+
 /** What three.js draws as points. Its class for them would bring another material into the package. */
 class PointsWithoutAttributes extends Object3D {
   readonly isPoints = true;

@@ -5,9 +5,9 @@ import edgesVertexShader from '../../../shaders/resolve/edges.vert';
 import tilesShader from '../../../shaders/resolve/tiles.frag';
 import tonesShader from '../../../shaders/resolve/tones.frag';
 import vertexShader from '../../../shaders/lib/fullScreen.vert';
-import { EDGE_TILE, FEW_TILES } from '../../base/constants.ts';
+import { EDGE_TILE } from '../../base/constants.ts';
 import type { FrameView } from '../gpu/frameView.ts';
-import { DrawnPoints, FullScreen } from '../gpu/fullScreen.ts';
+import { DrawnPoints, FEW_TILES, FullScreen } from '../gpu/fullScreen.ts';
 import { pictureTarget, type Targets } from './targets.ts';
 import type { Shaders } from '../gpu/programsAhead.ts';
 
