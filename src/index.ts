@@ -39,7 +39,7 @@ export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';
 export { fitPuff, type FitOptions, type FittedPuff } from './renderer/puffs/fit/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './renderer/puffs/lobeShapes.ts';
 export type { PuffKnobs } from './renderer/puffs/procedural.ts';
-export type { Lobe, PuffShape } from './renderer/puffs/shapes.ts';
+export type { Lobe, PixelImage, PuffMesh, PuffShape } from './renderer/puffs/shapes.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
 export type {
   CartoonSmokeEvents,

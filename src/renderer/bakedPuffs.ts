@@ -4,7 +4,7 @@ import { bakingLobes } from './puffs/bake/bakeLobes.ts';
 import type { Precision } from './puffs/billboards/layers.ts';
 import { LruCache } from './puffs/lru.ts';
 import { LOBE_SHAPES } from './puffs/lobeShapes.ts';
-import type { PuffShape } from './puffs/shapes.ts';
+import { keyOf, type PuffShape } from './puffs/shapes.ts';
 import { finished, type Work } from '../base/work.ts';
 import { codeOf, loaded } from './extraPasses.ts';
 
@@ -34,7 +34,7 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
   const { precision = 16 } = parts;
-  const key = JSON.stringify([precision, ...shapes.map(({ lobes }) => lobes)]);
+  const key = `${precision} ${keyOf(shapes)}`;
   yield* sharing(key, () => cache.making(key, () => bakingNew(shapes, precision)));
   const puffs = cache.get(key)!;
   const { caps, billboards } = loaded;

@@ -9,6 +9,7 @@ import type { BillboardPuffs } from './gpu/puffTextures.ts';
 import { FIRST_BORDER } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { castersOf } from './puffs/billboards/casters.ts';
+import { boundingFront, type BoundedFront } from './puffs/billboards/frontSolids.ts';
 import { LruCache } from './puffs/lru.ts';
 import {
   bakingLayers,
@@ -18,8 +19,8 @@ import {
   type PuffSample,
 } from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
-import { billboardShapes, type PuffShape } from './puffs/shapes.ts';
-import { solidsOf } from './puffs/bake/solids.ts';
+import { billboardShapes, keyOf, type Lobe, type PuffShape } from './puffs/shapes.ts';
+import { solidsOf, type PuffSolids } from './puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from './puffs/bake/startCaps.ts';
 import { type Work, finished } from '../base/work.ts';
 import { bounded, type Patch } from './puffs/bake/patches.ts';
@@ -39,7 +40,7 @@ const cache = new LruCache<BillboardPuffs>(4);
  * @param shapes viewed from +z
  */
 export function bakingBillboards(shapes: readonly PuffShape[], precision: Precision = 16): Work<BillboardPuffs> {
-  const key = JSON.stringify([precision, ...shapes.map(({ lobes }) => lobes)]);
+  const key = `${precision} ${keyOf(shapes)}`;
   return cache.making(key, () => baking(billboardShapes(shapes), precision));
 }
 
@@ -52,19 +53,30 @@ function* baking(shapes: readonly PuffShape[], precision: Precision): Work<Billb
     tables.push(yield* bakingTable(front, FIRST_BORDER));
     latest = Math.max(latest, latestCap(front));
   }
+  const fronts: BoundedFront[] = [];
+  for (const [layer, { lobes, mesh }] of shapes.entries()) {
+    fronts.push(mesh ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 });
+  }
+  const deviation = Math.max(...fronts.map((front) => front.deviation));
   const data = {
     layers,
     startCaps: joined(tables),
     latestCap: latest,
     casters: castersOf(shapes),
-    solids: solidsOf(
-      shapes.map(({ lobes }) => lobes),
-      { facesEye: true, tolerance: LAYER_TOLERANCE, blur: LAYER_BLUR },
+    solids: billboardSolids(
+      fronts.map(({ balls }) => balls),
+      deviation,
     ),
+    casterSolids: billboardSolids(shapes.map(({ lobes }) => lobes)),
     reach: Math.max(...shapes.map(({ lobes }) => reachOf(lobes))),
     depth: Math.max(...layers.figures.map(({ depth }) => depth)),
   };
   return { ...data, texturesFor: (context) => new BillboardTextures(context, data) };
+}
+
+/** @param deviation of the baked fronts from the balls, in particle radii */
+function billboardSolids(balls: readonly (readonly Lobe[])[], deviation = 0): PuffSolids {
+  return solidsOf(balls, { facesEye: true, tolerance: LAYER_TOLERANCE + deviation, blur: LAYER_BLUR });
 }
 
 /** The visible front surfaces of baked layers, as patches of points. */

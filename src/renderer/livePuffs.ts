@@ -1,7 +1,7 @@
 import type { BakedPuffs } from './gpu/puffTextures.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
-import type { PuffShape } from './puffs/shapes.ts';
+import { keyOf, type PuffShape } from './puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../base/work.ts';
 import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
 import { deformationOf } from './style.ts';
@@ -80,7 +80,7 @@ export class LivePuffs {
     const design = designOf(values);
     const parts = partsOf(values);
     return {
-      key: JSON.stringify([parts.precision, own ?? [design, variations]]),
+      key: `${parts.precision} ${own ? keyOf(own) : JSON.stringify([design, variations])}`,
       begin: () => bakingPuffs(own ?? designedShapes(design, variations), parts),
     };
   }

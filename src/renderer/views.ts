@@ -59,6 +59,7 @@ export function eyeView(sources: ViewSources, input: FrameInput): View {
 export function lightView(sources: ViewSources, input: FrameInput, receivers: Box3, travel: Vector3): View {
   const { eye, extents } = sources;
   const { style } = input;
+  const { capTable: startCaps, casterSolids } = extents;
   const coverage = coverageOf(sources, input, style.shadowSteps === 2 ? style.shadowDepth : 1);
   return {
     ...common(sources, input),
@@ -67,7 +68,7 @@ export function lightView(sources: ViewSources, input: FrameInput, receivers: Bo
     pad: 0,
     direction: travel.toArray(),
     receivers: { min: receivers.min.toArray(), max: receivers.max.toArray() },
-    coverage: coverage && { ...coverage, startCaps: extents.capTable },
+    coverage: coverage && { ...coverage, startCaps, solids: casterSolids ?? coverage.solids },
   };
 }
 

@@ -26,12 +26,13 @@ export class BillboardTextures implements FormTextures {
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
+  readonly casterSolids: PuffSolids | undefined;
   readonly reach: number;
   readonly depth: number;
 
   constructor(
     context: WebGL2RenderingContext,
-    { layers, startCaps, latestCap, casters, solids, reach, depth }: BillboardData,
+    { layers, startCaps, latestCap, casters, solids, casterSolids, reach, depth }: BillboardData,
   ) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
@@ -52,6 +53,7 @@ export class BillboardTextures implements FormTextures {
     this.capRange = capRange(startCaps);
     this.capTable = startCaps;
     this.solids = solids;
+    this.casterSolids = casterSolids;
     this.reach = reach;
     this.depth = depth;
   }

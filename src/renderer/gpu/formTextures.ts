@@ -17,6 +17,8 @@ export interface PuffExtents {
   /** The baked table; absent if puffs turn, stretch or unfold. */
   readonly capTable?: StartCaps;
   readonly solids: PuffSolids;
+  /** The solids of shadows, if they are not those of bodies. */
+  readonly casterSolids?: PuffSolids;
 }
 
 /** Textures and bounds of the puffs of one form, as all passes use them. */
@@ -31,7 +33,7 @@ export interface FormTextures extends PuffExtents {
 }
 
 /** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */
-export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'solids'> {
+export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'solids' | 'casterSolids'> {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
   readonly latestCap: number;

@@ -11,19 +11,76 @@ export interface Lobe {
   readonly radius: number;
 }
 
+/** An image in bytes, as the browser's `ImageData`: RGBA, sRGB, top row first. Alpha is ignored. */
+export interface PixelImage {
+  /** Pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** 4 * width * height. */
+  readonly data: Uint8Array | Uint8ClampedArray;
+}
+
+/** Triangles, counter-clockwise seen from outside, in the unit space of a puff. */
+export interface PuffMesh {
+  /** x, y, z per vertex. */
+  readonly positions: Float32Array;
+  /** x, y, z per vertex, unit length. */
+  readonly normals: Float32Array;
+  /** Three vertices per triangle. */
+  readonly indices: Uint32Array;
+  /** Red, green, blue per vertex, sRGB, 0..1. White where absent. */
+  readonly colors?: Float32Array;
+  /** u to the right and v down per vertex, in sides of `texture`, which repeats. */
+  readonly uvs?: Float32Array;
+  readonly texture?: PixelImage;
+}
+
 /** One variation of a puff. The first lobe is its dominant mass. */
 export interface PuffShape {
   readonly name: string;
   readonly lobes: readonly Lobe[];
+  /** What billboards are baked from instead of the lobes, made by `fitPuff`. It must not change afterwards. */
+  readonly mesh?: PuffMesh;
+}
+
+const meshKeys = new WeakMap<PuffMesh, number>();
+let meshes = 0;
+
+/** Equal for shapes that are drawn alike. */
+export function keyOf(shapes: readonly PuffShape[]): string {
+  const keyOfMesh = (mesh: PuffMesh): number => {
+    if (!meshKeys.has(mesh)) meshKeys.set(mesh, ++meshes);
+    return meshKeys.get(mesh)!;
+  };
+  return JSON.stringify(shapes.map(({ lobes, mesh }) => (mesh ? [lobes, keyOfMesh(mesh)] : lobes)));
 }
 
 /**
  * The shapes for billboards, seen from +z. Lobes behind the centre plane move up to it. The outline does not change,
- * and the relief has no deep steps along it that would interrupt the outline where a puff touches the floor.
+ * and the relief has no deep steps along it that would interrupt the outline where a puff touches the floor. A mesh
+ * keeps its own relief. It shrinks with its lobes to fit the unit ball, beyond which nothing of a billboard is drawn.
  */
 export function billboardShapes(shapes: readonly PuffShape[]): readonly PuffShape[] {
-  return shapes.map(({ name, lobes }) => ({
+  return shapes.map(({ name, lobes, mesh }) => {
+    if (mesh) return withinUnitBall({ name, lobes, mesh });
+    const raised = lobes.map(({ center: [x, y, z], radius }): Lobe => ({ center: [x, y, Math.max(z, 0)], radius }));
+    return { name, lobes: raised };
+  });
+}
+
+function withinUnitBall({ name, lobes, mesh }: PuffShape & { readonly mesh: PuffMesh }): PuffShape {
+  const { positions } = mesh;
+  let squared = 1;
+  for (let at = 0; at < positions.length; at += 3) {
+    squared = Math.max(squared, positions[at] ** 2 + positions[at + 1] ** 2 + positions[at + 2] ** 2);
+  }
+  const reach = Math.sqrt(squared);
+  return {
     name,
-    lobes: lobes.map(({ center: [x, y, z], radius }) => ({ center: [x, y, Math.max(z, 0)], radius })),
-  }));
+    lobes: lobes.map(({ center: [x, y, z], radius }) => ({
+      center: [x / reach, y / reach, z / reach],
+      radius: radius / reach,
+    })),
+    mesh: { ...mesh, positions: positions.map((at) => at / reach) },
+  };
 }

@@ -2,6 +2,8 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/parameters/presets.ts';
 import type { Value, Values } from '../../../src/parameters/parameter.ts';
+import { bakedPuffs } from '../../../src/renderer/bakedPuffs.ts';
+import type { PuffShape } from '../../../src/renderer/puffs/shapes.ts';
 import { SmokeRenderer } from '../../../src/renderer/smoke.ts';
 import { ALL_PARTICLES } from '../../../src/simulator/view.ts';
 import { drawFrame } from '../../../src/renderer/frame.ts';
@@ -68,13 +70,15 @@ function presetNamed(name: Value | undefined): Preset {
   return preset;
 }
 
-/** A seeded plume of the benchmark. */
+/** A seeded plume of the benchmark. @param shapes of its puffs, if not the default ones */
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
   places: readonly Exclude<Viewpoint, 'behind'>[],
+  shapes?: readonly PuffShape[],
 ): Promise<Comparison[]> {
   const bench = await RenderBench.create(0.5, particles);
+  if (shapes) bench.smoke.setPuffs(bakedPuffs(shapes));
   bench.style = { ...bench.style, ...style };
   const comparisons = places.map((place) => {
     const camera = cameraAt(place, bench.camera);

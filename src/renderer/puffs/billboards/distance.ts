@@ -4,6 +4,11 @@
  * at the column distances. The set is binary, so two scans find the column distances without an envelope.
  */
 
+import { finished, type Work } from '../../../base/work.ts';
+
+/** Rows of 512 cells in a slice of about two milliseconds. */
+const ROWS_A_SLICE = 64;
+
 /** The nearest cell of a set, for each cell of a grid. */
 export interface NearestCells {
   /** Index of the nearest cell of the set; -1 if the set is empty. */
@@ -14,10 +19,18 @@ export interface NearestCells {
 
 /** Finds the nearest cell with `inSet[cell] === value` for each cell of a `size` by `size` grid (size <= 4096). */
 export function nearestCells(inSet: Uint8Array, value: 0 | 1, size: number): NearestCells {
+  return finished(findingNearest(inSet, value, size));
+}
+
+function* findingNearest(inSet: Uint8Array, value: 0 | 1, size: number): Work<NearestCells> {
   const nearest = nearestInColumns(inSet, value, size);
+  yield;
   const squaredDistance = new Float32Array(size * size);
   const envelope = new Envelope(size);
-  for (let y = 0; y < size; y++) envelope.sweepRow(y, nearest, squaredDistance);
+  for (let y = 0; y < size; y++) {
+    envelope.sweepRow(y, nearest, squaredDistance);
+    if (y % ROWS_A_SLICE === ROWS_A_SLICE - 1) yield;
+  }
   return { nearest, squaredDistance };
 }
 
@@ -100,8 +113,13 @@ class Envelope {
  * grid gives -Infinity, an empty one Infinity.
  */
 export function signedDistance(coverage: Uint8Array, size: number): Float32Array {
-  const toInside = nearestCells(coverage, 1, size).squaredDistance;
-  const toOutside = nearestCells(coverage, 0, size).squaredDistance;
+  return finished(measuringDistance(coverage, size));
+}
+
+/** As {@link signedDistance}, in slices of a few milliseconds. */
+export function* measuringDistance(coverage: Uint8Array, size: number): Work<Float32Array> {
+  const toInside = (yield* findingNearest(coverage, 1, size)).squaredDistance;
+  const toOutside = (yield* findingNearest(coverage, 0, size)).squaredDistance;
   const signed = new Float32Array(size * size);
   for (let cell = 0; cell < signed.length; cell++) {
     signed[cell] = coverage[cell] === 1 ? 0.5 - Math.sqrt(toOutside[cell]) : Math.sqrt(toInside[cell]) - 0.5;

@@ -7,15 +7,15 @@
  *   viewer. 8 bits cause visible steps of 0.4 % of the quad width where puffs intersect at grazing angles. Half floats
  *   make them eight times finer and are filterable on all devices. Texels outside the silhouette repeat the nearest
  *   inside value, so that linear filtering never mixes in background.
- * - `colorCoverage` (bytes): rgb = C, white. Shaders select the ink by distance; ink painted into C would turn grey
- *   when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
+ * - `colorCoverage` (bytes): rgb = C, the colours of a mesh, else white. Texels outside the silhouette repeat the nearest
+ *   inside value. Shaders select the ink by distance; ink painted into C would turn grey when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
  *   negative inside. A distance field keeps edge and ink crisp at any size; a mask would not.
  *
  * Row 0 of a layer is its bottom (texture v = 0). Layers are contiguous.
  */
-import { nearestCells, signedDistance } from './distance.ts';
+import { measuringDistance, nearestCells } from './distance.ts';
 import { puffMesh } from './mesh.ts';
-import { PUFF_PAD, rasterise, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
+import { PUFF_PAD, rasterising, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import type { PuffShape } from '../shapes.ts';
 import { finished, type Work } from '../../../base/work.ts';
 
@@ -82,14 +82,16 @@ export function* bakingLayers(
   const colorCoverage = new Uint8Array(4 * texels * shapes.length);
   const figures: PuffFigures[] = [];
   for (const [layer, shape] of shapes.entries()) {
-    const mesh = puffMesh(shape.lobes);
+    const mesh = shape.mesh ?? puffMesh(shape.lobes);
     yield;
-    const raster = rasterise(mesh, size);
+    const raster = yield* rasterising(mesh, size);
     yield;
-    const distance = signedDistance(raster.coverage, size * SUPERSAMPLE);
+    const distance = yield* measuringDistance(raster.coverage, size * SUPERSAMPLE);
+    const nearest = nearestCovered(raster);
     yield;
-    writeNormalDepth(raster, normalDepth.subarray(4 * texels * layer));
-    writeColorCoverage(distance, size, colorCoverage.subarray(4 * texels * layer));
+    writeNormalDepth(raster, nearest, normalDepth.subarray(4 * texels * layer));
+    yield;
+    writeColorCoverage(raster, nearest, distance, colorCoverage.subarray(4 * texels * layer));
     yield;
     figures.push(measure(raster, distance));
   }
@@ -104,14 +106,15 @@ export function* bakingLayers(
   };
 }
 
-function writeNormalDepth(raster: PuffRaster, layer: Uint16Array | Uint8Array): void {
+/** The nearest covered texel of each texel. */
+function nearestCovered({ size, depths }: PuffRaster): Int32Array {
+  const isCovered = Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0));
+  return nearestCells(isCovered, 1, size).nearest;
+}
+
+function writeNormalDepth(raster: PuffRaster, nearest: Int32Array, layer: Uint16Array | Uint8Array): void {
   const { size, normals, depths } = raster;
   const encoded = layer instanceof Uint8Array ? (share: number) => Math.round(255 * share) : toHalf;
-  const { nearest } = nearestCells(
-    Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0)),
-    1,
-    size,
-  );
   for (let texel = 0; texel < size * size; texel++) {
     const from = nearest[texel];
     for (let axis = 0; axis < 3; axis++) layer[4 * texel + axis] = encoded((normals[3 * from + axis] + 1) / 2);
@@ -119,14 +122,23 @@ function writeNormalDepth(raster: PuffRaster, layer: Uint16Array | Uint8Array): 
   }
 }
 
-function writeColorCoverage(distance: Float32Array, size: number, layer: Uint8Array): void {
+function writeColorCoverage(
+  { size, colors }: PuffRaster,
+  nearest: Int32Array,
+  distance: Float32Array,
+  layer: Uint8Array,
+): void {
   const fine = size * SUPERSAMPLE;
   const unitsPerCell = (2 * PUFF_PAD) / fine;
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
       const units = middleDistance(distance, fine, x, y) * unitsPerCell;
       const share = Math.min(1, Math.max(0, 0.5 + units / DISTANCE_RANGE));
-      layer.set([255, 255, 255, Math.round(share * 255)], 4 * (y * size + x));
+      const texel = y * size + x;
+      for (let channel = 0; channel < 3; channel++) {
+        layer[4 * texel + channel] = colors ? Math.round(255 * colors[3 * nearest[texel] + channel]) : 255;
+      }
+      layer[4 * texel + 3] = Math.round(share * 255);
     }
   }
 }

@@ -3,19 +3,11 @@
  * between them.
  */
 import { middleOf, NORMAL_BLEND, softNormal } from '../normals.ts';
-import type { Lobe } from '../shapes.ts';
+import type { Lobe, PuffMesh } from '../shapes.ts';
 import { normalized, type Vector } from '../vector.ts';
 
 /** Subdivisions of the icosahedron: 1,280 triangles per lobe, at most 0.3 % of the radius below the sphere. */
 export const LOBE_SUBDIVISIONS = 3;
-
-/** Triangles, counter-clockwise seen from outside; x, y, z per vertex. */
-export interface TriangleMesh {
-  readonly positions: Float32Array;
-  /** Unit length. */
-  readonly normals: Float32Array;
-  readonly indices: Uint32Array;
-}
 
 interface Icosphere {
   readonly vertices: readonly Vector[];
@@ -69,7 +61,7 @@ function icosphere(subdivisions: number): Icosphere {
  * Builds the mesh of a puff's lobes in its unit space.
  * @param blend weight of the overall normal, 0..1
  */
-export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisions = LOBE_SUBDIVISIONS): TriangleMesh {
+export function puffMesh(lobes: readonly Lobe[], blend = NORMAL_BLEND, subdivisions = LOBE_SUBDIVISIONS): PuffMesh {
   const sphere = icosphere(subdivisions);
   const middle = middleOf(lobes);
   const positions: number[] = [];

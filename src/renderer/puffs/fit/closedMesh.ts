@@ -1,5 +1,6 @@
 /** Validates an untrusted mesh and normalises it to the unit ball: finite, closed, of limited size. */
 import { ShapeError } from '../../../base/errors.ts';
+import type { PixelImage } from '../shapes.ts';
 
 /** An arbitrary triangle mesh, of either winding. */
 export interface PlainMesh {
@@ -7,6 +8,14 @@ export interface PlainMesh {
   readonly positions: ArrayLike<number>;
   /** Three vertex indices per triangle. If absent, each three consecutive vertices form a triangle. */
   readonly indices?: ArrayLike<number>;
+  /** x, y, z per vertex. If absent, edges of more than 60 degrees are sharp. */
+  readonly normals?: ArrayLike<number>;
+  /** Red, green, blue per vertex, sRGB, 0 to 1. They multiply the colours of the smoke. */
+  readonly colors?: ArrayLike<number>;
+  /** u, v per vertex: (0, 0) is the top left corner of the texture, (1, 1) the bottom right one. */
+  readonly uvs?: ArrayLike<number>;
+  /** Multiplies `colors`. It repeats outside (0, 0) to (1, 1). */
+  readonly texture?: PixelImage;
 }
 
 /** A closed surface in the unit ball. */
@@ -14,7 +23,14 @@ export interface ClosedMesh {
   /** x, y, z per vertex, without duplicates. */
   readonly positions: Float64Array;
   readonly indices: Uint32Array;
+  /** Vertex of this surface by vertex of the mesh, for those that triangles use. */
+  readonly vertexOf: Uint32Array;
+  /** From the mesh to the unit ball: the middle becomes the origin, the reach becomes 1. */
+  readonly middle: readonly number[];
+  readonly reach: number;
 }
+
+type Welded = Pick<ClosedMesh, 'positions' | 'indices' | 'vertexOf'>;
 
 /** Maximum number of triangles of a mesh. */
 export const MAX_TRIANGLES = 250_000;
@@ -30,8 +46,10 @@ export function closedMesh(mesh: PlainMesh): ClosedMesh {
   const { positions, indices } = mesh;
   const corners = indices ?? Uint32Array.from({ length: positions.length / 3 }, (_, vertex) => vertex);
   requireNumbers(positions, corners);
-  const unit = inUnitBall(positions, corners);
-  const closed = welded(unit, corners);
+  requireSurface(mesh);
+  const { middle, reach } = boundsOf(positions, corners);
+  const unit = Float64Array.from(positions, (value, at) => (value - middle[at % 3]) / reach);
+  const closed = { ...welded(unit, corners), middle, reach };
   requireClosed(closed);
   return closed;
 }
@@ -61,8 +79,29 @@ function requireNumbers(positions: ArrayLike<number>, corners: ArrayLike<number>
   }
 }
 
-/** Centres the bounding box at the origin and scales the farthest vertex to distance 1. */
-function inUnitBall(positions: ArrayLike<number>, corners: ArrayLike<number>): Float64Array {
+/** Requires numbers for each vertex, and as many pixels as the size of the texture says. */
+function requireSurface({ positions, normals, colors, uvs, texture }: PlainMesh): void {
+  const vertices = positions.length / 3;
+  for (const [name, values, stride] of [
+    ['normals', normals, 3],
+    ['colors', colors, 3],
+    ['uvs', uvs, 2],
+  ] as const) {
+    if (!values) continue;
+    if (values.length === stride * vertices && Array.prototype.every.call(values, Number.isFinite)) continue;
+    throw new ShapeError(`The mesh needs ${stride} finite numbers in ${name} for each of its ${vertices} vertices.`);
+  }
+  if (!texture) return;
+  if (!uvs) throw new ShapeError('The mesh has a texture, but no uvs.');
+  const { width, height, data } = texture;
+  if (width > 0 && height > 0 && data?.length === 4 * width * height) return;
+  throw new ShapeError(
+    `The texture of the mesh has ${data?.length} bytes; ${width} x ${height} pixels need ${4 * width * height}.`,
+  );
+}
+
+/** The centre of the bounding box, and the distance of the farthest vertex from it. */
+function boundsOf(positions: ArrayLike<number>, corners: ArrayLike<number>): Pick<ClosedMesh, 'middle' | 'reach'> {
   const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]]; // prettier-ignore
   for (let at = 0; at < corners.length; at++) {
     for (let axis = 0; axis < 3; axis++) {
@@ -78,13 +117,14 @@ function inUnitBall(positions: ArrayLike<number>, corners: ArrayLike<number>): F
   }
   if (!(reach > 0 && reach < Infinity))
     throw new ShapeError('The mesh has no size: all its vertices are at one point.');
-  return Float64Array.from(positions, (value, at) => (value - middle[at % 3]) / reach);
+  return { middle, reach };
 }
 
 /** Merges vertices at the same position and removes the triangles that become degenerate. */
-function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh {
+function welded(positions: Float64Array, corners: ArrayLike<number>): Welded {
   const places = new Map<string, number>();
   const kept: number[] = [];
+  const vertexOf = new Uint32Array(positions.length / 3);
   const vertexAt = (corner: number): number => {
     const [x, y, z] = positions.subarray(3 * corner, 3 * corner + 3);
     const place = `${Math.round(x / WELD)},${Math.round(y / WELD)},${Math.round(z / WELD)}`;
@@ -95,14 +135,14 @@ function welded(positions: Float64Array, corners: ArrayLike<number>): ClosedMesh
   };
   const indices: number[] = [];
   for (let at = 0; at < corners.length; at += 3) {
-    const [a, b, c] = [vertexAt(corners[at]), vertexAt(corners[at + 1]), vertexAt(corners[at + 2])];
+    const [a, b, c] = [0, 1, 2].map((corner) => (vertexOf[corners[at + corner]] = vertexAt(corners[at + corner])));
     if (a !== b && b !== c && c !== a) indices.push(a, b, c);
   }
-  return { positions: Float64Array.from(kept), indices: Uint32Array.from(indices) };
+  return { positions: Float64Array.from(kept), indices: Uint32Array.from(indices), vertexOf };
 }
 
 /** Each edge must be used equally often in both directions. Then the winding number is well defined. */
-function requireClosed({ positions, indices }: ClosedMesh): void {
+function requireClosed({ positions, indices }: Welded): void {
   if (indices.length / 3 < MIN_TRIANGLES)
     throw new ShapeError('The mesh encloses no volume: it has fewer than 4 triangles.');
   const vertices = positions.length / 3;

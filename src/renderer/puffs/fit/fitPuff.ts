@@ -1,8 +1,9 @@
-/** Fits a puff to any closed mesh: a few lobes whose union approximates it. */
+/** Fits a puff to any closed mesh: a few lobes whose union approximates it, and the mesh itself for billboards. */
 import { requireOptions, ShapeError } from '../../../base/errors.ts';
 import { BallCover } from './ballCover.ts';
 import { closedMesh, type PlainMesh } from './closedMesh.ts';
 import { inUnitBall } from '../lobes.ts';
+import { copyingMesh } from './copyMesh.ts';
 import type { PuffShape, Lobe } from '../shapes.ts';
 import { voxelsOf, centreOf, depthsOf, type Voxels } from './voxels.ts';
 import { workedFor, type Work } from '../../../base/work.ts';
@@ -32,6 +33,7 @@ export interface FitOptions {
 
 /**
  * Fits lobes to a closed mesh, in slices of 8 ms so that the page stays responsive. Deterministic in every browser.
+ * With `puff.form=billboards`, puffs have the shape and the colours of the mesh itself, seen from +z.
  * @throws ShapeError if the mesh is empty, open, too thin, not finite or has too many triangles, or `lobes` is invalid
  */
 export async function fitPuff(mesh: PlainMesh, options: FitOptions = {}): Promise<FittedPuff> {
@@ -56,7 +58,10 @@ function* fitting(mesh: PlainMesh, name: string, lobes: number): Work<FittedPuff
   yield;
   const balls = yield* fittingBalls(voxels, lobes);
   const { overlap } = new BallCover(voxelsOf(closed, MEASURE_VOXELS), balls);
-  return { shape: { name, lobes: inUnitBall(balls) }, overlap };
+  yield;
+  const fitted = inUnitBall(balls);
+  const own = yield* copyingMesh(mesh, closed, balls, fitted);
+  return { shape: { name, lobes: fitted, mesh: own }, overlap };
 }
 
 /**

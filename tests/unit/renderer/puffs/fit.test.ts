@@ -90,8 +90,17 @@ const cases: readonly (readonly [string, PlainMesh, RegExp])[] = [
   ['open', { positions: ball.positions, indices: ball.indices.subarray(3) }, /open: 3 of its/],
   ['of one point', { positions: [1, 1, 1], indices: [0, 0, 0] }, /no size/],
   ['flat', box([0, 0, 0], [1, 1, 0.001]), /too thin/],
+  ['short of normals', { ...ball, normals: [0, 0, 1] }, /3 finite numbers in normals/],
+  ['coloured by no number', { ...ball, colors: ball.positions.map(() => NaN) }, /3 finite numbers in colors/],
+  ['textured without uvs', { ...ball, texture: { width: 1, height: 1, data: new Uint8Array(4) } }, /no uvs/],
+  ['textured by too few pixels', textured(2, 2, 12), /has 12 bytes; 2 x 2 pixels need 16/],
   ['too large', { positions: ball.positions, indices: new Uint32Array(3 * MAX_TRIANGLES + 3) }, /250001 triangles/],
 ];
+
+function textured(width: number, height: number, bytes: number): PlainMesh {
+  const uvs = new Float32Array((ball.positions.length / 3) * 2);
+  return { ...ball, uvs, texture: { width, height, data: new Uint8Array(bytes) } };
+}
 
 test.each(cases)('a mesh that is %s is rejected with a message', async (_, mesh, message) => {
   const rejected = fitPuff(mesh);

@@ -1,0 +1,63 @@
+/** Billboards of closed meshes: their colours, their own shadow, and what their culling hides. */
+import { rampOf } from '../../../../src/renderer/palette.ts';
+import type { Color } from '../../../../src/renderer/gpu/ramps.ts';
+import { fitPuff } from '../../../../src/renderer/puffs/fit/fitPuff.ts';
+import type { PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
+import type { Style } from '../../../../src/renderer/style.ts';
+import { frontCamera, PLAIN_STYLE, takePicture } from '../../lab.ts';
+import { face, halves, heart, popcorn, rings, torus } from '../../puffMeshes.ts';
+import { comparePlume, type Comparison } from '../culling.cases.ts';
+import { selfMasked } from '../passes/lonePuffs.cases.ts';
+
+const MESHES = { face, heart, popcorn, rings, torus } as const;
+const SIZE = 240;
+const [UPPER, LOWER] = [[1, 0.8, 0.2], [0.4, 0.6, 1]] as const; // prettier-ignore
+
+type Name = keyof typeof MESHES;
+
+function shapesOf(names: readonly Name[]): Promise<PuffShape[]> {
+  return Promise.all(names.map(async (name) => (await fitPuff(MESHES[name](), { lobes: 8 })).shape));
+}
+
+/** See `selfMasked`. */
+export async function masked(
+  names: readonly Name[],
+  light: 'sun' | 'lamp',
+  trials: number,
+): Promise<{ lit: number; masked: number }> {
+  return selfMasked('billboards', light, trials, await shapesOf(names));
+}
+
+/**
+ * A ball with a colour in its upper half and another in its lower one, without ink: pixels by colour in each half, and
+ * the tones of the ramp times these colours.
+ */
+export async function paintedTones(style: Partial<Style>): Promise<{ found: string[][]; expected: string[][] }> {
+  const { shape } = await fitPuff(halves(UPPER, LOWER), { lobes: 1 });
+  const { pixels } = takePicture({
+    width: SIZE,
+    height: SIZE,
+    shapes: [shape],
+    puffs: [{ place: [0, 0, 0], radius: 0.9 }],
+    camera: frontCamera(SIZE, SIZE, 4, 30),
+    style: { form: 'billboards', outlines: false, shadows: false, ...style },
+  });
+  const found = [new Set<string>(), new Set<string>()];
+  for (let at = 0; at < SIZE * SIZE; at++) {
+    const row = Math.floor(at / SIZE) - SIZE / 2;
+    // Texels at the border of the halves have a mean of their colours.
+    if (pixels[4 * at + 3] > 0 && Math.abs(row) > SIZE / 15) {
+      found[row > 0 ? 0 : 1].add(pixels.subarray(4 * at, 4 * at + 3).join());
+    }
+  }
+  const { lit } = rampOf(PLAIN_STYLE.smokeColor, { tones: 2, shading: true });
+  const times = (color: Color, factor: readonly number[]) =>
+    color.map((value, channel) => Math.round((value * Math.round(255 * factor[channel])) / 255)).join();
+  const expected = [UPPER, LOWER].map((factor) => [...new Set(lit.map(({ color }) => times(color, factor)))].sort());
+  return { found: found.map((colors) => [...colors].sort()), expected };
+}
+
+/** Pictures of a plume of meshes with and without culling. */
+export async function culled(names: readonly Name[]): Promise<Comparison[]> {
+  return comparePlume(1000, { form: 'billboards' }, ['scene', 'inside', 'orthographic'], await shapesOf(names));
+}
