@@ -231,7 +231,12 @@ void main() {
 #ifdef SHADING
   shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));
   unlit.rgb = vec3(1.0);
+#ifdef ADDITIONAL_LIGHTS
+  vec3 shown = vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, viewZ), viewZ);
+  lit.rgb = vec3(packPosition(position, lightsOn(normalize(normal), shown, SMOKE_BORDER)), ink);
+#else
   lit.rgb = vec3(packPosition(position), ink);
+#endif
 #else
   vec3 gradient = mix(gradientFactor, vec3(1.0), position);
   Shades shades = shade(light, ramps, material, gradient, rimColor);

@@ -7,24 +7,18 @@ uniform vec3 ambientLight;
 // Linear colour of the rim where the strength is 1.
 uniform vec3 lampRim;
 uniform float lampStrength;
-// As PointLight of three.js: exponent, 1 / distance of the end, least distance raised to the exponent, and a factor.
+// See reachOf.
 uniform vec4 lampReach;
-// The dot product of xyz and the direction to the lamp, plus w, goes from 0 to 1 from the edge of the cone inwards.
 uniform vec4 lampCone;
-// Ramps in the light of the style, linear.
-uniform sampler2D styledRamps;
+
+#include reach.glsl
 
 // Strength of the direct light where the shader is.
 float strength;
 
 // @param place in the world
 float strengthAt(vec3 place) {
-  vec3 way = lampPlace - place;
-  float distance = max(length(way), 1e-6);
-  float atEnd = clamp(1.0 - pow(distance * lampReach.y, 4.0), 0.0, 1.0);
-  float inside = clamp(dot(lampCone.xyz, way) / distance + lampCone.w, 0.0, 1.0);
-  float cone = inside * inside * (3.0 - 2.0 * inside);
-  return lampStrength * lampReach.w * cone * atEnd * atEnd / max(pow(distance, lampReach.x), lampReach.z);
+  return lampStrength * reachOf(lampPlace - place, lampReach, lampCone);
 }
 
 // The strength at a place as a number below 1. In 8 bits, tones up to white are exact to 2 of 255.

@@ -54,6 +54,18 @@ float takeStrength(inout float material);
 vec3 inLight(ivec2 texel, bool isRim);
 #endif
 
+// ADDITIONAL_LIGHTS: src/renderer/additionalLights.ts adds additionalLights/additionalLights.glsl.
+#ifdef ADDITIONAL_LIGHTS
+// N.L from which smoke and surfaces are in a light. Light goes around puffs, which are not solid.
+const float SMOKE_BORDER = 0.0;
+const float SURFACE_BORDER = 0.3;
+
+float facingOf(int light, vec3 normal, vec3 place);
+int lightsOn(vec3 normal, vec3 place, float border);
+vec3 lightened(vec3 tone, float material, vec3 lights, vec3 place);
+vec3 sharesOf(int lights);
+#endif
+
 // Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.
 // Both colours are equal on the side away from the light, so that no edge is visible there: rows start with the same tone,
 // and fill and rim apply to both.

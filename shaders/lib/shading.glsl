@@ -16,16 +16,40 @@ const vec2 LOG_RADII = vec2(-10.0, 6.0);
 
 // The two colours of a pixel of smoke hold what does not depend on the light instead: the unlit one the colour C of Eq. 2,
 // and the lit one the position along the gradient in two bytes of red and green, and the opacity of ink in blue. FALLOFF: the alpha of
-// the unlit one is the strength of the light, see falloff/falloff.glsl.
-vec2 packPosition(float position) {
-  float number = floor(65535.0 * position + 0.5);
+// the unlit one is the strength of the light, see falloff/falloff.glsl. ADDITIONAL_LIGHTS: the lowest three bits of the position
+// are a set of lights, see additionalLights/additionalLights.glsl.
+vec2 packBytes(float number) {
   float high = floor(number / 256.0);
   return vec2(high, number - 256.0 * high) / 255.0;
+}
+
+#ifdef ADDITIONAL_LIGHTS
+const float LIGHT_SETS = 8.0;
+
+vec2 packPosition(float position, int lights) {
+  return packBytes(LIGHT_SETS * floor(8191.0 * position + 0.5) + float(lights));
+}
+
+float unpackNumber(vec2 bytes) {
+  return floor(dot(bytes, vec2(65280.0, 255.0)) + 0.5);
+}
+
+float unpackPosition(vec2 bytes) {
+  return floor(unpackNumber(bytes) / LIGHT_SETS) / 8191.0;
+}
+
+int unpackLights(vec2 bytes) {
+  return int(mod(unpackNumber(bytes), LIGHT_SETS));
+}
+#else
+vec2 packPosition(float position) {
+  return packBytes(floor(65535.0 * position + 0.5));
 }
 
 float unpackPosition(vec2 bytes) {
   return dot(bytes, vec2(65280.0, 255.0)) / 65535.0;
 }
+#endif
 
 vec4 packShading(Shading shading) {
   float flags = float(shading.isFilled) + 2.0 * float(shading.isRim) + 4.0 * float(shading.isInk);

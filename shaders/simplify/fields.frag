@@ -53,5 +53,10 @@ void main() {
   bool right = at.x < last.x && isLinked(here, texelAt(at + ivec2(1, 0)));
   bool above = at.y < last.y && isLinked(here, texelAt(at + ivec2(0, 1)));
   int links = (right ? LINKED_RIGHT : 0) + (above ? LINKED_ABOVE : 0);
+#ifdef ADDITIONAL_LIGHTS
+  int lights = here.shading.radius > 0.0 ? unpackLights(here.lit.rg) : 0;
+  field = packField(PackedField(fieldOf(here.shading, here.lit.a), links, lights));
+#else
   field = packField(PackedField(fieldOf(here.shading, here.lit.a), links));
+#endif
 }

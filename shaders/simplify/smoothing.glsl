@@ -4,6 +4,9 @@ uniform sampler2D fields;
 #ifdef ALONG_COLUMNS
 // The averages along rows.
 uniform sampler2D across;
+#ifdef ADDITIONAL_LIGHTS
+uniform sampler2D lightsAcross;
+#endif
 #endif
 // Largest distance that is averaged, pixels, and standard deviation of the Gaussian, pixels.
 uniform int reach;
@@ -13,6 +16,19 @@ uniform sampler2D flatTiles;
 
 #include flatTiles.glsl
 #include packField.glsl
+
+#ifdef ADDITIONAL_LIGHTS
+// The averaged shares of the lights, besides the result of smoothedAt.
+vec3 lightShares;
+
+vec3 sharesAt(ivec2 at, PackedField there) {
+#ifdef ALONG_COLUMNS
+  return texelFetch(lightsAcross, at, 0).rgb;
+#else
+  return vec3(there.lights & 1, there.lights >> 1 & 1, there.lights >> 2);
+#endif
+}
+#endif
 
 PackedField fieldAt(ivec2 at) {
   PackedField here = unpackField(texelFetch(fields, at, 0));
@@ -26,6 +42,9 @@ PackedField fieldAt(ivec2 at) {
 vec4 smoothedAt(ivec2 at, ivec2 along, int bit) {
   PackedField own = fieldAt(at);
   vec4 sum = own.field;
+#ifdef ADDITIONAL_LIGHTS
+  lightShares = sharesAt(at, own);
+#endif
   float weights = 1.0;
   // A loop that ends at once saves work on all GPUs; a branch does not.
   int end = texelFetch(flatTiles, at / FLAT_TILE, 0).r > 0.0 ? 0 : reach;
@@ -46,8 +65,14 @@ vec4 smoothedAt(ivec2 at, ivec2 along, int bit) {
       weight *= ratio;
       ratio *= change;
       sum += weight * there.field;
+#ifdef ADDITIONAL_LIGHTS
+      lightShares += weight * sharesAt(at + i * towards, there);
+#endif
       weights += weight;
     }
   }
+#ifdef ADDITIONAL_LIGHTS
+  lightShares /= weights;
+#endif
   return sum / weights;
 }

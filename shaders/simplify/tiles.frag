@@ -1,8 +1,8 @@
 precision highp float;
 precision highp int;
 
-// What the pixels of a tile of 8 x 8 have in common: one fragment for each. Output: their field, with 1/3 for a rim and
-// 2/3 for smoke in alpha. Where pixels differ, the share of light is 1/2, which no pixel has. Pixels that look the same in
+// What the pixels of a tile of 8 x 8 have in common: one fragment for each. Output: their field, with
+// IS_SMOKE, IS_RIM and the set of lights in alpha. Where pixels differ, the share of light is 1/2, which no pixel has. Pixels that look the same in
 // light and shadow, such as lines and the background, do not count; a tile of them has ANY_LIGHT.
 uniform sampler2D unlit;
 
@@ -10,6 +10,9 @@ out vec4 kind;
 
 #include field.glsl
 #include flatTiles.glsl
+
+const float IS_SMOKE = 128.0;
+const float IS_RIM = 64.0;
 
 void main() {
   ivec2 start = FLAT_TILE * ivec2(gl_FragCoord.xy);
@@ -23,7 +26,11 @@ void main() {
       bool isSmoke = own.radius > 0.0;
       if (!isSmoke && light.rgb == texelFetch(unlit, at, 0).rgb) continue;
       vec4 field = fieldOf(own, light.a);
-      vec4 found = vec4(field.rgb, (field.a + (isSmoke ? 2.0 : 0.0)) / 3.0);
+      float bits = field.a * IS_RIM + (isSmoke ? IS_SMOKE : 0.0);
+#ifdef ADDITIONAL_LIGHTS
+      if (isSmoke) bits += float(unpackLights(light.rg));
+#endif
+      vec4 found = vec4(field.rgb, bits / 255.0);
       if (kind != ANY_LIGHT && kind != found) {
         kind = vec4(0.5);
         return;

@@ -13,14 +13,16 @@ uniform vec3 gradientFactor;
 uniform vec3 rimColor;
 uniform vec3 inkColor;
 uniform float litFrom;
-#ifdef FORM
+#if defined(FORM) || defined(ADDITIONAL_LIGHTS)
 uniform highp sampler2D depth;
+uniform mat4 clipFromView;
+uniform vec2 viewport;
+#endif
+#ifdef FORM
 // Of src/renderer/passes/simplify/plumeForm.ts.
 uniform highp sampler3D form;
 uniform mat4 formFromView;
 uniform mat4 viewFromWorld;
-uniform mat4 clipFromView;
-uniform vec2 viewport;
 uniform vec4 lightInView;
 uniform float plumeForm;
 #endif
@@ -35,10 +37,16 @@ out vec4 pixel;
 void unpackStrength(float code);
 #endif
 #include ../lib/shade.glsl
-#ifdef FORM
+#if defined(FORM) || defined(ADDITIONAL_LIGHTS)
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
 #include ../lib/pixel.glsl
+
+// The visible point of a pixel, in view space.
+vec3 placeAt(ivec2 at) {
+  float z = viewZOf(clipFromView, texelFetch(depth, at, 0).r);
+  return vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, z), z);
+}
 #endif
 
 vec3 rampAt(float material, float row, float facing) {
@@ -51,22 +59,38 @@ vec3 rampAt(float material, float row, float facing) {
 }
 
 #ifdef FORM
-// Mixes the light of a pixel of smoke with that of the form of the whole smoke.
-vec4 leaning(vec4 light, ivec2 at) {
-  const float FORM_STEPS = 127.0;
+// The share of light of a pixel of smoke, mixed with that of the form of the whole smoke.
+float leaningShare(float share, float facing) {
   // N.L of the form from which it adds to the light, so that as much of the smoke stays lit.
   const float FORM_MIDDLE = 0.35;
-  float z = viewZOf(clipFromView, texelFetch(depth, at, 0).r);
-  vec3 place = vec3(viewPointOf(gl_FragCoord.xy, clipFromView, viewport, z), z);
+  return mix(share, 0.5 + 0.5 * (facing - FORM_MIDDLE), plumeForm);
+}
+
+vec4 leaning(vec4 light, ivec2 at) {
+  const float FORM_STEPS = 127.0;
+  vec3 place = placeAt(at);
   vec4 texel = texture(form, (formFromView * vec4(place, 1.0)).xyz);
   vec3 outward = (255.0 * texel.xyz - (FORM_STEPS + 1.0)) / FORM_STEPS;
-  float facing = dot(mat3(viewFromWorld) * outward, towardsLightFrom(lightInView, place));
-  float share = mix(light.r, 0.5 + 0.5 * (facing - FORM_MIDDLE), plumeForm);
+  outward = mat3(viewFromWorld) * outward;
+  float facing = dot(outward, towardsLightFrom(lightInView, place));
+  float share = leaningShare(light.r, facing);
+#ifdef ADDITIONAL_LIGHTS
+  for (int i = 0; i < 3; i++) lightShares[i] = leaningShare(lightShares[i], facingOf(i, outward, place));
+#endif
   float own = light.r > 0.0 ? light.g / light.r : litFrom;
   float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;
   return vec4(share, share * mix(own, facing, plumeForm), (1.0 - share) * darkness, light.a);
 }
 #endif
+
+// A tone in the additional lights of a pixel of smoke.
+vec3 inLights(vec3 tone, float material, ivec2 at) {
+#ifdef ADDITIONAL_LIGHTS
+  return lightened(tone, material, lightShares, placeAt(at));
+#else
+  return tone;
+#endif
+}
 
 // The tone that the averaged fields select, without the gradient.
 vec3 toneOf(vec4 light, float material) {
@@ -93,8 +117,13 @@ void main() {
   vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
   if (own.isInk) {
     float row = own.isFilled ? 2.0 : 0.0;
-    shadowed.rgb = mix(rampAt(own.material, row, own.facing) * gradient, inkColor, direct.b);
-    direct.rgb = mix(rampAt(own.material, row + 1.0, own.facing) * gradient, inkColor, direct.b);
+#ifdef ADDITIONAL_LIGHTS
+    lightShares = sharesOf(unpackLights(direct.rg));
+#endif
+    vec3 dark = inLights(rampAt(own.material, row, own.facing), own.material, at);
+    vec3 bright = inLights(rampAt(own.material, row + 1.0, own.facing), own.material, at);
+    shadowed.rgb = mix(dark * gradient, inkColor, direct.b);
+    direct.rgb = mix(bright * gradient, inkColor, direct.b);
   }
   if (own.radius == 0.0 || own.isInk) {
     vec3 shadow = light.b < 0.25 * (1.0 - light.r) ? shadowed.rgb * deepShadow : shadowed.rgb;
@@ -113,5 +142,6 @@ void main() {
 #ifdef FORM
   light = leaning(light, at);
 #endif
-  pixel = vec4(min(toneOf(light, own.material) * gradient, 1.0), shadowed.a);
+  vec3 tone = inLights(toneOf(light, own.material), own.material, at);
+  pixel = vec4(min(tone * gradient, 1.0), shadowed.a);
 }

@@ -4,6 +4,9 @@ precision highp float;
 // display-encoded unlit and lit colour and, for targets that keep it, the number of the group over 255.
 uniform sampler2D ramps;
 uniform vec4 lightInWorld;
+#ifdef ADDITIONAL_LIGHTS
+uniform mat4 viewFromWorld;
+#endif
 
 in vec3 worldNormal;
 in vec3 worldPlace;
@@ -25,6 +28,12 @@ void main() {
   findStrength(worldPlace);
 #endif
   Shades shades = shade(light, ramps, material, vec3(1.0), vec3(0.0));
+#ifdef ADDITIONAL_LIGHTS
+  vec3 place = (viewFromWorld * vec4(worldPlace, 1.0)).xyz;
+  vec3 shares = sharesOf(lightsOn(mat3(viewFromWorld) * normalize(worldNormal), place, SURFACE_BORDER));
+  shades.unlit = lightened(shades.unlit, material, shares, place);
+  shades.lit = lightened(shades.lit, material, shares, place);
+#endif
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);
   number = group / 255.0;

@@ -20,6 +20,7 @@ const modules = new LazyModules({
   strokes: () => import('./passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
   falloff: () => import('./falloff.ts'),
+  additionalLights: () => import('./additionalLights.ts'),
 });
 /** The modules that are loaded. */
 export const { loaded } = modules;
@@ -44,18 +45,22 @@ export interface PictureKind {
   readonly isEroded: boolean;
   /** The light of a lamp that weakens with distance. */
   readonly lampLight?: Factors;
+  /** Whether there are lights besides the key light. */
+  readonly hasAdditionalLights?: boolean;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
 }
 
-/** Whether a style's light is smoothed or follows the whole form. Other renderers than nailboards do not. */
-export function isSimplified({
-  renderer,
-  simplify,
-  plumeForm,
-}: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm'>): boolean {
-  return renderer === 'nailboards' && simplify + plumeForm > 0;
+/**
+ * Whether tones are chosen after all puffs are drawn, because light is smoothed, follows the whole form or comes from several
+ * lights. Other renderers than nailboards do not.
+ */
+export function isSimplified(
+  kind: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm' | 'hasAdditionalLights'>,
+): boolean {
+  const { renderer, simplify, plumeForm, hasAdditionalLights = false } = kind;
+  return renderer === 'nailboards' && (simplify + plumeForm > 0 || hasAdditionalLights);
 }
 
 /** Whether a style has strokes. They are lines, on lobes only. */
@@ -70,7 +75,7 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, lampLight, view, isTiled } = kind;
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, isTiled } = kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -81,6 +86,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(hasStrokes(kind) && { strokes: 'Strokes' }),
     ...(isEroded && { bites: 'Bites' }),
     ...(lampLight && { falloff: 'The decay of light' }),
+    ...(hasAdditionalLights && { additionalLights: 'More lights' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

@@ -115,6 +115,7 @@ export function arrangeFrame(passes: SmokePasses, input: FrameInput): ArrangedFr
   // Copied, because the next call of arrange replaces it.
   const grid = input.view === 'coverage' && seen.grid ? { ...seen.grid, depths: seen.grid.depths.slice() } : undefined;
   const smoke = smokeBox(eye, sources.extents.spread, seen.bounds);
+  passes.additionalLights?.look(input, smoke, eye.uniforms.viewFromWorld.value);
   const travel = eye.travelAt(smoke.getCenter(new Vector3()));
   const receivers = sources.boxes.reduce((all, box) => all.union(box), smoke.clone());
   eye.receive(input.others ? smoke : receivers);
@@ -140,7 +141,7 @@ function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, 
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
-  if (light.kind === 'lamp') passes.eye.lampLight?.look(light.place, light.falloff);
+  if (light.kind === 'lamp') passes.lampLight?.look(light.place, light.falloff);
   passes.scene?.place(rigids, parts ?? []);
   passes.scene?.refine(deviation ?? 0);
   passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));

@@ -6,7 +6,7 @@ import type { View } from '../simulator/view.ts';
 import type { FrameView } from './gpu/frameView.ts';
 import type { PuffTextures } from './gpu/puffTextures.ts';
 import type { RampTexture } from './gpu/ramps.ts';
-import type { Light } from './light.ts';
+import type { AdditionalLight, Light } from './light.ts';
 import type { Style } from './style.ts';
 
 /** The part of a simulator that a frame needs. The result may be reused by the next call. */
@@ -14,6 +14,8 @@ export interface Arranger {
   /** Number of particles; unknown if absent. */
   readonly alive?: number;
   arrange(view: View): Arranged;
+  /** Lamps at the glowing parts of smoke, see `Simulator.glow`; smoke without it has none. */
+  glow?(blend: number, colors: Float32Array): Float32Array;
   /** Displacement in the latest step of each row of the last `arrange`, metres: x, y, z. */
   moves(): Float32Array;
 }
@@ -30,6 +32,8 @@ export interface FrameInput {
   simulator: Arranger;
   camera: Camera;
   light: Light;
+  /** Lights of a scene besides it, for a style with `hasAdditionalLights`. The strongest three shade smoke. */
+  lights?: readonly AdditionalLight[];
   style: Style;
   /** Interpolation between the previous step (0) and the current one (1). */
   blend: number;

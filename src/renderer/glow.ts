@@ -1,6 +1,8 @@
-/** What glows, as the simulator takes it for the lamps of a host's scene. */
+/** What glows, as the simulator takes it for its lamps. */
+import { Vector3 } from 'three';
 import { valueAt } from '../parameters/curve.ts';
-import { GLOW_HEATS } from '../simulator/layout.ts';
+import { GLOW_HEATS, LAMP_FLOATS } from '../simulator/layout.ts';
+import { NEAREST, type AdditionalLight } from './light.ts';
 import { blendedAt, colorAt, linear, type Tone } from './gpu/ramps.ts';
 import { plainColorOf, rampOf } from './palette.ts';
 import type { Style } from './style.ts';
@@ -31,4 +33,24 @@ export function glowColors(style: Style): Float32Array | undefined {
     );
   }
   return colors;
+}
+
+/** Candela of a white puff of radius 1 m: the area of a disc that is as bright as white on the screen. */
+export const CANDELA = Math.PI;
+/** Irradiance in which smoke has the direct light of its style. */
+export const IRRADIANCE = 3;
+
+/** Lamps at the parts of smoke that glow. @param numbers of `Simulator.glow` */
+export function glowLamps(numbers: Float32Array): AdditionalLight[] {
+  return Array.from({ length: numbers.length / LAMP_FLOATS }, (_, index) => {
+    const [x, y, z, , red, green, blue] = numbers.subarray(LAMP_FLOATS * index);
+    const factor = CANDELA / IRRADIANCE;
+    const strength = factor * Math.max(red, green, blue);
+    // At the surface of what glows, a lamp is as bright as the direct light of the style.
+    const falloff = { decay: 2, least: Math.max(strength, NEAREST) };
+    return {
+      light: { kind: 'lamp' as const, place: new Vector3(x, y, z), falloff },
+      color: [factor * red, factor * green, factor * blue] as const,
+    };
+  });
 }

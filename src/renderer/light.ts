@@ -1,6 +1,5 @@
 import { MathUtils, Vector3, Vector4 } from 'three';
 import type { Values } from '../parameters/parameter.ts';
-import type { Falloff } from './gpu/frameView.ts';
 import { linear, type Factors, type Illumination } from './gpu/ramps.ts';
 import { parseColor } from './palette.ts';
 
@@ -12,8 +11,44 @@ export type Light =
   | { readonly kind: 'sun'; /** Unit vector. */ readonly towards: Vector3 }
   | { readonly kind: 'lamp'; readonly place: Vector3; readonly falloff?: Falloff };
 
+/** How the light of a lamp weakens with distance, as that of a PointLight or a SpotLight of three.js. */
+export interface Falloff {
+  readonly decay: number;
+  /** Distance at which the light ends, in its units. Default Infinity. */
+  readonly end?: number;
+  /** Least value of distance ^ decay. Default {@link NEAREST}. */
+  readonly least?: number;
+  readonly cone?: Cone;
+  /** Units of distance for each metre of the space of the smoke. Default 1. */
+  readonly scale?: number;
+}
+
+/** The cone of a spot light: the unit vector towards the lamp, and the cosines from its edge to where light is full. */
+export interface Cone {
+  readonly axis: Vector3;
+  readonly cosines: readonly [edge: number, full: number];
+}
+
+/** A light besides the key light. It casts no shadow. */
+export interface AdditionalLight {
+  readonly light: Light;
+  /** Factors on the direct light of the style. */
+  readonly color: Factors;
+}
+
 /** Least value of distance ^ decay, as in three.js. */
 export const NEAREST = 0.01;
+
+/** Share of a light that reaches a place, as `punctualLightIntensity` of three.js computes it. */
+export function reachOf(light: Light, place: Vector3): number {
+  if (light.kind === 'sun' || !light.falloff) return 1;
+  const { decay, end = Infinity, least = NEAREST, cone, scale = 1 } = light.falloff;
+  const towards = light.place.clone().sub(place);
+  const distance = scale * towards.length();
+  const atEnd = MathUtils.clamp(1 - (distance / end) ** 4, 0, 1) ** 2;
+  const inCone = cone ? MathUtils.smoothstep(cone.axis.dot(towards.normalize()), ...cone.cosines) : 1;
+  return (atEnd / Math.max(distance ** decay, least)) * inCone;
+}
 
 /** Reads the light from the flat values of a preset, which must have every key. Angles are relative to `centre`. */
 export function lightOf(values: Values, centre: Vector3): Light {

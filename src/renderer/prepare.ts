@@ -16,6 +16,7 @@ import { volumeShaders } from './passes/volumes.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { coarserSurfaces, SceneSurfaces } from './sceneSurfaces.ts';
 import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import { withLight } from './lightVariant.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
@@ -57,14 +58,18 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   if (!device.isUsable || values['puff.form'] !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
-  const { isDeformed, lampLight } = style;
-  if (lampLight) await fetchExtras(style);
+  const { isDeformed, lampLight, hasAdditionalLights } = style;
+  if (lampLight || hasAdditionalLights) await fetchExtras(style);
+  const lights = [
+    ...(lampLight ? [codeOf('falloff').FALLOFF] : []),
+    ...(hasAdditionalLights ? [codeOf('additionalLights').ADDITIONAL_LIGHTS] : []),
+  ];
   const isShaded = isSimplified(style);
   const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
   const compile = async (...all: Shaders[]) => {
     for (const shaders of all) {
       if (!device.isUsable) return;
-      programs.compile(renderer, lampLight ? codeOf('falloff').withFalloff(shaders) : shaders);
+      programs.compile(renderer, lights.reduce(withLight, shaders));
       await nextTask();
     }
   };

@@ -3,6 +3,7 @@ import { FrameView } from './gpu/frameView.ts';
 import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
 import { RampTexture, type Color, blendedAt, toneAt, type Bands, type Tone } from './gpu/ramps.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
+import type { AdditionalLights } from './additionalLights.ts';
 import type { LampLight } from './falloff.ts';
 import type { FrameInput } from './frameInput.ts';
 import { plainColorOf, rampOf, surfaceToning, litThresholdOf, washed, multiply } from './palette.ts';
@@ -36,6 +37,7 @@ const PLAIN_PICTURE = {
   strokes: 0,
   isEroded: false,
   lampLight: undefined,
+  hasAdditionalLights: false,
 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
@@ -55,6 +57,7 @@ export class SmokeRenderer {
   private style: Style | undefined;
   private pixelRatio = 0;
   private lampLight: LampLight | undefined;
+  private additionalLights: AdditionalLights | undefined;
   /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
@@ -120,6 +123,7 @@ export class SmokeRenderer {
     this.passes.release();
     this.ramps.dispose();
     this.lampLight?.dispose();
+    this.additionalLights?.dispose();
   }
 
   private availableStyle(input: FrameInput): FrameInput {
@@ -133,14 +137,19 @@ export class SmokeRenderer {
   private apply(style: Style, pixelRatio: number): void {
     const { eye, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
-    eye.lampLight = style.lampLight && (this.lampLight ??= new (codeOf('falloff').LampLight)());
+    this.selectLights(style);
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientHeights);
     this.puffs.deform(style.isDeformed ? style.stretch : undefined);
     this.puffs.bites = style.isEroded ? codeOf('bites').bitesOf(this.puffs) : undefined;
     body.setForm(extras.billboardsOf(style.form));
-    extras.simplify?.setUniforms(style.simplify * pixelRatio, !style.softColors, litThresholdOf(style));
+    extras.simplify?.setUniforms(
+      style.simplify * pixelRatio,
+      !style.softColors,
+      litThresholdOf(style),
+      style.hasAdditionalLights,
+    );
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
     strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
@@ -149,6 +158,16 @@ export class SmokeRenderer {
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     this.style = style;
     this.pixelRatio = pixelRatio;
+  }
+
+  /** Selects the code for light that few styles need. */
+  private selectLights({ lampLight, hasAdditionalLights }: Style): void {
+    const { passes } = this;
+    passes.lampLight = lampLight && (this.lampLight ??= new (codeOf('falloff').LampLight)());
+    passes.additionalLights = hasAdditionalLights
+      ? (this.additionalLights ??= new (codeOf('additionalLights').AdditionalLights)())
+      : undefined;
+    passes.eye.variants = [passes.lampLight, passes.additionalLights].filter((light) => light !== undefined);
   }
 
   private paintBackdrop({ backdropColors = [] }: Style): void {
@@ -172,7 +191,8 @@ export class SmokeRenderer {
     this.ramps.resize(ramps.length);
     ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
     this.ramps.writeBands(bands);
-    if (style.lampLight) this.lampLight!.apply(style, ramps);
+    this.passes.lampLight?.apply(style, ramps);
+    this.passes.additionalLights?.apply(ramps);
   }
 }
 

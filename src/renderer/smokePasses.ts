@@ -1,4 +1,6 @@
 import type { WebGLRenderer } from 'three';
+import type { AdditionalLights } from './additionalLights.ts';
+import type { LampLight } from './falloff.ts';
 import type { PuffExtents } from './gpu/formTextures.ts';
 import type { FrameView } from './gpu/frameView.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
@@ -57,6 +59,10 @@ export class SmokePasses {
   /** The modules that the input of a frame needs must be loaded. */
   readonly extras: FrameExtras;
   readonly hasBackdrop: boolean;
+  /** The light of a lamp that weakens with distance; undefined for other light. */
+  lampLight: LampLight | undefined;
+  /** Lights besides the key light; undefined for a style without them. */
+  additionalLights: AdditionalLights | undefined;
   private readonly puffs: PuffTextures;
 
   constructor({ device, eye, puffs, ramps, capacity, scene, hasSurfaces, hasBackdrop, extras }: Sources) {

@@ -81,6 +81,8 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   illumination: Illumination;
   /** Factors on the direct light of a lamp that weakens with distance, at the unit of its falloff; absent for other light. */
   lampLight?: Factors;
+  /** Whether lights besides the key light shade smoke and surfaces: those of what glows, and of a scene. */
+  hasAdditionalLights: boolean;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
   /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
@@ -104,6 +106,7 @@ export function styleOf(values: Values): Style {
     rows.map((row) => [nameOf(row), fieldOf(row, (values as AnyValues)[row.key])]),
   ) as Fields;
   const illumination = illuminationOf(values);
+  const glow = glowOf(values);
   const { ramp, rampBlend, ageRamp, heatRamp, tint1, tint2, tint3, backdrop, ...others } = fields;
   const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
   return {
@@ -119,11 +122,12 @@ export function styleOf(values: Values): Style {
     gradientHeights: [gradientBottom, gradientTop],
     illumination,
     lampLight: hasDecay(values) ? illumination.direct : undefined,
+    hasAdditionalLights: glow.length > 0 && showsAdditionalLights(same),
     stops: ramp,
     isBlended: rampBlend,
     ageColors: ageRamp,
     heatColors: heatRamp,
-    glow: glowOf(values),
+    glow,
     tints: [tint1, tint2, tint3],
     backdropColors: backdrop,
     wash: { share: wash, color: washColor },
@@ -137,6 +141,11 @@ export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' 
   const stretch = endsStretched ? MAX_STRETCH : moving;
   const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };
+}
+
+/** Whether a style shows lights besides the key light. Smoke without shading shows none. */
+export function showsAdditionalLights({ renderer, shading }: Pick<Style, 'renderer' | 'shading'>): boolean {
+  return renderer === 'nailboards' && shading;
 }
 
 function glowOf(values: Values): Stop[] {

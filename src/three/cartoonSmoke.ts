@@ -56,7 +56,7 @@ import { Overrides } from './overrides.ts';
 import { PushedObject } from './pushed.ts';
 import { isEmptyView, isOverridden, requireRenderer } from './requirements.ts';
 import { ObjectParts } from './objectParts.ts';
-import { SceneLight } from './sceneLight.ts';
+import { SceneLight, type LitSmoke } from './sceneLight.ts';
 
 /** Milliseconds per frame for baking puffs whose parameters have changed. */
 const BAKING_MS = 4;
@@ -150,7 +150,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
         // Casters that are balls are lobes and do not deform. Volumes are counted where the host's buffer is multisampled.
         fetchExtras({ ...hostStyle(values), form: 'lobes', isDeformed: false, volumes: 'counted' }),
         // Lamps of the host weaken.
-        fetchExtras({ ...hostStyle(values), ...(options.light === 'scene' && { lampLight: [1, 1, 1] }) }),
+        fetchExtras({
+          ...hostStyle(values),
+          ...(options.light === 'scene' && { lampLight: [1, 1, 1], hasAdditionalLights: true }),
+        }),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,
@@ -532,7 +535,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.isDrawing = true;
     try {
       const { keyLight, onRelight, frame, simulator } = this;
-      const smoke = { object: this, frame, simulator, style: this.styleIn(scene, camera), blend: this.clock.blend };
+      const smoke = { object: this, frame, simulator, ...this.litIn(scene, camera), blend: this.clock.blend };
       this.drawn = drawIntoHost(this.passes, { renderer, scene, camera, keyLight, onRelight }, smoke);
       this.hasDrawn = true;
     } catch (failure) {
@@ -542,15 +545,19 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     }
   }
 
-  /** The style of the current frame. */
-  private styleIn(scene: Scene, camera: Camera): Style {
+  /** The style and the lights of the current frame. */
+  private litIn(scene: Scene, camera: Camera): LitSmoke {
     const { shown, sceneLight, keyLight, castsShadow } = this;
     const place = new Vector3().setFromMatrixPosition(this.matrixWorld);
-    const lit = sceneLight?.styleOf(shown.style, scene, camera, keyLight, place) ?? shown.style;
-    if (castsShadow || !lit.shadows) return lit;
+    const own = this.glow?.lights ?? [];
+    const lit = sceneLight?.under(shown.style, { scene, camera, keyLight, own }, place) ?? {
+      style: shown.style,
+      lights: [],
+    };
+    if (castsShadow || !lit.style.shadows) return lit;
     // Renderers compare styles by identity.
-    if (this.unshadowed?.of !== lit) this.unshadowed = { of: lit, style: { ...lit, shadows: false } };
-    return this.unshadowed.style;
+    if (this.unshadowed?.of !== lit.style) this.unshadowed = { of: lit.style, style: { ...lit.style, shadows: false } };
+    return { ...lit, style: this.unshadowed.style };
   }
 
   /** Hides the smoke while there is nothing to draw, so that a frame costs nothing. */

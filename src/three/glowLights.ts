@@ -1,5 +1,5 @@
 import { PointLight, type Object3D } from 'three';
-import { glowColors } from '../renderer/glow.ts';
+import { CANDELA, glowColors } from '../renderer/glow.ts';
 import type { Style } from '../renderer/style.ts';
 import { LAMP_FLOATS } from '../simulator/layout.ts';
 import type { Simulator } from '../simulator/simulator.ts';
@@ -8,8 +8,6 @@ import type { SmokeFrame } from './smokeSpace.ts';
 
 /** Number of lights. */
 const LIGHTS = 3;
-/** Candela of a white puff of radius 1 m: the area of a disc that is as bright as white on the screen. */
-const CANDELA = Math.PI;
 
 /** What the lights of a frame follow from. */
 interface Glowing {

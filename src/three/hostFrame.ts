@@ -9,13 +9,14 @@ import { receiversIn } from './casters.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
 import type { HostPasses } from './hostPasses.ts';
 import { lightFrom } from './keyLight.ts';
+import type { LitSmoke } from './sceneLight.ts';
 import { hasStencilBuffer, isLinearPicture, laterToneMapping, requireDrawable } from './requirements.ts';
 import { RendererState } from './rendererState.ts';
 import { straightened } from './target/straightCamera.ts';
 import { insertShadow, type HostView } from './target/insertion.ts';
 
 /** The smoke that a host's frame shows. */
-interface HostedSmoke extends Pick<FrameInput, 'style' | 'blend'> {
+interface HostedSmoke extends Pick<FrameInput, 'style' | 'blend'>, Pick<LitSmoke, 'lights'> {
   object: Object3D;
   frame: SmokeFrame;
   simulator: Simulator;
@@ -105,17 +106,23 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
 const viewport = new Vector4();
 
 /** What a frame is drawn from. */
-function lookFrom(host: Host, { object, frame, simulator, style, blend }: HostedSmoke) {
-  const { renderer, scene, camera: seen, keyLight } = host;
+function lookFrom(host: Host, { object, frame, simulator, style, lights: ofScene, blend }: HostedSmoke) {
+  const { renderer, scene, keyLight } = host;
   const { clippingPlanes } = renderer;
-  const placed = frame.view(object, seen, lightFrom(keyLight), receiversIn(scene), clippingPlanes);
-  const { camera, light, boxes, planes } = placed;
+  const { camera, light, lights, boxes, planes } = frame.view(object, {
+    camera: host.camera,
+    light: lightFrom(keyLight),
+    lights: ofScene,
+    boxes: receiversIn(scene),
+    planes: clippingPlanes,
+  });
   const { x, y, z: width, w: height } = renderer.getCurrentViewport(viewport);
   const view: HostView = { ...host, planes, scale: frame.drawn.scale, origin: new Vector2(x, y) };
   const asked = {
     simulator,
     camera,
     light,
+    lights,
     style,
     blend,
     time: simulator.steps * STEP_SECONDS,

@@ -1,16 +1,21 @@
-import { MathUtils, Vector3, type DirectionalLight, type PointLight, type SpotLight } from 'three';
+import { Vector3, type DirectionalLight, type Object3D, type PointLight, type SpotLight } from 'three';
 import { ParameterError } from '../base/errors.ts';
-import type { Cone, Falloff } from '../renderer/gpu/frameView.ts';
-import { NEAREST, type Light } from '../renderer/light.ts';
+import type { Cone, Falloff, Light } from '../renderer/light.ts';
 
 /** A light of the host's scene that shades smoke. */
 export type KeyLight = DirectionalLight | PointLight | SpotLight;
 
 const KINDS = ['DirectionalLight', 'PointLight', 'SpotLight'];
 
+/** Whether an object is a light with a direction. */
+export function isKeyLight(object: Object3D): object is KeyLight {
+  return KINDS.includes(object?.type);
+}
+
 /** @throws ParameterError for a type of light that cannot cast smoke's shadow */
 export function requireKeyLight(light: KeyLight): void {
-  if (!KINDS.includes(light?.type)) throw new ParameterError('keyLight', light?.type, `a ${KINDS.join(', a ')}`);
+  if (!isKeyLight(light))
+    throw new ParameterError('keyLight', (light as Object3D | undefined)?.type, `a ${KINDS.join(', a ')}`);
 }
 
 /** Position or direction of the light as three.js uses it for shading, from the world matrices of the latest frame. */
@@ -36,17 +41,6 @@ function coneOf(light: PointLight | SpotLight): Cone | undefined {
   if (light.type !== 'SpotLight') return undefined;
   const { angle, penumbra } = light as SpotLight;
   return { axis: axisOf(light as SpotLight), cosines: [Math.cos(angle), Math.cos(angle * (1 - penumbra))] };
-}
-
-/** Share of the intensity of a light that reaches a place, as `punctualLightIntensity` of three.js computes it. */
-export function reachOf(light: KeyLight, place: Vector3): number {
-  if (light.type === 'DirectionalLight') return 1;
-  const { decay, end, cone } = falloffOf(light as PointLight);
-  const towards = placeOf(light).sub(place);
-  const metres = towards.length();
-  const atEnd = MathUtils.clamp(1 - (metres / end) ** 4, 0, 1) ** 2;
-  const inCone = cone ? MathUtils.smoothstep(cone.axis.dot(towards.normalize()), ...cone.cosines) : 1;
-  return (atEnd / Math.max(metres ** decay, NEAREST)) * inCone;
 }
 
 function placeOf({ matrixWorld }: KeyLight): Vector3 {

@@ -1,11 +1,22 @@
 import { Matrix4, Quaternion, Vector3, type Box3, type Camera, type Object3D, type Plane } from 'three';
 import { ParameterError } from '../base/errors.ts';
-import type { Light } from '../renderer/light.ts';
+import type { AdditionalLight, Light } from '../renderer/light.ts';
 import { newPose, poseOf, type Pose } from './shapes.ts';
 import { FactoredCamera, isFactored } from './target/straightCamera.ts';
 
 /** Whether puffs stay in the world when the smoke object moves, or travel with it. */
 export type SmokeSpace = 'world' | 'local';
+
+/** What a frame is drawn from: the host's, in the world or in the space of the smoke. */
+interface FrameView {
+  readonly camera: Camera;
+  readonly light: Light;
+  readonly lights: readonly AdditionalLight[];
+  /** Boxes of what receives shadow. */
+  readonly boxes: Box3[];
+  /** Planes that cut off puffs. */
+  readonly planes: readonly Plane[];
+}
 
 /** Where the space of the smoke is in the world. One of its metres is `scale` metres of the world. */
 export interface Placement extends Pose {
@@ -110,9 +121,9 @@ export class SmokeFrame {
    * What a frame is drawn from, in the space of the smoke. Picture and window depths are those of the host's camera.
    * @param object the smoke object. Local smoke is drawn where it is now, since the host may move it after `update`
    */
-  view(object: Object3D, camera: Camera, light: Light, boxes: Box3[], planes: readonly Plane[]) {
+  view(object: Object3D, { camera, light, lights, boxes, planes }: FrameView): FrameView {
     const placement = copy(this.drawn, this.space === 'local' ? shownAt(object, this.now) : this.now);
-    if (isWorld(placement) && isFactored(camera)) return { camera, light, boxes, planes };
+    if (isWorld(placement) && isFactored(camera)) return { camera, light, lights, boxes, planes };
     const { position, rotation, scale } = placement;
     const world = new Matrix4().compose(position, rotation, new Vector3(scale, scale, scale));
     const shown = this.camera.copyHost(camera, world, scale);
@@ -120,6 +131,7 @@ export class SmokeFrame {
     return {
       camera: shown,
       light: lightIn(light, placement),
+      lights: lights.map((each) => ({ ...each, light: lightIn(each.light, placement) })),
       boxes: boxes.map((box) => box.applyMatrix4(world)),
       planes: planes.map((plane) => plane.clone().applyMatrix4(world)),
     };

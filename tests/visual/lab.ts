@@ -23,8 +23,7 @@ import type { Rows } from '../../src/simulator/rows.ts';
 import { fetchExtras } from '../../src/renderer/extraPasses.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput } from '../../src/renderer/frameInput.ts';
-import type { Falloff } from '../../src/renderer/gpu/frameView.ts';
-import type { Light } from '../../src/renderer/light.ts';
+import type { Falloff, Light } from '../../src/renderer/light.ts';
 import { drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
 import { SmokeRenderer } from '../../src/renderer/smoke.ts';
 import { styleOf, type Style } from '../../src/renderer/style.ts';
@@ -56,6 +55,7 @@ await fetchExtras({
   strokes: 1,
   isEroded: false,
   lampLight: [1, 1, 1],
+  hasAdditionalLights: true,
 });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */

@@ -46,28 +46,9 @@ export interface ViewUniforms extends StyleUniforms, RowUniforms {
   planeCount: IUniform<number>;
 }
 
-/** The light of a lamp that weakens with distance. */
-export interface WeakeningLight {
-  /** Sets the place of the lamp in the world, and how its light weakens. */
-  look(place: Vector3, falloff?: Falloff): void;
-  /** The variant of a material that shades. */
+/** Variants of materials for the light of a frame. */
+interface MaterialVariants {
   on(material: RawShaderMaterial): RawShaderMaterial;
-}
-
-/** How the light of a lamp weakens with distance, as that of a PointLight or a SpotLight of three.js. */
-export interface Falloff {
-  readonly decay: number;
-  /** Distance at which the light ends, in its units. Default Infinity. */
-  readonly end?: number;
-  readonly cone?: Cone;
-  /** Units of distance for each metre of the space of the smoke. Default 1. */
-  readonly scale?: number;
-}
-
-/** The cone of a spot light: the unit vector towards the lamp, and the cosines from its edge to where light is full. */
-export interface Cone {
-  readonly axis: Vector3;
-  readonly cosines: readonly [edge: number, full: number];
 }
 
 /** The style, the camera and the light of one frame, as the passes use them. */
@@ -76,8 +57,8 @@ export class FrameView {
   readonly style: StyleUniforms;
   readonly uniforms: ViewUniforms;
   readonly clipFromWorld = new Matrix4();
-  /** The light of a lamp that weakens with distance; undefined for other light. */
-  lampLight: WeakeningLight | undefined;
+  /** What the light needs besides the code of a sun. */
+  variants: readonly MaterialVariants[] = [];
   /** Unit vector in world space along which the camera looks. */
   readonly forward = new Vector3();
   /** Depth of the camera along `forward`, measured from the world origin. */
@@ -121,6 +102,11 @@ export class FrameView {
     this.clipFromWorld.multiplyMatrices(clipFromView, camera.matrixWorldInverse);
     this.forward.set(0, 0, -1).transformDirection(camera.matrixWorld);
     this.depth = new Vector3().setFromMatrixPosition(camera.matrixWorld).dot(this.forward);
+  }
+
+  /** The variant of a material that shades in the light of the frame. */
+  variantOf(material: RawShaderMaterial): RawShaderMaterial {
+    return this.variants.reduce((variant, each) => each.on(variant), material);
   }
 
   /** Unit vector along which the light travels at a point, world space; downwards at the place of a lamp. */

@@ -146,10 +146,9 @@ export class BodiesPass {
   }
 
   private selectMaterial(): void {
-    const { uniforms, lampLight } = this.eye;
-    this.isClipped = uniforms.planeCount.value > 0;
-    const material = this.billboards ? this.billboardsMaterial(this.billboards) : this.lobesMaterial();
-    this.rows.material = lampLight?.on(material) ?? material;
+    const { eye, billboards } = this;
+    this.isClipped = eye.uniforms.planeCount.value > 0;
+    this.rows.material = eye.variantOf(billboards ? this.billboardsMaterial(billboards) : this.lobesMaterial());
   }
 
   private lobesMaterial(): RawShaderMaterial {

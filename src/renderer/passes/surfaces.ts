@@ -71,7 +71,7 @@ export class SurfacesPass {
   /** @param targets bound with the numbers of groups if `isNumbered`; they are bound without them afterwards */
   draw(renderer: WebGLRenderer, targets: Targets): void {
     const { surfaces, geometry, hull, raisedHull, isNumbered } = this;
-    this.drawRange(0, geometry.end, renderer, this.eye.lampLight?.on(surfaces.material) ?? surfaces.material);
+    this.drawRange(0, geometry.end, renderer, this.eye.variantOf(surfaces.material));
     if (isNumbered) this.groups.value = targets.endNumbers(renderer);
     const { firstInked, endInked } = geometry;
     if (this.eye.uniforms.inkPixels.value > 0) this.drawRange(firstInked, endInked, renderer, hull);

@@ -143,9 +143,10 @@ function depthStencil(): DepthTexture {
   return texture;
 }
 
-/** A render target for one display-encoded colour that is read by texelFetch; 1 x 1 until it is resized. */
-export function pictureTarget(): WebGLRenderTarget {
+/** A render target for display-encoded colours that are read by texelFetch; 1 x 1 until it is resized. */
+export function pictureTarget(count = 1): WebGLRenderTarget {
   return new WebGLRenderTarget(1, 1, {
+    count,
     colorSpace: NoColorSpace,
     minFilter: NearestFilter,
     magFilter: NearestFilter,

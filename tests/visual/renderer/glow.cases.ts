@@ -10,12 +10,13 @@ const GLOW: Values = { 'emission.glow': '.15:0,.19:1' };
 export interface Changes {
   flames: number;
   smoke: number;
-  /** Greatest change of a channel of a flame from day to night, with and without glow. */
+  /** Pixels of flames that glow with a change from day to night, and the greatest change of a channel without glow. */
   glowing: number;
   dull: number;
-  /** Brightest channel of grey smoke by day, and at night. */
+  /** Brightest channel of grey smoke by day, at night, and at night beside flames that glow. */
   byDay: number;
   atNight: number;
+  byFire: number;
 }
 
 /** The campfire after 3 s under the lights, drawn with further values. */
@@ -27,7 +28,7 @@ export async function changes(values: Values): Promise<Changes> {
     picture({ ...values, ...NIGHT, ...GLOW }),
     picture({ ...values, ...NIGHT }),
   ]);
-  const result: Changes = { flames: 0, smoke: 0, glowing: 0, dull: 0, byDay: 0, atNight: 0 };
+  const result: Changes = { flames: 0, smoke: 0, glowing: 0, dull: 0, byDay: 0, atNight: 0, byFire: 0 };
   for (let at = 0; at < day.length; at += 4) {
     const colors = [day, bare, glowing, dull].map((pixels) => [...pixels.subarray(at, at + 3)]);
     const [own, behind, hot, cold] = colors;
@@ -37,12 +38,13 @@ export async function changes(values: Values): Promise<Changes> {
     const apart = (other: number[]) => Math.max(...own.map((channel, index) => Math.abs(channel - other[index])));
     if (blue < 0.42 * red) {
       result.flames++;
-      result.glowing = Math.max(result.glowing, apart(hot));
+      result.glowing += Number(apart(hot) > 2);
       result.dull = Math.max(result.dull, apart(cold));
     } else if (blue > 0.95 * red) {
       result.smoke++;
       result.byDay = Math.max(result.byDay, ...own);
-      result.atNight = Math.max(result.atNight, ...hot);
+      result.atNight = Math.max(result.atNight, ...cold);
+      result.byFire = Math.max(result.byFire, ...hot);
     }
   }
   return result;

@@ -33,6 +33,8 @@ export class SimplifyPass {
     isBanded: { value: true },
     reach: { value: 0 },
     deviation: { value: 1 },
+    across: { value: null as Texture | null },
+    lightsAcross: { value: null as Texture | null },
     formFromView: { value: new Matrix4() },
   };
 
@@ -40,18 +42,21 @@ export class SimplifyPass {
   private readonly tiles = pictureTarget();
   private readonly flatTiles = pictureTarget();
   private readonly across = pictureTarget();
+  /** The averages along rows and those of additional lights. */
+  private readonly lightsAcross = pictureTarget(2);
   private readonly passes: readonly (FullScreen | DrawnPoints)[];
   private readonly toneUniforms;
   /** The form of the whole smoke, and the last pass where light follows it. Created when a style needs them. */
   private leaning: { readonly form: PlumeForm; readonly tones: DrawnPoints } | undefined;
   private readonly eye: FrameView;
+  private hasLights = false;
 
   constructor(eye: FrameView, ramps: RampTexture) {
-    const [fields, across, tiles, flatTiles] = [this.fields, this.across, this.tiles, this.flatTiles].map(
-      ({ texture: value }) => ({ value }),
-    );
+    const [fields, tiles, flatTiles] = [this.fields, this.tiles, this.flatTiles].map(({ texture: value }) => ({
+      value,
+    }));
     const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles };
-    const tones = { ...common, fields, across, ramps: { value: ramps.texture } };
+    const tones = { ...common, fields, ramps: { value: ramps.texture } };
     this.passes = [
       new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),
@@ -67,9 +72,11 @@ export class SimplifyPass {
    * @param deviation standard deviation of the Gaussian, pixels
    * @param isBanded whether bands of colour are smoothed separately
    * @param litFrom N.L from which a lit pixel differs from a shadowed one
+   * @param hasLights whether there are lights besides the key light
    */
-  setUniforms(deviation: number, isBanded: boolean, litFrom: number): void {
+  setUniforms(deviation: number, isBanded: boolean, litFrom: number, hasLights: boolean): void {
     const { uniforms } = this;
+    this.hasLights = hasLights;
     uniforms.deviation.value = Math.max(deviation, MIN_DEVIATION);
     uniforms.reach.value = Math.ceil(REACH * deviation);
     uniforms.isBanded.value = isBanded;
@@ -88,7 +95,9 @@ export class SimplifyPass {
     output: WebGLRenderTarget,
     particles?: Particles,
   ): void {
-    const { uniforms, fields, tiles, flatTiles, across, eye } = this;
+    const { uniforms, fields, tiles, flatTiles, eye } = this;
+    const across = this.hasLights ? this.lightsAcross : this.across;
+    [uniforms.across.value, uniforms.lightsAcross.value = null] = across.textures;
     const meshes = this.meshes(particles !== undefined);
     if (particles) {
       const { form } = this.leaning!;
@@ -102,9 +111,6 @@ export class SimplifyPass {
     for (const target of [fields, across]) target.setSize(width, height);
     const [columns, rows] = [width, height].map((pixels) => Math.ceil(pixels / FLAT_TILE));
     for (const target of [tiles, flatTiles]) target.setSize(columns, rows);
-    const tones = meshes.at(-1)!;
-    const { material } = tones;
-    tones.material = eye.lampLight?.on(material) ?? material;
     const isSmall = columns * rows <= FEW_TILES;
     if (isSmall) {
       renderer.setRenderTarget(flatTiles);
@@ -115,10 +121,12 @@ export class SimplifyPass {
       const pass = meshes[index];
       if (isSmall && index < 2) return;
       renderer.setRenderTarget(target);
+      const { material } = pass;
+      pass.material = eye.variantOf(material);
       if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
       else pass.draw(renderer);
+      pass.material = material;
     });
-    tones.material = material;
   }
 
   /** What it draws with. @param hasForm whether light follows the form of the smoke */
@@ -130,7 +138,8 @@ export class SimplifyPass {
 
   /** Releases the render targets until the next draw. */
   releaseTargets(): void {
-    for (const target of [this.fields, this.tiles, this.flatTiles, this.across]) target.dispose();
+    const { fields, tiles, flatTiles, across, lightsAcross } = this;
+    for (const target of [fields, tiles, flatTiles, across, lightsAcross]) target.dispose();
   }
 
   dispose(): void {

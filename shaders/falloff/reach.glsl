@@ -1,0 +1,16 @@
+#ifndef REACH
+#define REACH
+// Share of the light of a lamp that reaches a place, as `punctualLightIntensity` of three.js computes it.
+// @param way from the place to the lamp
+// @param reach exponent, 1 / distance of the end, least distance raised to the exponent, and a factor
+// @param cone the dot product of xyz and the direction to the lamp, plus w, goes from 0 to 1 from the edge of the cone inwards
+float reachOf(vec3 way, vec4 reach, vec4 cone) {
+  float distance = max(length(way), 1e-6);
+  float atEnd = clamp(1.0 - pow(distance * reach.y, 4.0), 0.0, 1.0);
+  float inside = clamp(dot(cone.xyz, way) / distance + cone.w, 0.0, 1.0);
+  return reach.w * inside * inside * (3.0 - 2.0 * inside) * atEnd * atEnd / max(pow(distance, reach.x), reach.z);
+}
+
+// Ramps in the light of the style, linear.
+uniform sampler2D styledRamps;
+#endif

@@ -1,0 +1,111 @@
+/** Lights besides the key light: at most three, without shadow. */
+import { Color as ThreeColor, Vector3, Vector4, type Box3, type IUniform, type Matrix4 } from 'three';
+import code from '../../shaders/additionalLights/additionalLights.glsl';
+import type { FrameInput } from './frameInput.ts';
+import { glowColors, glowLamps } from './glow.ts';
+import type { Ramp } from './gpu/ramps.ts';
+import { homogeneous, reachOf, type AdditionalLight, type Light } from './light.ts';
+import { LightVariant, setReach, type LightCode } from './lightVariant.ts';
+import type { Style } from './style.ts';
+
+export const ADDITIONAL_LIGHTS: LightCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
+
+/** Number of lights in the shaders. */
+const LIGHTS = 3;
+/** A light fades as its strength falls from this many times that of the fourth light to that. */
+const FADING = 1.25;
+/** Mean of max(0, N.L) over all directions. */
+const MEAN_FACING = 0.25;
+
+/** Lights on one smoke and its surfaces: shaders/additionalLights/additionalLights.glsl and what it reads. */
+export class AdditionalLights extends LightVariant {
+  private readonly uniforms;
+  private style: Style | undefined;
+  private colors: Float32Array | undefined;
+
+  constructor() {
+    const vectors = () => Array.from({ length: LIGHTS }, () => new Vector4());
+    const uniforms = {
+      lightCount: { value: 0 },
+      lights: { value: vectors() },
+      lightColors: { value: Array.from({ length: LIGHTS }, () => new ThreeColor()) },
+      lightReaches: { value: vectors() },
+      lightCones: { value: vectors() },
+      lightAround: { value: new ThreeColor() },
+    } satisfies Record<string, IUniform>;
+    super(ADDITIONAL_LIGHTS, uniforms);
+    this.uniforms = uniforms;
+  }
+
+  /** @param ramps of all materials, in order */
+  apply(ramps: readonly Ramp[]): void {
+    this.writeRamps(ramps);
+  }
+
+  /** @param smoke world-space box of the smoke, where the strongest lights are selected */
+  look(input: FrameInput, smoke: Box3, viewFromWorld: Matrix4): void {
+    const { lightCount, lights, lightColors, lightReaches, lightCones, lightAround } = this.uniforms;
+    const { selected, around } = strongest([...(input.lights ?? []), ...this.glowing(input)], smoke);
+    lightCount.value = selected.length;
+    lightAround.value.setRGB(...around);
+    selected.forEach(({ light, color }, index) => {
+      lights.value[index].copy(homogeneous(light)).applyMatrix4(viewFromWorld);
+      lightColors.value[index].setRGB(...color);
+      setReach(lightReaches.value[index], lightCones.value[index], inView(light, viewFromWorld));
+    });
+  }
+
+  private glowing({ simulator, style, blend }: FrameInput): readonly AdditionalLight[] {
+    if (style !== this.style) this.colors = glowColors(style);
+    this.style = style;
+    return this.colors && simulator.glow ? glowLamps(simulator.glow(blend, this.colors)) : [];
+  }
+}
+
+interface Selected {
+  readonly selected: readonly AdditionalLight[];
+  /** Linear light of the others, from all sides. */
+  readonly around: [red: number, green: number, blue: number];
+}
+
+/**
+ * The lights that are strongest at the smoke, in their order. What the others give, and those that are hardly stronger than
+ * they are, comes from all sides: a light that takes the place of another one fades in while the other fades out.
+ */
+export function strongest(all: readonly AdditionalLight[], smoke: Box3): Selected {
+  const strengths = all.map((each) => strengthAt(each, smoke));
+  const [, , , most = 0] = strengths.toSorted((one, other) => other - one);
+  const around: Selected['around'] = [0, 0, 0];
+  const selected = all.flatMap(({ light, color }, index) => {
+    const strength = strengths[index];
+    const share = most > 0 ? Math.min(Math.max(0, (strength / most - 1) / (FADING - 1)), 1) : Number(strength > 0);
+    const rest = MEAN_FACING * (1 - share) * reachOf(light, nearestIn(smoke, light));
+    color.forEach((factor, at) => (around[at] += rest * factor));
+    const [red, green, blue] = color.map((factor) => share * factor);
+    return share > 0 ? [{ light, color: [red, green, blue] as const }] : [];
+  });
+  return { selected, around };
+}
+
+function strengthAt({ light, color }: AdditionalLight, smoke: Box3): number {
+  return Math.max(...color) * reachOf(light, nearestIn(smoke, light));
+}
+
+/** Where the light of a lamp is strong: the nearest place of the smoke, but not close to the lamp. */
+function nearestIn(smoke: Box3, light: Light): Vector3 {
+  if (light.kind === 'sun') return new Vector3();
+  const place = smoke.clampPoint(light.place, new Vector3());
+  const least = smoke.getSize(new Vector3()).length() / 4;
+  if (place.distanceTo(light.place) >= least) return place;
+  const inwards = smoke.getCenter(new Vector3()).sub(light.place);
+  if (inwards.lengthSq() === 0) inwards.y = 1;
+  return inwards.setLength(least).add(light.place);
+}
+
+function inView(light: Light, viewFromWorld: Matrix4): Exclude<Light, { kind: 'sun' }>['falloff'] {
+  if (light.kind === 'sun') return undefined;
+  const { falloff } = light;
+  if (!falloff?.cone) return falloff;
+  const { axis, cosines } = falloff.cone;
+  return { ...falloff, cone: { axis: axis.clone().transformDirection(viewFromWorld), cosines } };
+}

@@ -1,0 +1,88 @@
+/** Materials with more code for the light, which few smokes have. */
+import { SRGBColorSpace, type IUniform, type RawShaderMaterial, type Vector4 } from 'three';
+import type { Shaders } from './gpu/programsAhead.ts';
+import { RampTexture, type Ramp } from './gpu/ramps.ts';
+import { NEAREST, type Falloff } from './light.ts';
+
+/** Code that shaders with a define declare and call. */
+export interface LightCode {
+  /** The define; only shaders that contain its name change. */
+  readonly define: string;
+  /** A function of the code, which shaders that need it declare. */
+  readonly declared: string;
+  readonly code: string;
+}
+
+/** Variants of materials with more code for the light, and the ramps in the light of the style. */
+export abstract class LightVariant {
+  private readonly variants = new WeakMap<RawShaderMaterial, RawShaderMaterial>();
+  /** The GPU decodes them. */
+  private readonly ramps = new RampTexture(1);
+  private readonly light: LightCode;
+  private readonly added: Record<string, IUniform>;
+
+  constructor(light: LightCode, uniforms: Record<string, IUniform>) {
+    this.light = light;
+    this.ramps.texture.colorSpace = SRGBColorSpace;
+    this.added = { ...uniforms, styledRamps: { value: this.ramps.texture } };
+  }
+
+  /** A variant of a material, with the same uniforms; the material itself if it does not shade. */
+  on(material: RawShaderMaterial): RawShaderMaterial {
+    const variant = this.variants.get(material) ?? this.make(material);
+    this.variants.set(material, variant);
+    return variant;
+  }
+
+  dispose(): void {
+    this.ramps.dispose();
+  }
+
+  /** @param ramps of all materials, in order */
+  protected writeRamps(ramps: readonly Ramp[]): void {
+    this.ramps.resize(ramps.length);
+    // What glows by itself has no light.
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp.glows ? { ...ramp, glow: 1 } : ramp));
+  }
+
+  private make(whole: RawShaderMaterial): RawShaderMaterial {
+    const shaders = withLight(whole, this.light);
+    if (shaders === whole) return whole;
+    const { uniforms } = whole;
+    // clone() would copy them.
+    whole.uniforms = {};
+    const variant = whole.clone();
+    whole.uniforms = uniforms;
+    Object.assign(variant, shaders, { uniforms: { ...uniforms, ...this.added } });
+    whole.addEventListener('dispose', () => variant.dispose());
+    return variant;
+  }
+}
+
+/** Shaders with the code for a light; the same object if they do not shade. */
+export function withLight(shaders: Shaders, { define, declared, code }: LightCode): Shaders {
+  const { vertexShader, fragmentShader, defines } = shaders;
+  if (!fragmentShader.includes(define)) return shaders;
+  // Vertex shaders of surfaces and of whole pictures have no use for it.
+  const added = (shader: string) => (shader.includes(declared) ? `${shader}\n${code}` : shader);
+  return {
+    vertexShader: added(vertexShader),
+    fragmentShader: added(fragmentShader),
+    defines: { ...defines, [define]: '' },
+  };
+}
+
+/** Least difference between the cosines of a cone. */
+const SHARPEST = 1e-5;
+
+/** Sets the last two arguments of `reachOf` in shaders/falloff/reach.glsl. The axis of a cone stays in its space. */
+export function setReach(reach: Vector4, cone: Vector4, falloff: Falloff = { decay: 0 }): void {
+  const { decay, end = Infinity, least = NEAREST, scale = 1 } = falloff;
+  reach.set(decay, scale / end, least / scale ** decay, scale ** -decay);
+  cone.set(0, 0, 0, 1);
+  if (!falloff.cone) return;
+  const [edge, full] = falloff.cone.cosines;
+  const sharpness = 1 / Math.max(full - edge, SHARPEST);
+  const { x, y, z } = falloff.cone.axis;
+  cone.set(x, y, z, -edge).multiplyScalar(sharpness);
+}
