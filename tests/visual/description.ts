@@ -7,7 +7,8 @@ import { fromHalf } from '../../src/renderer/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/simulator/rows.ts';
 import type { View } from '../../src/simulator/view.ts';
 import { ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
-import { spreadOf } from '../../src/renderer/gpu/puffTextures.ts';
+import { spreadOf, type BakedPuffs } from '../../src/renderer/gpu/puffTextures.ts';
+import type { PuffShape } from '../../src/renderer/puffs/shapes.ts';
 import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
 import { bandsOf } from '../../src/renderer/smoke.ts';
 import { DRAWINGS_PER_SECOND } from '../../src/renderer/frame.ts';
@@ -38,6 +39,8 @@ export interface Shown {
   input: FrameInput;
   surfaces: readonly Shaped[];
   backdrop?: { top: Color; bottom: Color };
+  /** Shapes by variation; the default ones where absent. */
+  shapes?: readonly PuffShape[];
 }
 
 /** JSON for the reference. */
@@ -55,8 +58,8 @@ export function describe(shown: Shown): string {
     backdrop: backdrop && backdropOf(style, backdrop),
     bodies: rows('eye'),
     casters: rows('light'),
-    style: styleAsObject(style, input),
-    puffs: puffsAsObject(style),
+    style: styleAsObject(style, input, bakedPuffs(shown.shapes)),
+    puffs: puffsAsObject(style, bakedPuffs(shown.shapes)),
     surfaces: seen.map((surface, index) => surfaceAsObject(surface, index, { ...shown, surfaces: seen })),
     shadows: style.shadows,
   });
@@ -87,7 +90,7 @@ function lightAsObject(light: Light): object {
     : { type: 'lamp', place: light.place.toArray(), decay: 0, scale: 1, ...light.falloff };
 }
 
-function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): object {
+function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput, puffs: BakedPuffs): object {
   const { colors, glows, bands } = bandsOf(style, 1 + style.tints.length);
   const ramps = [plainColorOf(style), ...style.tints].map((own): Ramp => rampOf(own, style));
   const inBands = colors.map((own, band): Ramp => ({ ...rampOf(own, style), glow: glows[band] }));
@@ -104,20 +107,19 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput): obje
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     minCap: style.isDeformed
       ? spreadOf(style.stretch) * minCapOf(litThresholdOf(style), 0)
-      : minCapOf(litThresholdOf(style), latestCapOf(style)),
+      : minCapOf(litThresholdOf(style), latestCapOf(style, puffs)),
   };
 }
 
-function latestCapOf({ form }: Style): number {
-  const { lobes, billboards } = bakedPuffs();
-  return form === 'lobes' ? lobes.caps.latestCap : billboards.latestCap;
+function latestCapOf({ form }: Style, puffs: BakedPuffs): number {
+  return form === 'lobes' ? puffs.lobes.caps.latestCap : puffs.billboards.latestCap;
 }
 
-function puffsAsObject({ form, isDeformed, isEroded, isTorn, billow, stretch }: Style): object {
-  const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs() : billboardPuffs();
+function puffsAsObject({ form, isDeformed, isEroded, isTorn, billow, stretch }: Style, baked: BakedPuffs): object {
+  const { startCaps, ...puffs } = form === 'lobes' ? lobePuffs(baked) : billboardPuffs(baked);
   const { width, height, values } = startCaps;
-  const depth = (isDeformed ? spreadOf(stretch) : 1) * (isEroded ? bakedPuffs().lobes.reach : puffs.depth);
-  const tallest = isDeformed ? spreadOf(stretch) * bakedPuffs().lobes.reach : 1;
+  const depth = (isDeformed ? spreadOf(stretch) : 1) * (isEroded ? baked.lobes.reach : puffs.depth);
+  const tallest = isDeformed ? spreadOf(stretch) * baked.lobes.reach : 1;
   return {
     ...puffs,
     depth,
@@ -130,19 +132,18 @@ function puffsAsObject({ form, isDeformed, isEroded, isTorn, billow, stretch }: 
   };
 }
 
-function lobePuffs() {
-  const { lobeCount, count, table, fillet, blend, caps, depth } = bakedPuffs().lobes;
+function lobePuffs({ lobes }: BakedPuffs) {
+  const { lobeCount, count, table, fillet, blend, caps, depth } = lobes;
   const { startCaps } = caps;
   // A row holds the lobes and their centre.
   return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
 }
 
 /** Billboards are baked layers, passed unchanged. Their shadows consist of lobes. */
-function billboardPuffs() {
-  const { layers, casters, startCaps, depth } = bakedPuffs().billboards;
+function billboardPuffs({ billboards }: BakedPuffs) {
+  const { layers, casters, startCaps, depth } = billboards;
   const { size, pad, distanceRange, normalDepth, colorCoverage } = layers;
   const lobes = lobesOf(casters.table, casters.count, casters.lobeCount, casters.lobeCount);
-  const coverage = colorCoverage.filter((_, index) => index % 4 === 3);
   const relief = Array.from(normalDepth, fromHalf);
   return {
     fillet: 0,
@@ -150,7 +151,7 @@ function billboardPuffs() {
     depth,
     lobes,
     startCaps,
-    layers: { size, pad, distanceRange, normalDepth: relief, coverage: [...coverage] },
+    layers: { size, pad, distanceRange, normalDepth: relief, colorCoverage: [...colorCoverage] },
   };
 }
 

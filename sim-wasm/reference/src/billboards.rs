@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 
 use crate::scene::Layers;
 
-/// Normal and depth as the layers hold them, then the coverage from 0 to 1.
-type Texel = [f64; 5];
+/// Normal and depth as the layers hold them, then the colour and the coverage from 0 to 1.
+type Texel = [f64; 8];
 
 /// The mipmaps of the fronts of all variations, largest first.
 pub struct Billboards {
@@ -29,6 +29,8 @@ pub struct Front {
     pub outside: f64,
     /// Unit normal, without the roll.
     pub normal: DVec3,
+    /// C of Eq. 2, 0 to 1.
+    pub color: DVec3,
 }
 
 impl Billboards {
@@ -36,8 +38,8 @@ impl Billboards {
         let texels: Vec<Texel> = layers
             .normal_depth
             .chunks_exact(4)
-            .zip(&layers.coverage)
-            .map(|(front, coverage)| [front[0], front[1], front[2], front[3], coverage / 255.0])
+            .zip(layers.color_coverage.chunks_exact(4))
+            .map(|(front, paint)| std::array::from_fn(|at| if at < 4 { front[at] } else { paint[at - 4] / 255.0 }))
             .collect();
         let variations = texels.len() / (layers.size * layers.size);
         let size = layers.size;
@@ -61,11 +63,12 @@ impl Billboards {
         let level = texels.log2().clamp(0.0, smallest);
         let (lower, share) = (level.floor(), level.fract());
         let read = |level: f64| self.levels[level.min(smallest) as usize].at(variation % self.variations, place);
-        let [x, y, z, depth, coverage] = mixed(read(lower), read(lower + 1.0), share);
+        let [x, y, z, depth, red, green, blue, coverage] = mixed(read(lower), read(lower + 1.0), share);
         Front {
             height: (depth - 0.5) * 2.0 * self.pad,
             outside: (coverage - 0.5) * self.distance_range,
             normal: (2.0 * DVec3::new(x, y, z) - 1.0).normalize(),
+            color: DVec3::new(red, green, blue),
         }
     }
 }
@@ -77,8 +80,9 @@ impl Level {
         for row in 0..variations * size {
             for column in 0..size {
                 let four = [0, 1, self.size, self.size + 1].map(|step| 2 * row * self.size + 2 * column + step);
-                texels
-                    .push([0, 1, 2, 3, 4].map(|value| four.map(|at| self.texels[at][value]).iter().sum::<f64>() / 4.0));
+                texels.push(std::array::from_fn(|value| {
+                    four.map(|at| self.texels[at][value]).iter().sum::<f64>() / 4.0
+                }));
             }
         }
         Self { size, texels }
@@ -101,7 +105,7 @@ impl Level {
 }
 
 fn mixed(one: Texel, other: Texel, share: f64) -> Texel {
-    [0, 1, 2, 3, 4].map(|value| one[value] + share * (other[value] - one[value]))
+    std::array::from_fn(|value| one[value] + share * (other[value] - one[value]))
 }
 
 #[cfg(test)]
@@ -119,7 +123,7 @@ mod tests {
             normal_depth: (0..size * size)
                 .flat_map(|at| [0.5, 0.5, 1.0, depth(at % size)])
                 .collect(),
-            coverage: vec![255.0; size * size],
+            color_coverage: vec![255.0; 4 * size * size],
         };
         let boards = Billboards::new(&layers);
         for pixel in [0.01, 0.2, 0.35] {

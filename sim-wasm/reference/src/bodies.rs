@@ -51,6 +51,8 @@ struct Met {
     /// Normal of the form, and normal for shading.
     form_normal: DVec3,
     normal: DVec3,
+    /// Factor on the tones: C of Eq. 2.
+    color: DVec3,
     /// Whether the line along the edge of a bite is here.
     is_edge: bool,
 }
@@ -161,7 +163,7 @@ impl<'a> Body<'a> {
         let is_ink = is_ring || met.is_edge || ground.is_seam(at, z, met.form_normal, self.pixel, width);
         let height = self.row.place[1] + self.up.dot(ray.at(-z) - self.center);
         let whole = self.form.map(|form| (form, form.facing(ray.at(-z))));
-        let shade = self.shade(place, height, met.normal, screen, whole);
+        let shade = self.shade(place, height, met.normal, screen, whole).graded(met.color);
         Some(BodyHit {
             depth: if is_ring {
                 ground.ring_depth(at, &self.ring(z, &met, width))
@@ -200,6 +202,7 @@ impl<'a> Body<'a> {
                     form_normal: wall.unwrap_or_else(|| lobes.form_normal(place)),
                     normal: wall.unwrap_or_else(|| lobes.normal(place)),
                     is_edge: meeting.is_edge,
+                    color: DVec3::ONE,
                 }
             }
             Puff::Billboard(billboards) => {
@@ -218,6 +221,7 @@ impl<'a> Body<'a> {
                     form_normal: normal,
                     normal,
                     is_edge: false,
+                    color: front.color,
                 }
             }
         }

@@ -176,7 +176,8 @@ pub struct Layers {
     pub distance_range: f64,
     /// Four bytes per texel: (normal + 1) / 2, and 0.5 + height in sides of the square.
     pub normal_depth: Vec<f64>,
-    pub coverage: Vec<f64>,
+    /// Four bytes per texel: colour, and coverage.
+    pub color_coverage: Vec<f64>,
 }
 
 /// Distance from the centre to the farthest lit point (radii), per variation and direction of the light in the puff's

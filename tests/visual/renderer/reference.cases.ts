@@ -3,10 +3,13 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import type { PuffForm } from '../../../src/renderer/gpu/puffTextures.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { ALL_PARTICLES } from '../../../src/simulator/view.ts';
+import { fitPuff } from '../../../src/renderer/puffs/fit/fitPuff.ts';
+import type { PuffShape } from '../../../src/renderer/puffs/shapes.ts';
 import type { Style } from '../../../src/renderer/style.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
 import { inputOf, Lab, type LabPuff, type LabScene } from '../lab.ts';
+import { face, heart, popcorn, torus } from '../puffMeshes.ts';
 import { random } from '../random.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { box, ground } from '../solids.ts';
@@ -19,11 +22,11 @@ export type Mode = Partial<Style>;
 
 /** One scene in several modes. */
 export async function drawn(scene: SceneName, modes: readonly Mode[], reversedDepth = false): Promise<Drawn[]> {
-  const { input, surfaces, backdrop } = await SCENES[scene]();
+  const { input, surfaces, backdrop, shapes }: Shown = await SCENES[scene]();
   const size = { width: WIDTH, height: HEIGHT };
-  const lab = new Lab({ ...size, puffs: [], capacity: CAPACITY, surfaces, backdrop, reversedDepth });
+  const lab = new Lab({ ...size, puffs: [], capacity: CAPACITY, surfaces, backdrop, shapes, reversedDepth });
   const pictures = modes.map((mode) => {
-    const shown = { input: { ...input, style: { ...input.style, ...mode } }, surfaces, backdrop };
+    const shown = { input: { ...input, style: { ...input.style, ...mode } }, surfaces, backdrop, shapes };
     const { pixels, counts } = lab.drawFrame(shown.input, { readCounts: true });
     const description = describe(shown);
     return { description, pixels: base64(pixels), counts: base64(counts) };
@@ -66,6 +69,10 @@ const SCENES = {
   lampAmongPuffs: () =>
     cluster(looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), { lamp: [0.3, 0.55, -0.2] }),
   besideEye: () => beside(looking(perspective(), [0, -0.2, 0.6], [0, -0.4, 0])),
+  meshes: async () => ({
+    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
+    shapes: await meshShapes(),
+  }),
   coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   underParts: () => underParts(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),
@@ -118,6 +125,17 @@ function cluster(
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
   return { input, surfaces, backdrop: BACKDROP };
+}
+
+/** A heart with a dark belly, popcorn, a painted face and a torus. */
+function meshShapes(): Promise<PuffShape[]> {
+  const { positions, indices } = heart();
+  const colors = Array.from(
+    positions,
+    (_, at) => 1 - (0.6 - 0.2 * (at % 3)) * Math.max(0, -positions[at - (at % 3) + 1]),
+  );
+  const meshes = [{ positions, indices, colors }, popcorn(), face(), torus()];
+  return Promise.all(meshes.map(async (mesh) => (await fitPuff(mesh, { lobes: 8 })).shape));
 }
 
 /** Any turn, and any stretch up to a ratio of 3. */
