@@ -24,7 +24,9 @@ export type PresetName =
   | 'train-dusk'
   | 'train-night'
   | 'campfire'
+  | 'campfire-night'
   | 'rocket'
+  | 'rocket-night'
   | 'genie'
   | 'genie-sumi-e'
   | 'dust'
@@ -48,7 +50,7 @@ export type SingleValues = {
   /** Lifetime: Lifetime of a puff. */ 'emission.lifetime': number;
   /** Growth time: Time in which a new puff grows to full size; 0 starts at full size, as in the paper. */ 'emission.growthTime': number;
   /** Density: Size of a puff over its life, from birth to death; it always ends at 0. */ 'emission.density': string;
-  /** Glow: Share of the colour of smoke that no light dims, from cold smoke to temperature 1: fire stays bright at night. */ 'emission.glow': string;
+  /** Glow: Share of the colour of smoke that no light dims, from cold smoke to temperature 1: fire stays bright at night and lights the ground, models and smoke around it. */ 'emission.glow': string;
   /** Dissolving: How puffs end as their density falls: they shrink; holes open and leave crescents, rings and hooks; they tear along their motion; or they shrink and thin to strands. Billboards and the renderer selle have no holes. */ 'emission.dissolve':
     'shrink' | 'erode' | 'tear' | 'thin';
   /** Entrainment: How much puffs grow with the distance they travel through the air. */ 'emission.entrainment': number;

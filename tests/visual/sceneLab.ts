@@ -46,6 +46,8 @@ export interface FrameOptions {
   readCounts?: boolean;
   /** Draws no smoke. */
   isBare?: boolean;
+  /** Whether smoke that glows lights surfaces and other smoke. */
+  hasLamps?: boolean;
   /** Between the previous step (0) and the current one (1). */
   blend?: number;
   /** How far models may deviate from their finest triangles, metres. */
@@ -167,6 +169,7 @@ export class SceneLab {
     camera = this.camera(),
     cull = true,
     isBare = false,
+    hasLamps = true,
     blend = 1,
     view,
     deviation = 0,
@@ -174,7 +177,7 @@ export class SceneLab {
     const { width, height, values, style, scene } = this;
     const rigids = this.simulation.rigids(blend);
     return {
-      simulator: isBare ? NO_SMOKE : this.simulator,
+      simulator: isBare ? NO_SMOKE : hasLamps ? this.simulator : withoutLamps(this.simulator),
       camera,
       light: lightOf(values, new Vector3(...(scene.lightCentre ?? scene.camera.target))),
       style,
@@ -218,6 +221,10 @@ export class SceneLab {
     this.smoke.dispose();
     this.simulation.dispose();
   }
+}
+
+function withoutLamps(simulator: Simulator): Arranger {
+  return { arrange: (view) => simulator.arrange(view), moves: () => simulator.moves() };
 }
 
 function withHeldRotations(scene: Scene): Scene {

@@ -45,7 +45,12 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   'train-dusk': { label: 'Dusk', text: 'The low sun turns the steam gold and its shadow violet.' },
   'train-night': { label: 'Night', text: 'Blue steam with a bright edge in the moonlight.' },
   campfire: { label: 'Campfire', text: 'Fire that cools to smoke under a night sky.' },
+  'campfire-night': {
+    label: 'Night',
+    text: 'The fire lights the camp and its own smoke, and sparks rise into the dark.',
+  },
   rocket: { label: 'Rocket launch', text: 'A rocket that takes off in a ring of cloud, and returns.' },
+  'rocket-night': { label: 'Night', text: 'The flame lights the sand, and the cloud from inside.' },
   genie: { label: 'Genie', text: 'A genie of smoke at your service. Drag him anywhere.' },
   'genie-sumi-e': { label: 'Sumi-e', text: 'Brush and black ink on white paper; the lines tremble.' },
   dust: { label: 'Dust', text: 'Falling objects raise dust. Throw the red ball, or leave it to the mole.' },

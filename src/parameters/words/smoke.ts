@@ -42,7 +42,7 @@ export const smokeWords: WordsOf<Rows> = {
   },
   'emission.glow': {
     label: 'Glow',
-    text: 'Share of the colour of smoke that no light dims, from cold smoke to temperature 1: fire stays bright at night.',
+    text: 'Share of the colour of smoke that no light dims, from cold smoke to temperature 1: fire stays bright at night and lights the ground, models and smoke around it.',
   },
   'emission.dissolve': {
     label: 'Dissolving',

@@ -67,3 +67,34 @@ async function picture(values: Values, isBare = false): Promise<Uint8Array> {
   lab.dispose();
   return pixels;
 }
+
+/** Mean brightest channel of what smoke neither covers nor shadows, in some successive steps and without the light of the fire. */
+export async function ground(preset: string, step: number, count: number): Promise<{ byFire: number[]; dark: number }> {
+  const lab = await SceneLab.create(preset, { width: 300, height: 225, ownLook: true });
+  lab.step(step);
+  const byFire: number[] = [];
+  // The bounds are those of the previous frame.
+  lab.draw();
+  const unlit = lab.draw({ hasLamps: false }).pixels;
+  const bare = lab.draw({ isBare: true }).pixels;
+  const seen = seenGround(unlit, bare);
+  lab.draw();
+  for (let index = 0; index < count; ++index) {
+    byFire.push(brightness(lab.draw().pixels, seen));
+    lab.step(1);
+  }
+  lab.dispose();
+  return { byFire, dark: brightness(unlit, seen) };
+}
+
+/** Pixels of the lower half that have the same colour with and without smoke, and are less blue than the backdrop there. */
+function seenGround(drawn: Uint8Array, bare: Uint8Array): number[] {
+  const pixels = Array.from({ length: drawn.length / 8 }, (_, index) => 4 * index);
+  return pixels.filter(
+    (at) => [0, 1, 2].every((channel) => drawn[at + channel] === bare[at + channel]) && bare[at + 2] < 100,
+  );
+}
+
+function brightness(pixels: Uint8Array, at: readonly number[]): number {
+  return at.reduce((sum, first) => sum + Math.max(...pixels.subarray(first, first + 3)), 0) / at.length;
+}

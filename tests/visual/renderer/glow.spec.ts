@@ -22,3 +22,21 @@ for (const [name, values] of Object.entries({
     expect(found.byFire, all).toBeGreaterThan(found.atNight + 40);
   });
 }
+
+for (const [preset, step] of [
+  ['campfire-night', 240],
+  ['rocket-night', 150],
+] as const) {
+  test(`the fire of ${preset} lights the ground, which does not flicker`, async ({ load }) => {
+    const cases = await load<Cases>(CASES);
+    const { byFire, dark } = await cases.evaluate((module, given) => module.ground(...given), [
+      preset,
+      step,
+      5,
+    ] as const);
+    const all = JSON.stringify({ byFire, dark });
+    expect(Math.min(...byFire), all).toBeGreaterThan(1.25 * dark);
+    // Smoke moves over the ground, and its temperature falls.
+    byFire.slice(1).forEach((now, index) => expect(Math.abs(now / byFire[index] - 1), all).toBeLessThan(0.05));
+  });
+}
