@@ -1,5 +1,15 @@
 import { findPreset, presetValues, type PresetName, type Value, type Values } from '../../preset.ts';
-import { formatColor, linear, mixed, parseColor, readRamp, scaled, writeRamp, type Color } from '../../internal.ts';
+import {
+  formatColor,
+  linear,
+  mixed,
+  parseColor,
+  readCurve,
+  readRamp,
+  scaled,
+  writeRamp,
+  type Color,
+} from '../../internal.ts';
 
 /** The parameters that follow the hour. */
 export const DAYLIGHT_KEYS = [
@@ -86,8 +96,8 @@ export function dayOf(preset: PresetName): Values {
 }
 
 /**
- * The values of light and backdrop at an hour. A lamp keeps its place and its strength, and a look with colours by heat all
- * of its light, because fire is its own.
+ * The values of light and backdrop at an hour. A lamp keeps its place and its strength. A look with colours by heat keeps all
+ * of its light, because fire is its own, except where `emission.glow` keeps the fire bright at night.
  * @param hour 0 to 24
  * @param own values of the preset, which has them at {@link OWN_HOUR}; every key of the table that is not optional
  * @param sceneBackdrop ramp of the scene, which an empty `style.backdrop` shows
@@ -96,7 +106,7 @@ export function daylight(hour: number, own: Values, sceneBackdrop: string): Dayl
   if (hour === OWN_HOUR) return Object.fromEntries(DAYLIGHT_KEYS.map((key) => [key, own[key]])) as Daylight;
   const now = lightAt(hour);
   const isLamp = own['light.kind'] === 'lamp';
-  const { color, intensity, ambientColor, ambient } = own['style.heatRamp'] === '' ? now : OWN;
+  const { color, intensity, ambientColor, ambient } = own['style.heatRamp'] === '' || glows(own) ? now : OWN;
   const [azimuth, elevation] = isLamp ? [own['light.azimuth']!, own['light.elevation']!] : placeAt(hour, own);
   return {
     'light.azimuth': azimuth,
@@ -108,6 +118,10 @@ export function daylight(hour: number, own: Values, sceneBackdrop: string): Dayl
     'style.inkLight': rounded(own['style.inkLight']! + (1 - own['style.inkLight']!) * now.ink, 3),
     'style.backdrop': backdropAt(now, own['style.backdrop'] || sceneBackdrop),
   };
+}
+
+function glows(own: Values): boolean {
+  return readCurve(own['emission.glow']!)?.some(({ value }) => value > 0) ?? false;
 }
 
 function lightAt(hour: number): Light {

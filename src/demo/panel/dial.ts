@@ -69,15 +69,16 @@ export function createDial(editor: Editor, scene: { readonly rig: Values }): Row
   return { element: row.element, show: () => row.show(textOf(editor.state.values), textOf(editor.base)) };
 }
 
-/** Returns the values of all quarters of an hour, computed once for a preset and a scene. */
+/** Returns the values of all quarters of an hour, computed once for a preset, a scene and a glow. */
 function dayOfState(editor: Editor, scene: { readonly rig: Values }): () => readonly Daylight[] {
   let [known, quarters]: [string, readonly Daylight[]] = ['', []];
   return () => {
-    const { preset } = editor.state;
+    const { preset, values } = editor.state;
     const backdrop = scene.rig['style.backdrop'] ?? '';
-    if (known !== `${preset} ${backdrop}`) {
-      known = `${preset} ${backdrop}`;
-      const day = dayOf(preset);
+    const glow = values['emission.glow'];
+    if (known !== `${preset} ${backdrop} ${glow}`) {
+      known = `${preset} ${backdrop} ${glow}`;
+      const day = { ...dayOf(preset), 'emission.glow': glow };
       quarters = Array.from({ length: QUARTERS }, (_, quarter) => daylight(quarter / 4, day, backdrop));
     }
     return quarters;

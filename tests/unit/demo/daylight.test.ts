@@ -87,6 +87,18 @@ test('a lamp keeps its place and strength, and fire its light', () => {
   expect(backdrop).not.toBe(at(12, fire)['style.backdrop']);
 });
 
+test('fire that glows is in the dark at night, and in the light of its preset at the own hour', () => {
+  for (const name of ['campfire-night', 'rocket-night'] as const) {
+    const day = dayOf(name);
+    const glowing = { ...day, 'emission.glow': presetValues(name)['emission.glow'] };
+    const night = at(0, glowing);
+    for (const key of ['light.intensity', 'light.ambient'] as const)
+      expect(night[key], `${name}: ${key}`).toBeLessThan(0.85 * day[key]!);
+    expect(at(OWN_HOUR, glowing)).toEqual(ownOf(day));
+    expect(at(0, { ...day, 'emission.glow': '0:0,1:0' })['light.ambient']).toBe(day['light.ambient']);
+  }
+});
+
 test('the backdrop of a preset with its own colours goes with the hour, too', () => {
   const own = presetValues('lamp-wind-waker');
   const scene = at(0, own, '0:000000,1:ffffff')['style.backdrop'];
@@ -113,6 +125,7 @@ test('hours of dusk and night looks are relative to the look by day', () => {
   expect(dayOf('train-night-mail')).toEqual(presetValues('train-night-mail'));
   expect(dayOf('cloudscape-night')).toEqual(presetValues('cloudscape'));
   expect(dayOf('train-dusk')).toEqual(presetValues('train'));
+  expect(dayOf('campfire-night')).toEqual(presetValues('campfire'));
 });
 
 /** Lightness of smoke in shadow by that of ink, in linear light; a little is added to both, as of a screen in a room. */

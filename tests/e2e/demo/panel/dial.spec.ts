@@ -102,6 +102,18 @@ test('the dial has no hour for a light that is not on its path, and one undo res
   await expectHour(page, '14:00, own light', OWN);
 });
 
+test('the dial darkens a look whose fire glows, relative to the look by day', async ({ page }) => {
+  await page.setViewportSize({ width: 760, height: 540 });
+  await open(page, '?paused=1#v=1&preset=campfire-night');
+  await expectHour(page, 'own light', lightIn(presetValues('campfire-night')));
+  await dialOf(page).press('Home');
+  await expectHour(page, '00:00, night');
+  const night = await ask(page, (stage) => stage.get());
+  const day = presetValues('campfire');
+  for (const key of ['light.intensity', 'light.ambient'] as const)
+    expect(night[key], key).toBeLessThan(0.85 * day[key]!);
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
