@@ -20,7 +20,7 @@ export { channelSheet, lobeSheet, type ChannelPicture } from './renderer/puffs/b
 export { bakePuffs } from './renderer/puffs/billboards/layers.ts';
 export { isOfLook } from './page/puff/look.ts';
 export { LOBE_SHAPES } from './renderer/puffs/lobeShapes.ts';
-export { billboardShapes } from './renderer/puffs/shapes.ts';
+export { billboardShapes } from './renderer/puffs/billboards/sides.ts';
 export { inPieces, nextTask } from './base/work.ts';
 export { STEP_SECONDS } from './simulator/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, NO_END, PLACE_FLOATS } from './simulator/layout.ts';

@@ -21,6 +21,8 @@ export interface PuffParts {
   readonly billboards?: boolean;
   /** Of the layers of billboards. */
   readonly precision?: Precision;
+  /** Sides of each variation of billboards, 1, 2, 4 or 8. */
+  readonly sides?: number;
 }
 
 /** Bakes puffs like {@link bakingPuffs}, but synchronously. Defaults to the built-in shapes. */
@@ -33,13 +35,13 @@ export function bakedPuffs(shapes: readonly PuffShape[] = LOBE_SHAPES): BakedPuf
  * @param shapes one for each variation
  */
 export function* bakingPuffs(shapes: readonly PuffShape[], parts: PuffParts = {}): Work<BakedPuffs> {
-  const { precision = 16 } = parts;
-  const key = `${precision} ${keyOf(shapes)}`;
-  yield* sharing(key, () => cache.making(key, () => bakingNew(shapes, precision)));
+  const { precision = 16, sides = 1 } = parts;
+  const key = `${precision} ${sides} ${keyOf(shapes)}`;
+  yield* sharing(key, () => cache.making(key, () => bakingNew(shapes, precision, sides)));
   const puffs = cache.get(key)!;
   const { caps, billboards } = loaded;
   if (parts.caps && caps) yield* sharing(`caps ${key}`, () => caps.bakingCaps(shapes, FIRST_BORDER));
-  if (parts.billboards) yield* billboards?.bakingBillboards(shapes, precision) ?? [];
+  if (parts.billboards) yield* billboards?.bakingBillboards(shapes, precision, sides) ?? [];
   return puffs;
 }
 
@@ -55,7 +57,7 @@ function* sharing(key: string, begin: () => Work<unknown>): Work<void> {
 }
 
 /** The code of start caps and of billboards must be loaded when they are read, see `fetchExtras`. */
-function* bakingNew(shapes: readonly PuffShape[], precision: Precision): Work<BakedPuffs> {
+function* bakingNew(shapes: readonly PuffShape[], precision: Precision, sides: number): Work<BakedPuffs> {
   const lobes = yield* bakingLobes(shapes);
   let caps: BakedPuffs['lobes']['caps'] | undefined;
   let billboards: BakedPuffs['billboards'] | undefined;
@@ -68,7 +70,7 @@ function* bakingNew(shapes: readonly PuffShape[], precision: Precision): Work<Ba
       },
     },
     get billboards() {
-      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes, precision));
+      billboards ??= finished(codeOf('billboards').bakingBillboards(shapes, precision, sides));
       return billboards;
     },
   };

@@ -19,7 +19,8 @@ import {
   type PuffSample,
 } from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
-import { billboardShapes, keyOf, type Lobe, type PuffShape } from './puffs/shapes.ts';
+import { billboardShapes } from './puffs/billboards/sides.ts';
+import { keyOf, type Lobe, type PuffShape } from './puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from './puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from './puffs/bake/startCaps.ts';
 import { type Work, finished } from '../base/work.ts';
@@ -38,13 +39,18 @@ const cache = new LruCache<BillboardPuffs>(4);
 /**
  * Bakes billboards in steps of a few milliseconds, or returns them from the LRU cache.
  * @param shapes viewed from +z
+ * @param sides number of views of each shape, 1, 2, 4 or 8, evenly spaced around its y axis
  */
-export function bakingBillboards(shapes: readonly PuffShape[], precision: Precision = 16): Work<BillboardPuffs> {
-  const key = `${precision} ${keyOf(shapes)}`;
-  return cache.making(key, () => baking(billboardShapes(shapes), precision));
+export function bakingBillboards(
+  shapes: readonly PuffShape[],
+  precision: Precision = 16,
+  sides = 1,
+): Work<BillboardPuffs> {
+  const key = `${precision} ${sides} ${keyOf(shapes)}`;
+  return cache.making(key, () => baking(billboardShapes(shapes, sides), precision, sides));
 }
 
-function* baking(shapes: readonly PuffShape[], precision: Precision): Work<BillboardPuffs> {
+function* baking(shapes: readonly PuffShape[], precision: Precision, sides: number): Work<BillboardPuffs> {
   const layers = yield* bakingLayers(shapes, { precision });
   const tables: Float32Array[] = [];
   let latest = 0;
@@ -54,12 +60,14 @@ function* baking(shapes: readonly PuffShape[], precision: Precision): Work<Billb
     latest = Math.max(latest, latestCap(front));
   }
   const fronts: BoundedFront[] = [];
-  for (const [layer, { lobes, mesh }] of shapes.entries()) {
-    fronts.push(mesh ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 });
+  for (const [layer, shape] of shapes.entries()) {
+    const { lobes } = shape;
+    fronts.push('mesh' in shape ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 });
   }
   const deviation = Math.max(...fronts.map((front) => front.deviation));
   const data = {
     layers,
+    sides,
     startCaps: joined(tables),
     latestCap: latest,
     casters: castersOf(shapes),

@@ -80,7 +80,7 @@ export class LivePuffs {
     const design = designOf(values);
     const parts = partsOf(values);
     return {
-      key: `${parts.precision} ${own ? keyOf(own) : JSON.stringify([design, variations])}`,
+      key: `${parts.precision} ${parts.sides} ${own ? keyOf(own) : JSON.stringify([design, variations])}`,
       begin: () => bakingPuffs(own ?? designedShapes(design, variations), parts),
     };
   }
@@ -97,6 +97,8 @@ function partsOf(values: Values): PuffParts {
     caps: isLobes && !deformationOf(values).isDeformed,
     billboards: showsBillboards(values),
     precision: values['puff.precision'],
+    // The renderer of Selle and lobes have the rows of one side.
+    sides: values['puff.form'] === 'billboards' ? values['puff.views'] : 1,
   };
 }
 

@@ -73,7 +73,7 @@ export function lightView(sources: ViewSources, input: FrameInput, receivers: Bo
 }
 
 function common({ eye, extents }: ViewSources, { blend, cull }: FrameInput) {
-  return { blend, cull, clipFromWorld: eye.clipFromWorld.elements, reach: extents.reach };
+  return { blend, cull, clipFromWorld: eye.clipFromWorld.elements, reach: extents.reach, sides: extents.sides };
 }
 
 function coverageOf(

@@ -25,10 +25,11 @@ export const VIEW_OFFSETS = {
   lifterBoxes: 43,
   capsFollow: 91,
   lamp: 92,
+  sides: 95,
 } as const;
 
 /** Floats of a packed view, without the solids and the start caps that can follow. */
-export const VIEW_FLOATS = 95;
+export const VIEW_FLOATS = 96;
 
 /** Maximum number of boxes of surfaces that lift ink. */
 export const LIFTERS_LIMIT = 8;

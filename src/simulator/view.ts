@@ -28,6 +28,8 @@ export interface View {
   reach: number;
   /** Bounding box of all shadow receivers, metres. Casters are swept to where their shadow leaves it. */
   receivers: { min: Triple; max: Triple };
+  /** Sides from which each variation is drawn, 1 to 8, default 1. In rows, variation is variation * sides + side. */
+  sides?: number;
   /** Enables occlusion culling. If absent, only rows outside the view are culled. */
   coverage?: CoverageView;
 }
@@ -114,6 +116,7 @@ export function writeView(view: View, target: Float32Array): void {
   copy(view.clipFromWorld, target, VIEW_OFFSETS.clipFromWorld, 16);
   copy(view.direction, target, VIEW_OFFSETS.direction, 3);
   target[VIEW_OFFSETS.reach] = view.reach;
+  target[VIEW_OFFSETS.sides] = view.sides ?? 1;
   copy(view.receivers.min, target, VIEW_OFFSETS.receivers, 3);
   copy(view.receivers.max, target, VIEW_OFFSETS.receivers + 3, 3);
   if (view.coverage) writeCoverage(view.coverage, target);

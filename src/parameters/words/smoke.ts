@@ -100,6 +100,12 @@ export const smokeWords: WordsOf<Rows> = {
     text: 'Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper.',
     options: { lobes: 'Lobes', billboards: 'Billboards' },
   },
+  'puff.views': {
+    label: 'Views',
+    text: 'Number of sides from which billboards are drawn. A puff keeps its side for life. Lobes have all sides.',
+    options: { 1: 'One', 2: 'Two', 4: 'Four', 8: 'Eight' },
+    isBaked: true,
+  },
   'puff.precision': {
     label: 'Precision',
     text: 'Bits of the normals and depths of billboards; the paper has 8. Lobes are exact.',

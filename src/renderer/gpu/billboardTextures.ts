@@ -13,7 +13,7 @@ import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import { capRange, capTexture, type BillboardData, type FormTextures } from './formTextures.ts';
 
-/** Baked billboards as array textures, with a layer for each variation. */
+/** Baked billboards as array textures, with a layer for each side of each variation. */
 export class BillboardTextures implements FormTextures {
   readonly layers: PuffLayers;
   readonly normalDepth: DataArrayTexture;
@@ -27,12 +27,13 @@ export class BillboardTextures implements FormTextures {
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
   readonly casterSolids: PuffSolids | undefined;
+  readonly sides: number | undefined;
   readonly reach: number;
   readonly depth: number;
 
   constructor(
     context: WebGL2RenderingContext,
-    { layers, startCaps, latestCap, casters, solids, casterSolids, reach, depth }: BillboardData,
+    { layers, startCaps, latestCap, casters, solids, casterSolids, sides, reach, depth }: BillboardData,
   ) {
     this.layers = layers;
     this.normalDepth = new DataArrayTexture(layers.normalDepth, layers.size, layers.size, layers.count);
@@ -54,6 +55,7 @@ export class BillboardTextures implements FormTextures {
     this.capTable = startCaps;
     this.solids = solids;
     this.casterSolids = casterSolids;
+    this.sides = sides;
     this.reach = reach;
     this.depth = depth;
   }

@@ -17,6 +17,8 @@ export interface PuffExtents {
   /** The baked table; absent if puffs turn, stretch or unfold. */
   readonly capTable?: StartCaps;
   readonly solids: PuffSolids;
+  /** Sides from which each variation is drawn, default 1. Tables have an entry for each side. */
+  readonly sides?: number;
   /** The solids of shadows, if they are not those of bodies. */
   readonly casterSolids?: PuffSolids;
 }
@@ -33,7 +35,7 @@ export interface FormTextures extends PuffExtents {
 }
 
 /** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */
-export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'solids' | 'casterSolids'> {
+export interface BillboardData extends Pick<PuffExtents, 'reach' | 'depth' | 'sides' | 'solids' | 'casterSolids'> {
   readonly layers: PuffLayers;
   readonly startCaps: StartCaps;
   readonly latestCap: number;

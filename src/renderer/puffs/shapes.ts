@@ -54,33 +54,3 @@ export function keyOf(shapes: readonly PuffShape[]): string {
   };
   return JSON.stringify(shapes.map(({ lobes, mesh }) => (mesh ? [lobes, keyOfMesh(mesh)] : lobes)));
 }
-
-/**
- * The shapes for billboards, seen from +z. Lobes behind the centre plane move up to it. The outline does not change,
- * and the relief has no deep steps along it that would interrupt the outline where a puff touches the floor. A mesh
- * keeps its own relief. It shrinks with its lobes to fit the unit ball, beyond which nothing of a billboard is drawn.
- */
-export function billboardShapes(shapes: readonly PuffShape[]): readonly PuffShape[] {
-  return shapes.map(({ name, lobes, mesh }) => {
-    if (mesh) return withinUnitBall({ name, lobes, mesh });
-    const raised = lobes.map(({ center: [x, y, z], radius }): Lobe => ({ center: [x, y, Math.max(z, 0)], radius }));
-    return { name, lobes: raised };
-  });
-}
-
-function withinUnitBall({ name, lobes, mesh }: PuffShape & { readonly mesh: PuffMesh }): PuffShape {
-  const { positions } = mesh;
-  let squared = 1;
-  for (let at = 0; at < positions.length; at += 3) {
-    squared = Math.max(squared, positions[at] ** 2 + positions[at + 1] ** 2 + positions[at + 2] ** 2);
-  }
-  const reach = Math.sqrt(squared);
-  return {
-    name,
-    lobes: lobes.map(({ center: [x, y, z], radius }) => ({
-      center: [x / reach, y / reach, z / reach],
-      radius: radius / reach,
-    })),
-    mesh: { ...mesh, positions: positions.map((at) => at / reach) },
-  };
-}

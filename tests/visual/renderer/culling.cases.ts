@@ -2,7 +2,8 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'three';
 import { defaultPreset, findPreset, presetValues, type Preset } from '../../../src/parameters/presets.ts';
 import type { Value, Values } from '../../../src/parameters/parameter.ts';
-import { bakedPuffs } from '../../../src/renderer/bakedPuffs.ts';
+import { finished } from '../../../src/base/work.ts';
+import { bakingPuffs } from '../../../src/renderer/bakedPuffs.ts';
 import type { PuffShape } from '../../../src/renderer/puffs/shapes.ts';
 import { SmokeRenderer } from '../../../src/renderer/smoke.ts';
 import { ALL_PARTICLES } from '../../../src/simulator/view.ts';
@@ -70,15 +71,16 @@ function presetNamed(name: Value | undefined): Preset {
   return preset;
 }
 
-/** A seeded plume of the benchmark. @param shapes of its puffs, if not the default ones */
+/** A seeded plume of the benchmark. @param shapes, sides of its puffs, if not the default ones */
 export async function comparePlume(
   particles: number,
   style: Partial<Style>,
   places: readonly Exclude<Viewpoint, 'behind'>[],
   shapes?: readonly PuffShape[],
+  sides = 1,
 ): Promise<Comparison[]> {
   const bench = await RenderBench.create(0.5, particles);
-  if (shapes) bench.smoke.setPuffs(bakedPuffs(shapes));
+  if (shapes) bench.smoke.setPuffs(finished(bakingPuffs(shapes, { sides })));
   bench.style = { ...bench.style, ...style };
   const comparisons = places.map((place) => {
     const camera = cameraAt(place, bench.camera);

@@ -25,6 +25,8 @@ pub struct RowSampler {
     pub blend: f32,
     /// Length of the step (s).
     pub dt: f32,
+    /// Sides of each variation, at least 1.
+    pub sides: u32,
 }
 
 impl RowSampler {
@@ -80,7 +82,7 @@ impl RowSampler {
         let erosion = fraction(self.radii.erosion(dissolution), EROSION);
         [
             ROLL.packed(roll(attributes, age)) | worn,
-            constant(attributes),
+            constant(attributes, self.sides),
             turn,
             stretch | EROSION.packed(erosion),
         ]
@@ -111,9 +113,10 @@ pub fn caster(shape: Attributes, end: u32) -> Attributes {
     ]
 }
 
-/// Variation and seed, which no step changes.
-fn constant(attributes: u32) -> u32 {
-    VARIATION.packed(attributes) | SEED.packed(attributes >> 8)
+/// Number of the side among those of all variations, and seed, which no step changes.
+fn constant(attributes: u32, sides: u32) -> u32 {
+    let seed = attributes >> 8;
+    VARIATION.packed((attributes & 0xff) * sides + (seed & 0xff) % sides) | SEED.packed(seed)
 }
 
 /// Roll at birth and by `age` seconds of spin, in 65,536ths of a revolution. The highest bits mean nothing.

@@ -13,6 +13,9 @@ use crate::math::simd::{Vector4, positive_part};
 /// Maximum number of covers.
 const COVERS_LIMIT: f64 = 16.0;
 
+/// Maximum number of sides: the sides of 32 variations have a byte.
+const SIDES_LIMIT: f64 = 8.0;
+
 /// A checked view.
 #[derive(Clone, Copy, Debug)]
 pub struct View<'v> {
@@ -24,6 +27,8 @@ pub struct View<'v> {
     pub lamp: Option<[f32; 3]>,
     /// True for the casters of a light: rows hold the ends of shadows instead of ages.
     pub is_light: bool,
+    /// Sides of each variation, at least 1.
+    pub sides: u32,
     /// Frustum culling, if enabled.
     pub cull: Option<Cull>,
     /// Occlusion culling, if enabled.
@@ -44,6 +49,7 @@ impl<'v> View<'v> {
         within("view.cull", numbers.cull, 0.0, 1.0)?;
         within("view.pad", numbers.pad, 0.0, 1e6)?;
         within("view.reach", numbers.reach, 0.0, 1e6)?;
+        within("view.sides", numbers.sides, 0.0, SIDES_LIMIT)?;
         check_coverage(numbers, solids)?;
         let direction = direction(numbers.direction)?;
         let cull = (numbers.cull != 0.0).then(|| Cull::new(numbers, direction));
@@ -53,6 +59,7 @@ impl<'v> View<'v> {
             direction,
             lamp: numbers.place_of_lamp(),
             is_light: numbers.purpose != 0.0,
+            sides: (numbers.sides as u32).max(1),
             cull,
             coverage,
         })

@@ -94,6 +94,9 @@ view_numbers! {
     caps_follow: f32,
     /// Place (m) of a lamp.
     lamp: [f32; 3],
+    /// Sides from which each variation is drawn, up to 8; 0 as 1. The seed selects the side of a puff. In rows the number
+    /// of the variation is that of the side: variation * sides + side.
+    sides: f32,
 }
 
 /// Count of the numbers of a view, without its solids.

@@ -265,6 +265,37 @@ fn the_number_of_living_variations_is_one_more_than_the_highest() {
 }
 
 #[test]
+fn the_seed_selects_one_of_the_sides_of_a_variation() {
+    let mut simulator = simulator(64, 1, &[STILL, FULL]);
+    for number in 0..64_u32 {
+        simulator.add(&Newborn {
+            attributes: ((number * 37 % 256) << 8) | (number / 2),
+            ..newborn([0.0; 3])
+        });
+    }
+    for purpose in [0.0, 1.0] {
+        for (sides, factor) in [(0.0, 1), (1.0, 1), (4.0, 4), (8.0, 8)] {
+            let view = ViewNumbers {
+                purpose,
+                sides,
+                ..view()
+            };
+            assert_eq!(rows(&mut simulator, &view).len(), 64);
+            let mut found: Vec<u32> = simulator.attributes().iter().map(|row| row[1] & 0xffff).collect();
+            found.sort_unstable();
+            let mut expected: Vec<u32> = (0..64)
+                .map(|number| (number * 37 % 256, number / 2))
+                .map(|(seed, variation)| (seed << 8) | (variation * factor + seed % factor))
+                .collect();
+            expected.sort_unstable();
+            assert_eq!(found, expected, "{sides} sides");
+        }
+    }
+    let too_many = ViewNumbers { sides: 9.0, ..view() };
+    assert!(simulator.arrange(&too_many.to_array()).is_err());
+}
+
+#[test]
 fn bounds_contain_all_living_particles_with_any_culling() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let view = ViewNumbers { cull: 1.0, ..view() }.to_array();

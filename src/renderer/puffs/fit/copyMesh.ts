@@ -1,7 +1,7 @@
 /** Copies a mesh into the unit space of a puff, with the normals and colours that billboards are baked from. */
 import type { ClosedMesh, PlainMesh } from './closedMesh.ts';
 import { middleOf } from '../normals.ts';
-import type { Lobe, PuffMesh } from '../shapes.ts';
+import type { Lobe, PixelImage, PuffMesh } from '../shapes.ts';
 import { dot, minus, normalized, type Vector } from '../vector.ts';
 import type { Work } from '../../../base/work.ts';
 
@@ -40,8 +40,13 @@ export function* copyingMesh(
     normals: shading,
     indices: corners.map((_, at) => at),
     ...(colors && { colors: gathered(colors, 3, corners) }),
-    ...(uvs && texture && { uvs: gathered(uvs, 2, corners), texture: { ...texture, data: texture.data.slice() } }),
+    ...(uvs && texture && { uvs: gathered(uvs, 2, corners), texture: copied(texture) }),
   };
+}
+
+/** Field by field: those of an `ImageData` are getters, which a spread leaves out. */
+function copied({ width, height, data }: PixelImage): PixelImage {
+  return { width, height, data: data.slice() };
 }
 
 /** The values of each corner. */

@@ -5,7 +5,11 @@ import { bakePuffs, samplePuff, type PuffLayers } from '../../../../src/renderer
 import { PUFF_PAD } from '../../../../src/renderer/puffs/billboards/rasterise.ts';
 import type { PlainMesh } from '../../../../src/renderer/puffs/fit/closedMesh.ts';
 import { fitPuff } from '../../../../src/renderer/puffs/fit/fitPuff.ts';
-import { billboardShapes, keyOf, type PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
+import { billboardShapes } from '../../../../src/renderer/puffs/billboards/sides.ts';
+import { keyOf, type PixelImage, type PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
+import { finished } from '../../../../src/base/work.ts';
+import { bakingBillboards } from '../../../../src/renderer/billboards.ts';
+import { LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
 import { face, halves, torus, TORUS } from '../../../visual/puffMeshes.ts';
 
 const TEXEL = (2 * PUFF_PAD) / 128;
@@ -135,7 +139,9 @@ describe('colours', () => {
     const data = new Uint8Array(4 * width * height);
     for (let at = 0; at < width * height; at++)
       data.set([4 * (at % width), 8 * Math.floor(at / width), 255, 9], 4 * at);
-    const mesh = { ...face(), texture: { width, height, data } };
+    // As an ImageData, whose fields are those of its prototype.
+    const texture = Object.create({ width, height, data }) as PixelImage;
+    const mesh = { ...face(), texture };
     const colors = Array.from({ length: mesh.positions.length }, (_, at) => (at % 3 === 2 ? 0.5 : 1));
     const { layers } = await baked({ ...mesh, colors });
     // The front of the ball has u = 1/4 and v = 1/2 in its middle.
@@ -149,6 +155,40 @@ describe('colours', () => {
   });
 });
 
+describe('sides', () => {
+  test('show a mesh from eight directions around its y axis, the first from the front', async () => {
+    const shape = await fitted(compass());
+    const shapes = billboardShapes([shape], 8);
+    expect(shapes).toHaveLength(8);
+    expect(shapes[0]).toEqual(billboardShapes([shape])[0]);
+    const layers = bakePuffs(shapes);
+    for (let side = 0; side < 8; side++) {
+      // The colour in the middle says which part of the ball is there: red to the right, blue to the front.
+      const middle = (side * layers.size + layers.size / 2) * layers.size + layers.size / 2;
+      const [right, , front] = layers.colorCoverage.subarray(4 * middle, 4 * middle + 3);
+      const angle = (side / 8) * 2 * Math.PI;
+      expect(Math.abs(right - 127.5 * (1 - Math.sin(angle)))).toBeLessThan(5);
+      expect(Math.abs(front - 127.5 * (1 + Math.cos(angle)))).toBeLessThan(5);
+    }
+  });
+
+  test('of lobes are those of the turned puff, raised to the centre plane', () => {
+    const [front, , right] = billboardShapes(LOBE_SHAPES.slice(0, 1), 8);
+    LOBE_SHAPES[0].lobes.forEach(({ center: [x, y, z], radius }, at) => {
+      expect(front.lobes[at]).toEqual({ center: [x, y, Math.max(z, 0)], radius });
+      expect(right.lobes[at]).toEqual({ center: [z, y, Math.max(-x, 0)].map((c) => expect.closeTo(c)), radius });
+    });
+  });
+
+  test('have a layer, start caps, casters and solids each', async () => {
+    const { layers, sides, startCaps, casters, solids, casterSolids } = finished(
+      bakingBillboards([await fitted(compass()), LOBE_SHAPES[0]], 16, 4),
+    );
+    expect([sides, layers.count, startCaps.count, casters.count]).toEqual([4, 8, 8, 8]);
+    for (const { table, balls } of [solids, casterSolids!]) expect(table).toHaveLength(8 * 4 * balls);
+  });
+});
+
 test('shapes with the same lobes and other meshes are not the same shapes', async () => {
   const plain = await fitted(halves([1, 1, 1], [1, 1, 1]));
   const { name, lobes } = plain;
@@ -156,6 +196,12 @@ test('shapes with the same lobes and other meshes are not the same shapes', asyn
   expect(keyOf([plain])).not.toBe(keyOf([{ name, lobes }]));
   expect(keyOf([plain])).not.toBe(keyOf([{ name, lobes, mesh: { ...plain.mesh! } }]));
 });
+
+/** A ball whose colours say where a point is: red to the right, green up, blue to the front. */
+function compass(): PlainMesh {
+  const ball = arraysOf(new SphereGeometry(1, 64, 33));
+  return { ...ball, colors: ball.normals.map((at) => (at + 1) / 2) };
+}
 
 function arraysOf({ attributes, index }: BufferGeometry) {
   return {

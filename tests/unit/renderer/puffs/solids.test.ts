@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { bakePuffs, samplePuff } from '../../../../src/renderer/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
-import { billboardShapes } from '../../../../src/renderer/puffs/shapes.ts';
+import { billboardShapes } from '../../../../src/renderer/puffs/billboards/sides.ts';
 import { solidsOf, type PuffSolids } from '../../../../src/renderer/puffs/bake/solids.ts';
 import { finished } from '../../../../src/base/work.ts';
 import { bakingBillboards } from '../../../../src/renderer/billboards.ts';

@@ -5,6 +5,9 @@ import { fitPuff } from '../../../../src/renderer/puffs/fit/fitPuff.ts';
 import type { PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
 import type { Style } from '../../../../src/renderer/style.ts';
 import { frontCamera, PLAIN_STYLE, takePicture } from '../../lab.ts';
+import { defaultPreset, presetValues } from '../../../../src/parameters/presets.ts';
+import { createStage } from '../../../../src/stage/stage.ts';
+import { PLAIN_LOOK } from '../../../support/plainLook.ts';
 import { face, halves, heart, popcorn, rings, torus } from '../../puffMeshes.ts';
 import { comparePlume, type Comparison } from '../culling.cases.ts';
 import { selfMasked } from '../passes/lonePuffs.cases.ts';
@@ -58,6 +61,35 @@ export async function paintedTones(style: Partial<Style>): Promise<{ found: stri
 }
 
 /** Pictures of a plume of meshes with and without culling. */
-export async function culled(names: readonly Name[]): Promise<Comparison[]> {
-  return comparePlume(1000, { form: 'billboards' }, ['scene', 'inside', 'orthographic'], await shapesOf(names));
+export async function culled(names: readonly Name[], sides: number): Promise<Comparison[]> {
+  return comparePlume(1000, { form: 'billboards' }, ['scene', 'inside', 'orthographic'], await shapesOf(names), sides);
+}
+
+/**
+ * Smoke of balls with a warm front and a cold back, drawn from a number of sides: pixels that are mainly red and mainly
+ * blue, and the hash of the simulator.
+ */
+export async function sidesShown(views: 1 | 8): Promise<{ warm: number; cold: number; hash: string }> {
+  const mesh = halves([1, 0.4, 0.3], [0.3, 0.4, 1]);
+  const turned = Float32Array.from(mesh.positions, (_, at) => mesh.positions[at - (at % 3) + [0, 2, 1][at % 3]]);
+  const { shape } = await fitPuff({ ...mesh, positions: turned, normals: undefined }, { lobes: 1 });
+  const stage = await createStage(new OffscreenCanvas(SIZE, SIZE), {
+    values: { ...presetValues(defaultPreset), ...PLAIN_LOOK, 'puff.form': 'billboards', 'puff.views': views },
+    width: SIZE,
+    height: SIZE,
+    pixelRatio: 1,
+  });
+  stage.setPuffs([shape]);
+  stage.step(180);
+  const picture = await createImageBitmap(await stage.picture());
+  const copy = new OffscreenCanvas(SIZE, SIZE).getContext('2d')!;
+  copy.drawImage(picture, 0, 0);
+  const { data } = copy.getImageData(0, 0, SIZE, SIZE);
+  const shown = { warm: 0, cold: 0, hash: stage.hash() };
+  for (let at = 0; at < data.length; at += 4) {
+    if (data[at] > 2 * data[at + 2] && data[at + 3] > 0) shown.warm++;
+    if (data[at + 2] > 2 * data[at] && data[at + 3] > 0) shown.cold++;
+  }
+  stage.dispose();
+  return shown;
 }
