@@ -3,7 +3,15 @@ import { create, textButton } from '../ui/dom.ts';
 import type { Notices } from '../ui/notices.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
-import { LoadingManager, Mesh, type BufferGeometry, type Matrix4, type Object3D } from 'three';
+import {
+  Color,
+  LoadingManager,
+  Mesh,
+  type BufferGeometry,
+  type MeshBasicMaterial,
+  type Object3D,
+  type Texture,
+} from 'three';
 
 /** A mesh from the user as puff shape: chosen in the panel or dropped onto the page, and removable. */
 export class OwnShape {
@@ -80,6 +88,9 @@ export class OwnShape {
 const MESH_TYPES = '.glb,.gltf,.obj';
 /** Maximum file size in bytes. A puff keeps little detail, so larger files bring no benefit. */
 const MAX_BYTES = 16 * 1024 * 1024;
+/** Maximum width and height of a texture; larger ones are scaled down. */
+const MAX_PIXELS = 512;
+const WHITE = new Color(1, 1, 1);
 
 /** @throws ShapeError when the file is too large, has an unsupported type, or cannot be read */
 async function readMesh(file: File): Promise<PlainMesh> {
@@ -120,27 +131,60 @@ function embeddedOnly(): LoadingManager {
   return manager;
 }
 
-/** The triangles of all meshes in world space. */
+/** The triangles of all meshes in world space with their colours; with their texture, if all have the same. */
 function trianglesOf(root: Object3D): PlainMesh {
-  const positions: number[] = [];
-  const indices: number[] = [];
   root.updateMatrixWorld(true);
+  const meshes: Drawn[] = [];
   root.traverse((object) => {
-    if (object instanceof Mesh) addTriangles(object.geometry as BufferGeometry, object.matrixWorld, positions, indices);
+    if (object instanceof Mesh) meshes.push(object as Drawn);
   });
-  return { positions, indices };
+  const all = { positions: [] as number[], indices: [] as number[], colors: [] as number[], uvs: [] as number[] };
+  for (const mesh of meshes) addTriangles(mesh, all);
+  const [map] = meshes.map(({ material }) => material.map);
+  const hasTexture =
+    map && meshes.every(({ material, geometry }) => material.map === map && geometry.hasAttribute('uv'));
+  return { ...all, uvs: hasTexture ? all.uvs : undefined, texture: hasTexture ? pixelsOf(map) : undefined };
 }
 
-function addTriangles(geometry: BufferGeometry, world: Matrix4, positions: number[], indices: number[]): void {
-  const first = positions.length / 3;
-  const places = geometry.getAttribute('position').clone().applyMatrix4(world);
+type Drawn = Mesh<BufferGeometry, MeshBasicMaterial>;
+
+interface Triangles {
+  readonly positions: number[];
+  readonly indices: number[];
+  readonly colors: number[];
+  readonly uvs: number[];
+}
+
+function addTriangles({ geometry, material, matrixWorld: world }: Drawn, all: Triangles): void {
+  const first = all.positions.length / 3;
+  const { position, color, uv } = geometry.attributes;
+  const places = position.clone().applyMatrix4(world);
+  const paint = new Color();
   for (let vertex = 0; vertex < places.count; vertex++) {
-    positions.push(places.getX(vertex), places.getY(vertex), places.getZ(vertex));
+    all.positions.push(places.getX(vertex), places.getY(vertex), places.getZ(vertex));
+    paint.copy(material.color ?? WHITE);
+    if (color) paint.multiply(new Color(color.getX(vertex), color.getY(vertex), color.getZ(vertex)));
+    const { r, g, b } = paint.convertLinearToSRGB();
+    all.colors.push(r, g, b);
+    const down = uv?.getY(vertex) ?? 0;
+    all.uvs.push(uv?.getX(vertex) ?? 0, material.map?.flipY ? 1 - down : down);
   }
   const corners = geometry.index?.array ?? Uint32Array.from({ length: places.count }, (_, vertex) => vertex);
   // A mirroring transform reverses the winding.
   const [second, third] = world.determinant() < 0 ? [2, 1] : [1, 2];
   for (let at = 0; at + 2 < corners.length; at += 3) {
-    indices.push(first + corners[at], first + corners[at + second], first + corners[at + third]);
+    all.indices.push(first + corners[at], first + corners[at + second], first + corners[at + third]);
   }
+}
+
+/** The pixels of a texture, at most `MAX_PIXELS` along each side: a puff shows no more. */
+function pixelsOf({ image }: Texture): ImageData {
+  const { width, height } = image as ImageBitmap;
+  const scale = Math.min(1, MAX_PIXELS / Math.max(width, height));
+  const [columns, rows] = [width, height].map((length) => Math.max(1, Math.round(scale * length)));
+  const copy = create('canvas', {});
+  [copy.width, copy.height] = [columns, rows];
+  const context = copy.getContext('2d')!;
+  context.drawImage(image as ImageBitmap, 0, 0, columns, rows);
+  return context.getImageData(0, 0, columns, rows);
 }

@@ -1,4 +1,5 @@
 import { writeFileSync } from 'node:fs';
+import { PNG } from 'pngjs';
 import { expect, test } from '../../../support/fixtures.ts';
 import { ask, expectSteps, LIGHT, open } from '../page.ts';
 
@@ -20,6 +21,24 @@ function cubeObject(name: string, sides = 6) {
     ...SIDES.slice(0, sides).map((side) => `f ${side.map((corner) => corner + 1).join(' ')}`),
   ];
   return { name, mimeType: 'model/obj', buffer: Buffer.from(lines.join('\n')) };
+}
+
+/** A glTF file of the cube in yellow with a magenta texture, whose product is red. */
+function redCube(name: string) {
+  const scene = JSON.parse(cubeScene(name).buffer.toString()) as Record<string, object[]>;
+  const pixel = new PNG({ width: 1, height: 1 });
+  pixel.data.set([255, 0, 255, 255]);
+  const uvs = Buffer.from(new Float32Array(2 * CORNERS.length).buffer);
+  scene.images = [{ uri: `data:image/png;base64,${PNG.sync.write(pixel).toString('base64')}` }];
+  scene.textures = [{ source: 0 }];
+  const pbrMetallicRoughness = { baseColorFactor: [1, 1, 0, 1], baseColorTexture: { index: 0 } };
+  scene.materials = [{ pbrMetallicRoughness }];
+  scene.buffers.push({ byteLength: uvs.length, uri: `data:application/octet-stream;base64,${uvs.toString('base64')}` });
+  scene.bufferViews.push({ buffer: 1, byteOffset: 0, byteLength: uvs.length });
+  scene.accessors.push({ bufferView: 2, componentType: 5126, count: CORNERS.length, type: 'VEC2' });
+  const attributes = { POSITION: 0, TEXCOORD_0: 2 };
+  scene.meshes = [{ primitives: [{ attributes, indices: 1, material: 0 }] }];
+  return { name, mimeType: 'model/gltf+json', buffer: Buffer.from(JSON.stringify(scene)) };
 }
 
 /** The cube as a glTF file. @param address URL of its buffer; embedded where absent */
@@ -71,6 +90,26 @@ test('a mesh replaces the puffs, the link reports that it cannot contain it, and
   await expect(name).toBeHidden();
   await chooser.last().setInputFiles(cubeScene('bar.gltf'));
   await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
+});
+
+test('billboards have the colours and the texture of a mesh', async ({ page }) => {
+  await open(page, `?paused=1&t=2${LIGHT}&puff.form=billboards`);
+  await page.keyboard.press('p');
+  await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
+  const redPixels = () =>
+    ask(page, async (stage) => {
+      const bitmap = await createImageBitmap(await stage.picture());
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let count = 0;
+      for (let at = 0; at < data.length; at += 4) if (data[at] > 60 && data[at + 1] + data[at + 2] < 8) count++;
+      return count;
+    });
+  expect(await redPixels()).toBe(0);
+  await page.getByLabel('Use your own mesh').last().setInputFiles(redCube('red.gltf'));
+  await expect(page.locator('.own-shape-name')).toHaveText(/^red\.gltf/);
+  expect(await redPixels()).toBeGreaterThan(30);
 });
 
 test('an open or invalid mesh is rejected with a message and the puffs stay, until a mesh is dropped on the page', async ({
