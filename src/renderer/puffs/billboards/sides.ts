@@ -11,8 +11,8 @@ import type { Lobe, PuffMesh, PuffShape } from '../shapes.ts';
 export function billboardShapes(shapes: readonly PuffShape[], sides = 1): readonly PuffShape[] {
   const turns = EIGHTHS.filter((_, eighth) => eighth % (EIGHTHS.length / sides) === 0);
   return shapes.flatMap((shape) => {
-    const fitted = shape.mesh ? withinUnitBall(shape.lobes, shape.mesh) : shape;
-    return turns.map((turn) => sideOf({ ...fitted, name: shape.name }, turn));
+    const reach = shape.mesh ? reachOfMesh(shape.mesh) : 1;
+    return turns.map((turn) => sideOf(shape, turn, reach));
   });
 }
 
@@ -24,11 +24,13 @@ const EIGHTHS: readonly Turn[] = [
 
 type Turn = readonly [cosine: number, sine: number];
 
-function sideOf({ name, lobes, mesh }: PuffShape, turn: Turn): PuffShape {
+/** @param reach becomes 1 */
+function sideOf({ name, lobes, mesh }: PuffShape, turn: Turn, reach: number): PuffShape {
   const [cosine, sine] = turn;
   const turned = lobes.map(({ center: [x, y, z], radius }): Lobe => {
-    const height = cosine * z - sine * x;
-    return { center: [cosine * x + sine * z, y, mesh ? height : Math.max(height, 0)], radius };
+    const height = (cosine * z - sine * x) / reach;
+    const place = [(cosine * x + sine * z) / reach, y / reach, mesh ? height : Math.max(height, 0)] as const;
+    return { center: place, radius: radius / reach };
   });
   if (!mesh) return { name, lobes: turned };
   return {
@@ -36,32 +38,27 @@ function sideOf({ name, lobes, mesh }: PuffShape, turn: Turn): PuffShape {
     lobes: turned,
     // When it is baked, so that the meshes of all sides do not take memory at once.
     get mesh() {
-      return { ...mesh, positions: turnedBy(turn, mesh.positions), normals: turnedBy(turn, mesh.normals) };
+      return { ...mesh, positions: turnedBy(turn, mesh.positions, reach), normals: turnedBy(turn, mesh.normals, 1) };
     },
   };
 }
 
-function turnedBy([cosine, sine]: Turn, vectors: Float32Array): Float32Array {
-  const turned = vectors.slice();
+function turnedBy([cosine, sine]: Turn, vectors: Float32Array, reach: number): Float32Array {
+  const turned = new Float32Array(vectors.length);
   for (let at = 0; at < vectors.length; at += 3) {
-    turned[at] = cosine * vectors[at] + sine * vectors[at + 2];
-    turned[at + 2] = cosine * vectors[at + 2] - sine * vectors[at];
+    turned[at] = (cosine * vectors[at] + sine * vectors[at + 2]) / reach;
+    turned[at + 1] = vectors[at + 1] / reach;
+    turned[at + 2] = (cosine * vectors[at + 2] - sine * vectors[at]) / reach;
   }
   return turned;
 }
 
-function withinUnitBall(lobes: readonly Lobe[], mesh: PuffMesh): Pick<PuffShape, 'lobes' | 'mesh'> {
-  const { positions } = mesh;
+/** Distance of the farthest vertex from the centre of the puff, at least 1. */
+function reachOfMesh({ positions }: PuffMesh): number {
   let squared = 1;
   for (let at = 0; at < positions.length; at += 3) {
-    squared = Math.max(squared, positions[at] ** 2 + positions[at + 1] ** 2 + positions[at + 2] ** 2);
+    const [x, y, z] = [positions[at], positions[at + 1], positions[at + 2]];
+    squared = Math.max(squared, x * x + y * y + z * z);
   }
-  const reach = Math.sqrt(squared);
-  return {
-    lobes: lobes.map(({ center: [x, y, z], radius }) => ({
-      center: [x / reach, y / reach, z / reach],
-      radius: radius / reach,
-    })),
-    mesh: { ...mesh, positions: positions.map((at) => at / reach) },
-  };
+  return Math.sqrt(squared);
 }
