@@ -56,13 +56,19 @@ vec3 inLight(ivec2 texel, bool isRim);
 
 // ADDITIONAL_LIGHTS: src/renderer/additionalLights.ts adds additionalLights/additionalLights.glsl.
 #ifdef ADDITIONAL_LIGHTS
+uniform int lightCount;
+// Light of those that are beyond the number, from all sides.
+uniform vec3 lightAround;
 // N.L from which smoke and surfaces are in a light. Light goes around puffs, which are not solid.
 const float SMOKE_BORDER = 0.0;
 const float SURFACE_BORDER = 0.3;
 
 float facingOf(int light, vec3 normal, vec3 place);
 int lightsOn(vec3 normal, vec3 place, float border);
-vec3 lightened(vec3 tone, float material, vec3 lights, vec3 place);
+vec3 lightOf(vec3 shares, vec3 place);
+vec3 lightOn(vec3 normal, vec3 place, float border);
+vec3 reflected(float material, vec3 sum);
+vec3 lightened(vec3 tone, vec3 light);
 vec3 sharesOf(int lights);
 #endif
 

@@ -30,16 +30,13 @@ vec2 packPosition(float position, int lights) {
   return packBytes(LIGHT_SETS * floor(8191.0 * position + 0.5) + float(lights));
 }
 
-float unpackNumber(vec2 bytes) {
-  return floor(dot(bytes, vec2(65280.0, 255.0)) + 0.5);
-}
-
 float unpackPosition(vec2 bytes) {
-  return floor(unpackNumber(bytes) / LIGHT_SETS) / 8191.0;
+  float number = floor(dot(bytes, vec2(65280.0, 255.0)) + 0.5);
+  return floor(number / LIGHT_SETS) / 8191.0;
 }
 
 int unpackLights(vec2 bytes) {
-  return int(mod(unpackNumber(bytes), LIGHT_SETS));
+  return int(255.0 * bytes.g + 0.5) & 7;
 }
 #else
 vec2 packPosition(float position) {

@@ -75,7 +75,7 @@ vec4 leaning(vec4 light, ivec2 at) {
   float facing = dot(outward, towardsLightFrom(lightInView, place));
   float share = leaningShare(light.r, facing);
 #ifdef ADDITIONAL_LIGHTS
-  for (int i = 0; i < 3; i++) lightShares[i] = leaningShare(lightShares[i], facingOf(i, outward, place));
+  for (int i = 0; i < lightCount; i++) lightShares[i] = leaningShare(lightShares[i], facingOf(i, outward, place));
 #endif
   float own = light.r > 0.0 ? light.g / light.r : litFrom;
   float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;
@@ -86,10 +86,11 @@ vec4 leaning(vec4 light, ivec2 at) {
 // A tone in the additional lights of a pixel of smoke.
 vec3 inLights(vec3 tone, float material, ivec2 at) {
 #ifdef ADDITIONAL_LIGHTS
-  return lightened(tone, material, lightShares, placeAt(at));
-#else
-  return tone;
+  if (max(max(lightShares.x, lightShares.y), lightShares.z) > 0.5 || lightAround != vec3(0.0)) {
+    return lightened(tone, reflected(material, lightOf(lightShares, placeAt(at))));
+  }
 #endif
+  return tone;
 }
 
 // The tone that the averaged fields select, without the gradient.

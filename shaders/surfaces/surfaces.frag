@@ -4,9 +4,7 @@ precision highp float;
 // display-encoded unlit and lit colour and, for targets that keep it, the number of the group over 255.
 uniform sampler2D ramps;
 uniform vec4 lightInWorld;
-#ifdef ADDITIONAL_LIGHTS
-uniform mat4 viewFromWorld;
-#endif
+#define LIGHTS_IN_WORLD
 
 in vec3 worldNormal;
 in vec3 worldPlace;
@@ -29,10 +27,11 @@ void main() {
 #endif
   Shades shades = shade(light, ramps, material, vec3(1.0), vec3(0.0));
 #ifdef ADDITIONAL_LIGHTS
-  vec3 place = (viewFromWorld * vec4(worldPlace, 1.0)).xyz;
-  vec3 shares = sharesOf(lightsOn(mat3(viewFromWorld) * normalize(worldNormal), place, SURFACE_BORDER));
-  shades.unlit = lightened(shades.unlit, material, shares, place);
-  shades.lit = lightened(shades.lit, material, shares, place);
+  vec3 sum = lightOn(normalize(worldNormal), worldPlace, SURFACE_BORDER);
+  if (sum != vec3(0.0)) {
+    vec3 added = reflected(material, sum);
+    shades = Shades(lightened(shades.unlit, added), lightened(shades.lit, added));
+  }
 #endif
   unlit = vec4(shades.unlit, 1.0);
   lit = vec4(shades.lit, 0.0);

@@ -3,19 +3,26 @@ import { Color as ThreeColor, Vector3, Vector4, type Box3, type IUniform, type M
 import code from '../../shaders/additionalLights/additionalLights.glsl';
 import type { FrameInput } from './frameInput.ts';
 import { glowColors, glowLamps } from './glow.ts';
+import type { Shaders } from './gpu/programsAhead.ts';
 import type { Ramp } from './gpu/ramps.ts';
-import { homogeneous, reachOf, type AdditionalLight, type Light } from './light.ts';
-import { LightVariant, setReach, type LightCode } from './lightVariant.ts';
+import { homogeneous, type AdditionalLight, type Light } from './light.ts';
+import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
+import { reachOf, setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
-export const ADDITIONAL_LIGHTS: LightCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
+const ADDITIONAL_LIGHTS: LightCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
 
 /** Number of lights in the shaders. */
 const LIGHTS = 3;
 /** A light fades as its strength falls from this many times that of the fourth light to that. */
-const FADING = 1.25;
+const FADING = 1.5;
 /** Mean of max(0, N.L) over all directions. */
 const MEAN_FACING = 0.25;
+
+/** Shaders as {@link AdditionalLights} draws them. */
+export function withAdditionalLights(shaders: Shaders): Shaders {
+  return withLight(shaders, ADDITIONAL_LIGHTS);
+}
 
 /** Lights on one smoke and its surfaces: shaders/additionalLights/additionalLights.glsl and what it reads. */
 export class AdditionalLights extends LightVariant {
@@ -28,9 +35,11 @@ export class AdditionalLights extends LightVariant {
     const uniforms = {
       lightCount: { value: 0 },
       lights: { value: vectors() },
+      worldLights: { value: vectors() },
       lightColors: { value: Array.from({ length: LIGHTS }, () => new ThreeColor()) },
       lightReaches: { value: vectors() },
       lightCones: { value: vectors() },
+      worldCones: { value: vectors() },
       lightAround: { value: new ThreeColor() },
     } satisfies Record<string, IUniform>;
     super(ADDITIONAL_LIGHTS, uniforms);
@@ -44,14 +53,18 @@ export class AdditionalLights extends LightVariant {
 
   /** @param smoke world-space box of the smoke, where the strongest lights are selected */
   look(input: FrameInput, smoke: Box3, viewFromWorld: Matrix4): void {
-    const { lightCount, lights, lightColors, lightReaches, lightCones, lightAround } = this.uniforms;
+    const { lightCount, lightAround, lightColors, lightReaches, ...both } = this.uniforms;
+    const { lights, lightCones, worldLights, worldCones } = both;
     const { selected, around } = strongest([...(input.lights ?? []), ...this.glowing(input)], smoke);
     lightCount.value = selected.length;
     lightAround.value.setRGB(...around);
     selected.forEach(({ light, color }, index) => {
-      lights.value[index].copy(homogeneous(light)).applyMatrix4(viewFromWorld);
+      const [inView, cone] = [lights.value[index], lightCones.value[index]];
       lightColors.value[index].setRGB(...color);
-      setReach(lightReaches.value[index], lightCones.value[index], inView(light, viewFromWorld));
+      inView.copy(worldLights.value[index].copy(homogeneous(light))).applyMatrix4(viewFromWorld);
+      setReach(lightReaches.value[index], cone, light.kind === 'lamp' ? light.falloff : undefined);
+      const { x, y, z, w } = worldCones.value[index].copy(cone);
+      cone.set(x, y, z, 0).applyMatrix4(viewFromWorld).setW(w);
     });
   }
 
@@ -100,12 +113,4 @@ function nearestIn(smoke: Box3, light: Light): Vector3 {
   const inwards = smoke.getCenter(new Vector3()).sub(light.place);
   if (inwards.lengthSq() === 0) inwards.y = 1;
   return inwards.setLength(least).add(light.place);
-}
-
-function inView(light: Light, viewFromWorld: Matrix4): Exclude<Light, { kind: 'sun' }>['falloff'] {
-  if (light.kind === 'sun') return undefined;
-  const { falloff } = light;
-  if (!falloff?.cone) return falloff;
-  const { axis, cosines } = falloff.cone;
-  return { ...falloff, cone: { axis: axis.clone().transformDirection(viewFromWorld), cosines } };
 }

@@ -1,13 +1,20 @@
 /** The light of lamps that weakens with distance, which few smokes have. */
 import { Color as ThreeColor, Vector3, Vector4, type IUniform } from 'three';
 import code from '../../shaders/falloff/falloff.glsl';
+import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, type Ramp } from './gpu/ramps.ts';
 import type { Falloff } from './light.ts';
-import { LightVariant, setReach, type LightCode } from './lightVariant.ts';
+import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
+import { setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
 /** Shaders declare its functions next to each other. */
-export const FALLOFF: LightCode = { define: 'FALLOFF', declared: 'FALLOFF', code };
+const FALLOFF: LightCode = { define: 'FALLOFF', declared: 'FALLOFF', code };
+
+/** Shaders as {@link LampLight} draws them. */
+export function withFalloff(shaders: Shaders): Shaders {
+  return withLight(shaders, FALLOFF);
+}
 
 /** The light of a lamp on one smoke and its surfaces: shaders/falloff/falloff.glsl and what it reads. */
 export class LampLight extends LightVariant {

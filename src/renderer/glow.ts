@@ -2,7 +2,8 @@
 import { Vector3 } from 'three';
 import { valueAt } from '../parameters/curve.ts';
 import { GLOW_HEATS, LAMP_FLOATS } from '../simulator/layout.ts';
-import { NEAREST, type AdditionalLight } from './light.ts';
+import type { AdditionalLight } from './light.ts';
+import { NEAREST } from './reach.ts';
 import { blendedAt, colorAt, linear, type Tone } from './gpu/ramps.ts';
 import { plainColorOf, rampOf } from './palette.ts';
 import type { Style } from './style.ts';

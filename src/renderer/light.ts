@@ -16,7 +16,7 @@ export interface Falloff {
   readonly decay: number;
   /** Distance at which the light ends, in its units. Default Infinity. */
   readonly end?: number;
-  /** Least value of distance ^ decay. Default {@link NEAREST}. */
+  /** Least value of distance ^ decay. Default 0.01, as in three.js. */
   readonly least?: number;
   readonly cone?: Cone;
   /** Units of distance for each metre of the space of the smoke. Default 1. */
@@ -34,20 +34,6 @@ export interface AdditionalLight {
   readonly light: Light;
   /** Factors on the direct light of the style. */
   readonly color: Factors;
-}
-
-/** Least value of distance ^ decay, as in three.js. */
-export const NEAREST = 0.01;
-
-/** Share of a light that reaches a place, as `punctualLightIntensity` of three.js computes it. */
-export function reachOf(light: Light, place: Vector3): number {
-  if (light.kind === 'sun' || !light.falloff) return 1;
-  const { decay, end = Infinity, least = NEAREST, cone, scale = 1 } = light.falloff;
-  const towards = light.place.clone().sub(place);
-  const distance = scale * towards.length();
-  const atEnd = MathUtils.clamp(1 - (distance / end) ** 4, 0, 1) ** 2;
-  const inCone = cone ? MathUtils.smoothstep(cone.axis.dot(towards.normalize()), ...cone.cosines) : 1;
-  return (atEnd / Math.max(distance ** decay, least)) * inCone;
 }
 
 /** Reads the light from the flat values of a preset, which must have every key. Angles are relative to `centre`. */

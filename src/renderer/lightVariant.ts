@@ -1,8 +1,7 @@
 /** Materials with more code for the light, which few smokes have. */
-import { SRGBColorSpace, type IUniform, type RawShaderMaterial, type Vector4 } from 'three';
+import { SRGBColorSpace, type IUniform, type RawShaderMaterial } from 'three';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { RampTexture, type Ramp } from './gpu/ramps.ts';
-import { NEAREST, type Falloff } from './light.ts';
 
 /** Code that shaders with a define declare and call. */
 export interface LightCode {
@@ -70,19 +69,4 @@ export function withLight(shaders: Shaders, { define, declared, code }: LightCod
     fragmentShader: added(fragmentShader),
     defines: { ...defines, [define]: '' },
   };
-}
-
-/** Least difference between the cosines of a cone. */
-const SHARPEST = 1e-5;
-
-/** Sets the last two arguments of `reachOf` in shaders/falloff/reach.glsl. The axis of a cone stays in its space. */
-export function setReach(reach: Vector4, cone: Vector4, falloff: Falloff = { decay: 0 }): void {
-  const { decay, end = Infinity, least = NEAREST, scale = 1 } = falloff;
-  reach.set(decay, scale / end, least / scale ** decay, scale ** -decay);
-  cone.set(0, 0, 0, 1);
-  if (!falloff.cone) return;
-  const [edge, full] = falloff.cone.cosines;
-  const sharpness = 1 / Math.max(full - edge, SHARPEST);
-  const { x, y, z } = falloff.cone.axis;
-  cone.set(x, y, z, -edge).multiplyScalar(sharpness);
 }

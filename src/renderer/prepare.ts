@@ -16,7 +16,6 @@ import { volumeShaders } from './passes/volumes.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { coarserSurfaces, SceneSurfaces } from './sceneSurfaces.ts';
 import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
-import { withLight } from './lightVariant.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { styleOf, styleUniforms } from './style.ts';
 
@@ -61,15 +60,18 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   const { isDeformed, lampLight, hasAdditionalLights } = style;
   if (lampLight || hasAdditionalLights) await fetchExtras(style);
   const lights = [
-    ...(lampLight ? [codeOf('falloff').FALLOFF] : []),
-    ...(hasAdditionalLights ? [codeOf('additionalLights').ADDITIONAL_LIGHTS] : []),
+    ...(lampLight ? [codeOf('falloff').withFalloff] : []),
+    ...(hasAdditionalLights ? [codeOf('additionalLights').withAdditionalLights] : []),
   ];
   const isShaded = isSimplified(style);
   const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
   const compile = async (...all: Shaders[]) => {
     for (const shaders of all) {
       if (!device.isUsable) return;
-      programs.compile(renderer, lights.reduce(withLight, shaders));
+      programs.compile(
+        renderer,
+        lights.reduce((added, add) => add(added), shaders),
+      );
       await nextTask();
     }
   };

@@ -11,7 +11,8 @@ import {
 import { ParameterError } from '../base/errors.ts';
 import type { Factors } from '../renderer/gpu/ramps.ts';
 import { showsAdditionalLights, type Style } from '../renderer/style.ts';
-import { reachOf, type AdditionalLight } from '../renderer/light.ts';
+import type { AdditionalLight } from '../renderer/light.ts';
+import { reachOf } from '../renderer/reach.ts';
 import { isKeyLight, lightFrom, hasFalloff, type KeyLight } from './keyLight.ts';
 
 /** What lights smoke in a frame. */

@@ -11,7 +11,7 @@ import type { Simulator } from '../../src/simulator/simulator.ts';
 import { deviationFor, drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/renderer/frameInput.ts';
-import { lightOf } from '../../src/renderer/light.ts';
+import { lightOf, type AdditionalLight } from '../../src/renderer/light.ts';
 import { SmokeRenderer } from '../../src/renderer/smoke.ts';
 import type { SmokePasses } from '../../src/renderer/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/renderer/style.ts';
@@ -36,6 +36,8 @@ export interface SceneChoice {
   ownLook?: boolean;
   /** Draws with the edge filter. */
   smoothEdges?: boolean;
+  /** Lights besides the key light. */
+  lights?: readonly AdditionalLight[];
 }
 
 export interface FrameOptions {
@@ -75,13 +77,16 @@ export class SceneLab {
   private readonly device = pageDevice();
   private readonly smoke: SmokeRenderer;
   readonly style: Style;
+  private readonly lights: SceneChoice['lights'];
 
   private constructor(scene: Scene, simulation: Simulation, values: Values, choice: SceneChoice) {
-    const { width, height, smoothEdges = false } = choice;
+    const { width, height, smoothEdges = false, lights = [] } = choice;
     this.scene = scene;
     this.simulation = simulation;
     this.values = values;
-    this.style = styleOf(values);
+    const style = styleOf(values);
+    this.style = { ...style, hasAdditionalLights: style.hasAdditionalLights || lights.length > 0 };
+    this.lights = lights;
     [this.width, this.height] = [width, height];
     const capacity = values['simulation.maxParticles'] as number;
     const surfaces = drawnSurfaces(scene.surfaces);
@@ -174,12 +179,13 @@ export class SceneLab {
     view,
     deviation = 0,
   }: FrameOptions = {}): FrameInput {
-    const { width, height, values, style, scene } = this;
+    const { width, height, values, style, lights, scene } = this;
     const rigids = this.simulation.rigids(blend);
     return {
       simulator: isBare ? NO_SMOKE : hasLamps ? this.simulator : withoutLamps(this.simulator),
       camera,
       light: lightOf(values, new Vector3(...(scene.lightCentre ?? scene.camera.target))),
+      lights,
       style,
       blend,
       width,

@@ -1,9 +1,10 @@
 /**
  * render.look: a frame of a preset as the page draws it, compared with blended quads of three.quarks and with the same frame
- * in the plain look, in turns.
+ * in the plain look, in turns. render.lights: the same frame with lights besides the key light.
  */
-import { Matrix4, type PerspectiveCamera } from 'three';
+import { Matrix4, Vector3, type PerspectiveCamera } from 'three';
 import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import type { AdditionalLight } from '../../../src/renderer/light.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
 import { SceneLab } from '../../visual/sceneLab.ts';
 import { demand, figure, say, timeDrawing, type Figure } from '../support/figures.ts';
@@ -15,6 +16,13 @@ const SIZES = [
   { width: 1920, height: 1080, suffix: '.hd' },
 ];
 const STEPS = 360;
+const LIT_PRESETS = ['lamp', 'cloudscape', 'campfire'];
+/** A lantern, a moon and a lamp behind the smoke. */
+const LIGHTS: readonly AdditionalLight[] = [
+  { light: { kind: 'lamp', place: new Vector3(1.5, 0.5, 1.5), falloff: { decay: 2 } }, color: [2, 0.8, 0.2] },
+  { light: { kind: 'sun', towards: new Vector3(-0.8, 0.6, 0) }, color: [0.1, 0.2, 0.6] },
+  { light: { kind: 'lamp', place: new Vector3(-0.5, 2.5, -1.5), falloff: { decay: 2 } }, color: [0.3, 1, 0.5] },
+];
 
 /** Returns the milliseconds of the draw calls of `draw`. */
 export type DrawClock = (gl: WebGL2RenderingContext, draw: () => void) => number | Promise<number>;
@@ -83,6 +91,37 @@ export async function measureLook(
     ),
     figure(`${name}.ms`, 'ms', look, `the frame, ${size}; ${graphics}`),
   ];
+}
+
+/** The frame of presets with one and with three lights besides the key light over that without, in turns. */
+export async function measureLights(quick: boolean): Promise<Figure[]> {
+  const figures: Figure[] = [];
+  const [{ width, height }] = SIZES;
+  for (const preset of LIT_PRESETS) {
+    const choice = { width, height, smoothEdges: true, ownLook: true };
+    const labs: SceneLab[] = [];
+    for (const count of [0, 1, LIGHTS.length]) {
+      labs.push(await prepared(preset, { ...choice, lights: LIGHTS.slice(0, count) }));
+    }
+    for (const lab of labs) lab.redraw();
+    const bodies = labs.map(({ report }) => report!.bodiesDrawn);
+    demand(bodies[0] > 20 && new Set(bodies).size === 1, `${bodies} bodies`);
+    const times: number[][] = labs.map(() => []);
+    const rounds = quick ? 3 : 9;
+    for (let round = 0; round < rounds; round++) {
+      await say(`render.lights.${preset}, round ${round + 1} of ${rounds}`);
+      const order = round % 2 === 0 ? labs : labs.toReversed();
+      for (const lab of order) times[labs.indexOf(lab)].push(await timeDrawing(lab.context, () => lab.redraw()));
+    }
+    for (const lab of labs) lab.dispose();
+    const note = `the frame / that without further lights, ${bodies[0]} bodies, ${width} x ${height}`;
+    const over = (lab: number) => times[lab].map((milliseconds, round) => milliseconds / times[0][round]);
+    figures.push(
+      figure(`render.lights.${preset}.1`, 'x', over(1), note),
+      figure(`render.lights.${preset}.3`, 'x', over(2), note),
+    );
+  }
+  return figures;
 }
 
 async function prepared(preset: string, choice: Parameters<typeof SceneLab.create>[1]): Promise<SceneLab> {

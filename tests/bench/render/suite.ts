@@ -2,7 +2,7 @@
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureForms } from './forms.ts';
-import { measureLooks } from './looks.ts';
+import { measureLights, measureLooks } from './looks.ts';
 import { measureHost } from './host.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
@@ -20,6 +20,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureForms(quick)),
     ...(await measureAgainstQuarks(quick)),
     ...(await measureLooks(quick)),
+    ...(await measureLights(quick)),
     ...(await measureAgainstSelle(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),

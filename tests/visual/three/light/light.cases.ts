@@ -21,9 +21,9 @@ import type { KeyLight } from '../../../../src/three/keyLight.ts';
 import { changedPixels, dispose, draw, emptyHost, HANGING, smokeIn, WIDTH, type Host, type Pixels } from '../scene.ts';
 
 /** Linear reflectance of the material: C of Eq. 2. */
-const MATERIAL = [0.7, 0.45, 0.2];
+export const MATERIAL = [0.7, 0.45, 0.2];
 /** N.L from which a tone applies, and its q. */
-const TONES = [
+export const TONES = [
   { from: 0, q: 0 },
   { from: 0.3, q: 0.4 },
   { from: 0.66, q: 1 },
@@ -31,14 +31,14 @@ const TONES = [
 /** Colours of fewer pixels are those of smoothed edges. */
 const FEW_PIXELS = 40;
 const BACKGROUND = new Color('#ff00ff');
-const FAR = 1000;
+export const FAR = 1000;
 
 /** The lights of a scene: the key light and the others. */
 type Lights = readonly [key: KeyLight, ...others: Light[]];
 
-const sun = (color = '#ffffff', intensity = 3) => placed(new DirectionalLight(color, intensity));
+export const sun = (color = '#ffffff', intensity = 3) => placed(new DirectionalLight(color, intensity));
 const hidden = (light: DirectionalLight) => Object.assign(light, { visible: false });
-const white = new AmbientLight('#ffffff', 1);
+export const white = new AmbientLight('#ffffff', 1);
 
 export const LIGHTS: Readonly<Record<string, () => Lights>> = {
   reference: () => [sun(), white],
@@ -63,7 +63,7 @@ export const LIGHTS: Readonly<Record<string, () => Lights>> = {
 };
 
 /** The colours that many pixels have, from dark to light. */
-type Colors = number[][];
+export type Colors = number[][];
 
 /** The colours of smoke and of a ball with a toon material under lights of a scene. */
 export async function underLights(name: string): Promise<{ smoke: Colors; ball: Colors }> {
@@ -225,14 +225,14 @@ export async function changes() {
   return wrong;
 }
 
-function lightless(): Host {
+export function lightless(): Host {
   const host = emptyHost();
   for (const light of host.scene.children.slice()) host.scene.remove(light);
   host.scene.background = BACKGROUND;
   return host;
 }
 
-function placed<Kind extends Light>(light: Kind, metres = 5): Kind {
+export function placed<Kind extends Light>(light: Kind, metres = 5): Kind {
   light.position.set(2, 5, 3).setLength(metres);
   return light;
 }
@@ -248,7 +248,7 @@ function toon(): MeshToonMaterial {
   return new MeshToonMaterial({ color: new Color().fromArray(MATERIAL), gradientMap });
 }
 
-const PLAIN: Values = {
+export const PLAIN: Values = {
   ...HANGING,
   'style.ramp': TONES.map(
     ({ from, q }) => `${from}:${colorOf(MATERIAL.map((c) => (c * (1 + 3 * q)) / Math.PI))}`,
@@ -262,7 +262,7 @@ function colorOf(linear: readonly number[]): string {
   return new Color().fromArray(linear).getHexString();
 }
 
-function colorsOf(pixels: Pixels): Colors {
+export function colorsOf(pixels: Pixels): Colors {
   const counts = new Map<string, number>();
   for (let at = 0; at < pixels.length; at += 4) {
     const color = String(pixels.subarray(at, at + 3));
