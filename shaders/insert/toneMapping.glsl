@@ -20,17 +20,37 @@ vec3 withoutCineon(vec3 shown) {
   return (sqrt(line * line + 0.24 * square * value) - line) / (2.0 * square) + 0.004;
 }
 
-// Khronos PBR Neutral. It desaturates bright colours, so none that are bright and saturated have an inverse.
+const float NEUTRAL_START = 0.76;
+const float NEUTRAL_REST = 1.0 - NEUTRAL_START;
+
+// The greatest channel of the light that Neutral shows with a greatest channel.
+float beforeNeutral(float peak) {
+  return NEUTRAL_REST * NEUTRAL_REST / (1.0 - peak) - NEUTRAL_REST + NEUTRAL_START;
+}
+
+// The share of grey that Neutral mixes into such a colour.
+float neutralGrey(float peak) {
+  return 1.0 - 1.0 / (0.15 * (beforeNeutral(peak) - peak) + 1.0);
+}
+
+// Khronos PBR Neutral. It desaturates bright colours, so none that are bright and saturated have an inverse: they keep their
+// hue, as bright as the operator shows it.
 vec3 withoutNeutral(vec3 shown) {
-  const float START = 0.76;
-  const float REST = 1.0 - START;
-  const float DESATURATION = 0.15;
-  float peak = min(max(shown.r, max(shown.g, shown.b)), NEARLY_WHITE);
+  float most = max(shown.r, max(shown.g, shown.b));
+  float peak = min(most, NEARLY_WHITE);
   vec3 color = shown;
-  if (peak >= START) {
-    float before = REST * REST / (1.0 - peak) - REST + START;
-    float grey = 1.0 - 1.0 / (DESATURATION * (before - peak) + 1.0);
-    color = max((min(shown, peak) - grey * peak) / (1.0 - grey), 0.0) * before / peak;
+  if (peak >= NEUTRAL_START) {
+    float saturated = min(shown.r, min(shown.g, shown.b)) / most;
+    float dark = NEUTRAL_START;
+    bool isDarkened = neutralGrey(peak) > saturated;
+    for (int i = 0; i < 10 && isDarkened; i++) {
+      float middle = 0.5 * (dark + peak);
+      if (neutralGrey(middle) > saturated) peak = middle;
+      else dark = middle;
+    }
+    if (isDarkened) color *= (peak = dark) / most;
+    float grey = neutralGrey(peak);
+    color = max((min(color, peak) - grey * peak) / (1.0 - grey), 0.0) * beforeNeutral(peak) / peak;
   }
   float least = min(color.r, min(color.g, color.b));
   return color + (least < 0.04 ? 0.4 * sqrt(least) - least : 0.04);

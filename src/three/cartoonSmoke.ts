@@ -408,7 +408,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /**
    * Three lights at the parts of smoke that glow by `emission.glow`, for the other objects of the scene:
    * `smoke.add(...smoke.glowLights)`. Each `update` and `step` sets their position in the space of this object, metres, their
-   * colour, and their intensity in candela, which is 0 if nothing glows. They do not shade smoke. The first access creates them.
+   * colour, and their intensity in candela, which is 0 if nothing glows. The smoke itself is lit there with and without them. The first access creates them.
    */
   get glowLights(): readonly PointLight[] {
     this.requireAlive();
