@@ -18,21 +18,28 @@ uniform vec4 CONES[3];
 
 #include ../falloff/reach.glsl
 
-vec3 wayTo(int light, vec3 place) {
-  return LIGHTS[light].xyz - LIGHTS[light].w * place;
+// C KL of Eq. 2 of each material, linear: the difference of full light and of shadow. What glows takes less.
+uniform highp sampler2D directParts;
+
+vec3 wayTo(vec4 light, vec3 place) {
+  return light.xyz - light.w * place;
 }
 
 // N.L of a light.
-float facingOf(int light, vec3 normal, vec3 place) {
+float facingOf(vec4 light, vec3 normal, vec3 place) {
   return dot(normal, normalize(wayTo(light, place)));
 }
+
+// Loops are unrolled, because dynamic indexing is slow on some devices.
 
 // The lights whose N.L is above a border.
 int lightsOn(vec3 normal, vec3 place, float border) {
   int all = 0;
-  for (int light = 0; light < lightCount; light++) {
-    if (facingOf(light, normal, place) > border) all |= 1 << light;
+  #pragma unroll_loop_start
+  for (int i = 0; i < 3; i++) {
+    if (UNROLLED_LOOP_INDEX < lightCount && facingOf(LIGHTS[ i ], normal, place) > border) all += 1 << UNROLLED_LOOP_INDEX;
   }
+  #pragma unroll_loop_end
   return all;
 }
 
@@ -41,35 +48,33 @@ vec3 sharesOf(int all) {
   return vec3(all & 1, (all >> 1) & 1, (all >> 2) & 1);
 }
 
-vec3 lightFrom(int light, vec3 place) {
-  return lightColors[light] * reachOf(wayTo(light, place), lightReaches[light], CONES[light]);
+#ifdef FORM
+// The shares of lights, mixed with those of a whole form.
+vec3 leaningShares(vec3 shares, vec3 normal, vec3 place) {
+  #pragma unroll_loop_start
+  for (int i = 0; i < 3; i++) {
+    if (UNROLLED_LOOP_INDEX < lightCount) shares[ i ] = leaningShare(shares[ i ], facingOf(LIGHTS[ i ], normal, place));
+  }
+  #pragma unroll_loop_end
+  return shares;
 }
+#endif
 
 // The sum of the lights whose share of a place is more than a half.
 vec3 lightOf(vec3 shares, vec3 place) {
   vec3 sum = lightAround;
-  for (int light = 0; light < lightCount; light++) {
-    if (shares[light] > 0.5) sum += lightFrom(light, place);
+  #pragma unroll_loop_start
+  for (int i = 0; i < 3; i++) {
+    if (UNROLLED_LOOP_INDEX < lightCount && shares[ i ] > 0.5) {
+      sum += lightColors[ i ] * reachOf(wayTo(LIGHTS[ i ], place), lightReaches[ i ], CONES[ i ]);
+    }
   }
+  #pragma unroll_loop_end
   return sum;
 }
 
-// The sum of the lights whose N.L is above a border.
-vec3 lightOn(vec3 normal, vec3 place, float border) {
-  vec3 sum = lightAround;
-  for (int light = 0; light < lightCount; light++) {
-    if (facingOf(light, normal, place) > border) sum += lightFrom(light, place);
-  }
-  return sum;
-}
-
-// C KL of Eq. 2 for a sum of lights: KL C is the difference of full light and of shadow. Linear.
 vec3 reflected(float material, vec3 sum) {
-  int first = int(RAMP_ROWS * material);
-  vec4 shadow = texelFetch(styledRamps, ivec2(0, first), 0);
-  vec3 full = texelFetch(styledRamps, ivec2(RAMP_TEXELS - 1.0, first + 1), 0).rgb;
-  // Alpha is the share that glows, which no light changes.
-  return max(full - shadow.rgb, 0.0) * (1.0 - shadow.a) * sum;
+  return texelFetch(directParts, ivec2(material, 0), 0).rgb * sum;
 }
 
 // A display-encoded tone plus linear light. Polynomials are exact to 0.7 of 255; the powers of srgb.glsl would cost most.

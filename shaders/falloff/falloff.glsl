@@ -11,6 +11,9 @@ uniform float lampStrength;
 uniform vec4 lampReach;
 uniform vec4 lampCone;
 
+// Ramps in the light of the style, linear.
+uniform sampler2D styledRamps;
+
 #include reach.glsl
 
 // Strength of the direct light where the shader is.

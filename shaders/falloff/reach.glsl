@@ -13,7 +13,4 @@ float reachOf(vec3 way, vec4 reach, vec4 cone) {
   float inside = clamp(dot(cone.xyz, way) / distance + cone.w, 0.0, 1.0);
   return reach.w * inside * inside * (3.0 - 2.0 * inside) * atEnd * atEnd / max(decayed, reach.z);
 }
-
-// Ramps in the light of the style, linear.
-uniform sampler2D styledRamps;
 #endif

@@ -63,13 +63,12 @@ uniform vec3 lightAround;
 const float SMOKE_BORDER = 0.0;
 const float SURFACE_BORDER = 0.3;
 
-float facingOf(int light, vec3 normal, vec3 place);
 int lightsOn(vec3 normal, vec3 place, float border);
+vec3 sharesOf(int lights);
+vec3 leaningShares(vec3 shares, vec3 normal, vec3 place);
 vec3 lightOf(vec3 shares, vec3 place);
-vec3 lightOn(vec3 normal, vec3 place, float border);
 vec3 reflected(float material, vec3 sum);
 vec3 lightened(vec3 tone, vec3 light);
-vec3 sharesOf(int lights);
 #endif
 
 // Eq. 2 of McGuire and Fein (2006), with its quantisation q folded into rows of final colours, see src/renderer/gpu/ramps.ts.

@@ -75,7 +75,7 @@ vec4 leaning(vec4 light, ivec2 at) {
   float facing = dot(outward, towardsLightFrom(lightInView, place));
   float share = leaningShare(light.r, facing);
 #ifdef ADDITIONAL_LIGHTS
-  for (int i = 0; i < lightCount; i++) lightShares[i] = leaningShare(lightShares[i], facingOf(i, outward, place));
+  lightShares = leaningShares(lightShares, outward, place);
 #endif
   float own = light.r > 0.0 ? light.g / light.r : litFrom;
   float darkness = light.r < 1.0 ? light.b / (1.0 - light.r) : 0.5;

@@ -27,10 +27,13 @@ void main() {
 #endif
   Shades shades = shade(light, ramps, material, vec3(1.0), vec3(0.0));
 #ifdef ADDITIONAL_LIGHTS
-  vec3 sum = lightOn(normalize(worldNormal), worldPlace, SURFACE_BORDER);
+  int lights = lightsOn(normalize(worldNormal), worldPlace, SURFACE_BORDER);
+  vec3 sum = lightOf(sharesOf(lights), worldPlace);
   if (sum != vec3(0.0)) {
     vec3 added = reflected(material, sum);
-    shades = Shades(lightened(shades.unlit, added), lightened(shades.lit, added));
+    vec3 brightened = lightened(shades.lit, added);
+    // Both are equal on the side away from the key light.
+    shades = Shades(shades.unlit == shades.lit ? brightened : lightened(shades.unlit, added), brightened);
   }
 #endif
   unlit = vec4(shades.unlit, 1.0);

@@ -1,10 +1,20 @@
 /** Lights besides the key light: at most three, without shadow. */
-import { Color as ThreeColor, Vector3, Vector4, type Box3, type IUniform, type Matrix4 } from 'three';
+import {
+  Color as ThreeColor,
+  DataTexture,
+  FloatType,
+  RGBAFormat,
+  Vector3,
+  Vector4,
+  type Box3,
+  type IUniform,
+  type Matrix4,
+} from 'three';
 import code from '../../shaders/additionalLights/additionalLights.glsl';
 import type { FrameInput } from './frameInput.ts';
 import { glowColors, glowLamps } from './glow.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
-import type { Ramp } from './gpu/ramps.ts';
+import { linear, type Ramp } from './gpu/ramps.ts';
 import { homogeneous, type AdditionalLight, type Light } from './light.ts';
 import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
 import { reachOf, setReach } from './reach.ts';
@@ -27,10 +37,13 @@ export function withAdditionalLights(shaders: Shaders): Shaders {
 /** Lights on one smoke and its surfaces: shaders/additionalLights/additionalLights.glsl and what it reads. */
 export class AdditionalLights extends LightVariant {
   private readonly uniforms;
+  /** Of each material, a texel. */
+  private readonly directParts: DataTexture;
   private style: Style | undefined;
   private colors: Float32Array | undefined;
 
   constructor() {
+    const directParts = new DataTexture(new Float32Array(4), 1, 1, RGBAFormat, FloatType);
     const vectors = () => Array.from({ length: LIGHTS }, () => new Vector4());
     const uniforms = {
       lightCount: { value: 0 },
@@ -41,14 +54,27 @@ export class AdditionalLights extends LightVariant {
       lightCones: { value: vectors() },
       worldCones: { value: vectors() },
       lightAround: { value: new ThreeColor() },
+      directParts: { value: directParts },
     } satisfies Record<string, IUniform>;
     super(ADDITIONAL_LIGHTS, uniforms);
     this.uniforms = uniforms;
+    this.directParts = directParts;
   }
 
   /** @param ramps of all materials, in order */
   apply(ramps: readonly Ramp[]): void {
-    this.writeRamps(ramps);
+    const { directParts } = this;
+    if (directParts.image.width !== ramps.length) {
+      directParts.dispose();
+      directParts.image = { data: new Float32Array(4 * ramps.length), width: ramps.length, height: 1 };
+    }
+    const data = directParts.image.data as Float32Array;
+    ramps.forEach((ramp, material) => data.set(directPartOf(ramp), 4 * material));
+    directParts.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.directParts.dispose();
   }
 
   /** @param smoke world-space box of the smoke, where the strongest lights are selected */
@@ -73,6 +99,12 @@ export class AdditionalLights extends LightVariant {
     this.style = style;
     return this.colors && simulator.glow ? glowLamps(simulator.glow(blend, this.colors)) : [];
   }
+}
+
+/** C KL of Eq. 2, linear: the difference of full light and of shadow. What glows takes less, and a source of light none. */
+function directPartOf({ lit, unlit, glow = 0, glows = false }: Ramp): number[] {
+  const [full, shadow] = [linear(lit[lit.length - 1].color), linear(unlit[0].color)];
+  return full.map((channel, at) => (glows ? 0 : (1 - glow) * Math.max(0, channel - shadow[at])));
 }
 
 interface Selected {

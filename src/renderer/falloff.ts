@@ -1,8 +1,8 @@
 /** The light of lamps that weakens with distance, which few smokes have. */
-import { Color as ThreeColor, Vector3, Vector4, type IUniform } from 'three';
+import { Color as ThreeColor, SRGBColorSpace, Vector3, Vector4, type IUniform } from 'three';
 import code from '../../shaders/falloff/falloff.glsl';
 import type { Shaders } from './gpu/programsAhead.ts';
-import { linear, type Ramp } from './gpu/ramps.ts';
+import { linear, RampTexture, type Ramp } from './gpu/ramps.ts';
 import type { Falloff } from './light.ts';
 import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
 import { setReach } from './reach.ts';
@@ -19,8 +19,12 @@ export function withFalloff(shaders: Shaders): Shaders {
 /** The light of a lamp on one smoke and its surfaces: shaders/falloff/falloff.glsl and what it reads. */
 export class LampLight extends LightVariant {
   private readonly uniforms;
+  /** Ramps in the light of the style, which the GPU decodes. */
+  private readonly ramps: RampTexture;
 
   constructor() {
+    const ramps = new RampTexture(1);
+    ramps.texture.colorSpace = SRGBColorSpace;
     const uniforms = {
       lampPlace: { value: new Vector3() },
       lampLight: { value: new ThreeColor() },
@@ -29,9 +33,11 @@ export class LampLight extends LightVariant {
       lampRim: { value: new ThreeColor() },
       lampReach: { value: new Vector4() },
       lampCone: { value: new Vector4() },
+      styledRamps: { value: ramps.texture },
     } satisfies Record<string, IUniform>;
     super(FALLOFF, uniforms);
     this.uniforms = uniforms;
+    this.ramps = ramps;
   }
 
   /** @param ramps of all materials, in order */
@@ -43,7 +49,9 @@ export class LampLight extends LightVariant {
     uniforms.lampLight.value.fromArray(light);
     uniforms.ambientLight.value.fromArray(illumination.ambient);
     uniforms.lampRim.value.fromArray(linear(rimColor).map((channel, at) => channel * light[at]));
-    this.writeRamps(ramps);
+    this.ramps.resize(ramps.length);
+    // What glows by itself has no light.
+    ramps.forEach((ramp, material) => this.ramps.write(material, ramp.glows ? { ...ramp, glow: 1 } : ramp));
   }
 
   /** Sets the place of the lamp in the world, and how its light weakens. */
@@ -51,5 +59,9 @@ export class LampLight extends LightVariant {
     const { lampPlace, lampReach, lampCone } = this.uniforms;
     lampPlace.value.copy(place);
     setReach(lampReach.value, lampCone.value, falloff);
+  }
+
+  dispose(): void {
+    this.ramps.dispose();
   }
 }

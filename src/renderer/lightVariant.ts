@@ -1,7 +1,6 @@
 /** Materials with more code for the light, which few smokes have. */
-import { SRGBColorSpace, type IUniform, type RawShaderMaterial } from 'three';
+import type { IUniform, RawShaderMaterial } from 'three';
 import type { Shaders } from './gpu/programsAhead.ts';
-import { RampTexture, type Ramp } from './gpu/ramps.ts';
 
 /** Code that shaders with a define declare and call. */
 export interface LightCode {
@@ -12,18 +11,15 @@ export interface LightCode {
   readonly code: string;
 }
 
-/** Variants of materials with more code for the light, and the ramps in the light of the style. */
-export abstract class LightVariant {
+/** Variants of materials with more code for the light. */
+export class LightVariant {
   private readonly variants = new WeakMap<RawShaderMaterial, RawShaderMaterial>();
-  /** The GPU decodes them. */
-  private readonly ramps = new RampTexture(1);
   private readonly light: LightCode;
   private readonly added: Record<string, IUniform>;
 
   constructor(light: LightCode, uniforms: Record<string, IUniform>) {
     this.light = light;
-    this.ramps.texture.colorSpace = SRGBColorSpace;
-    this.added = { ...uniforms, styledRamps: { value: this.ramps.texture } };
+    this.added = uniforms;
   }
 
   /** A variant of a material, with the same uniforms; the material itself if it does not shade. */
@@ -31,17 +27,6 @@ export abstract class LightVariant {
     const variant = this.variants.get(material) ?? this.make(material);
     this.variants.set(material, variant);
     return variant;
-  }
-
-  dispose(): void {
-    this.ramps.dispose();
-  }
-
-  /** @param ramps of all materials, in order */
-  protected writeRamps(ramps: readonly Ramp[]): void {
-    this.ramps.resize(ramps.length);
-    // What glows by itself has no light.
-    ramps.forEach((ramp, material) => this.ramps.write(material, ramp.glows ? { ...ramp, glow: 1 } : ramp));
   }
 
   private make(whole: RawShaderMaterial): RawShaderMaterial {
