@@ -2,6 +2,8 @@ import { MathUtils } from 'three';
 import {
   ATTRIBUTE_BITS,
   ATTRIBUTE_WORDS,
+  glowColors,
+  LAMP_FLOATS,
   NO_END,
   PLACE_FLOATS,
   readBits,
@@ -9,12 +11,15 @@ import {
   type Arranger,
   type Bounds,
   type Rows,
+  type Style,
   type View,
 } from '../../internal.ts';
 
 /** Puffs dissolve one after the other, ordered by seed. Each takes this fraction of the total time. */
 const ONE_PUFF = 0.4;
 const MAX_SEED = 255;
+/** In the numbers of a lamp. */
+const [FIRST_OF_LIGHT, LUMINANCE] = [4, 7];
 
 /** All puffs at one time, and their bounding box. */
 export interface RetainedSmoke {
@@ -22,10 +27,12 @@ export interface RetainedSmoke {
   /** Three floats per row: how far the puff moves in a step, metres. */
   readonly moves: Float32Array;
   readonly bounds: Bounds;
+  /** Lamps at what glows, see `Simulator.glow`; undefined if nothing does. */
+  readonly lamps: Float32Array | undefined;
 }
 
-/** Copies all puffs of an arranger to new arrays. */
-export function keep(smoke: Arranger, view: View): RetainedSmoke {
+/** Copies all puffs of an arranger to new arrays, and the lamps at those that glow in a style. */
+export function keep(smoke: Arranger, view: View, style: Style): RetainedSmoke {
   const { rows, bounds } = smoke.arrange(everything(view));
   const { count, place, attributes } = rows;
   return {
@@ -36,6 +43,7 @@ export function keep(smoke: Arranger, view: View): RetainedSmoke {
     },
     bounds: structuredClone(bounds),
     moves: smoke.moves(),
+    lamps: style.hasAdditionalLights ? smoke.glow?.(view.blend, glowColors(style)!) : undefined,
   };
 }
 
@@ -72,6 +80,23 @@ export class JoinedSmoke implements Arranger {
       bounds: boundsOfBoth(from.bounds, this.to.bounds),
       grid: undefined,
     };
+  }
+
+  /** Each lamp moves from its place at the first time to that at the second, as its light does. */
+  glow(blend: number, colors: Float32Array): Float32Array {
+    const from = this.from.glow!(blend, colors);
+    const to = this.to.lamps;
+    if (!to) return from;
+    const lamps = new Float32Array(from.length);
+    for (let lamp = 0; lamp < from.length; lamp += LAMP_FLOATS) {
+      const [before, after] = [from, to].map((numbers) => numbers.subarray(lamp, lamp + LAMP_FLOATS));
+      const [going, coming] = [(1 - this.share) * before[LUMINANCE], this.share * after[LUMINANCE]];
+      const moved = going + coming > 0 ? coming / (going + coming) : 0;
+      before.forEach((number, at) => {
+        lamps[lamp + at] = MathUtils.lerp(number, after[at], at < FIRST_OF_LIGHT ? moved : this.share);
+      });
+    }
+    return lamps;
   }
 
   moves(): Float32Array {

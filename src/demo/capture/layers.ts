@@ -1,4 +1,4 @@
-import { inkOf, styleOf, type Arranger, type Rows, type View } from '../../internal.ts';
+import { inkOf, styleOf, type Arranger, type Rows } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
 import { isSame, linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
@@ -105,8 +105,11 @@ export class LayerCamera {
   }
 }
 
-/** Keeps the bounds, so that the shadows of the surfaces stay the same. */
+/** Keeps the bounds and the lamps, so that shadow and light of the surfaces stay the same. */
 function withoutRows(simulator: Arranger): Arranger {
-  const arrange = (view: View) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined });
-  return { arrange, moves: () => new Float32Array() };
+  return {
+    arrange: (view) => ({ ...simulator.arrange(view), rows: NO_ROWS, grid: undefined }),
+    glow: (blend, colors) => simulator.glow!(blend, colors),
+    moves: () => new Float32Array(),
+  };
 }

@@ -45,9 +45,9 @@ interface Still {
   readonly parts: readonly Matrix4[];
 }
 
-export function stillOf({ simulator, camera, light, rigids, parts = [], blend }: FrameInput): Still {
+export function stillOf({ simulator, camera, light, rigids, parts = [], blend, style }: FrameInput): Still {
   const copies = (matrices: readonly Matrix4[]) => matrices.map((matrix) => matrix.clone());
-  const smoke = keep(simulator, { ...ALL_THAT_LIVES, blend });
+  const smoke = keep(simulator, { ...ALL_THAT_LIVES, blend }, style);
   return { smoke, camera: camera.clone(), light, rigids: copies(rigids), parts: copies(parts) };
 }
 

@@ -5,6 +5,8 @@ import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../src/simulator/la
 import type { Rows } from '../../../src/simulator/rows.ts';
 import type { View } from '../../../src/simulator/view.ts';
 import type { Arranger, FrameInput } from '../../../src/renderer/frameInput.ts';
+import { styleOf } from '../../../src/renderer/style.ts';
+import { defaults } from '../../../src/parameters/values.ts';
 
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
@@ -23,12 +25,14 @@ function smokeAt(height: number): Arranger & { asked: View[] } {
   return { asked, arrange, moves: vi.fn(() => Float32Array.from(SEEDS.flatMap((_, at) => [at, height, 0]))) };
 }
 
+const STYLE = styleOf(defaults());
+
 function frameAt(height: number): FrameInput {
   const camera = new PerspectiveCamera();
   camera.position.set(0, height, 9);
   const light = { kind: 'sun', towards: new Vector3(0, 1, 0) } as const;
   const rigids = [new Matrix4().setPosition(height, 0, 0)];
-  return { simulator: smokeAt(height), camera, light, rigids, blend: 1 } as unknown as FrameInput;
+  return { simulator: smokeAt(height), camera, light, rigids, blend: 1, style: STYLE } as unknown as FrameInput;
 }
 
 /** Radii of the remaining puffs, by height. */
@@ -92,4 +96,21 @@ test('displacements are those of the remaining puffs, and are only computed on r
       ...place.subarray(PLACE_FLOATS * row, PLACE_FLOATS * row + 3),
     ]);
   }
+});
+
+test('lamps at fire move and fade from one moment to the other', () => {
+  const style = styleOf({ ...defaults(), 'emission.glow': '0:1,1:1' });
+  const frameWith = (...lamp: number[]): FrameInput => {
+    const simulator = { ...smokeAt(1), glow: () => Float32Array.from(lamp) };
+    return { ...frameAt(1), simulator, style };
+  };
+  const still = stillOf(frameWith(4, 2, 0, 1, 0, 0, 8, 3));
+  const lampAt = (share: number) => {
+    const { simulator } = joined(frameWith(0, 0, 0, 1, 8, 0, 0, 1), still, share);
+    return [...simulator.glow!(1, new Float32Array())];
+  };
+  expect(lampAt(0)).toEqual([0, 0, 0, 1, 8, 0, 0, 1]);
+  // Three quarters of the light are those of the second moment.
+  expect(lampAt(0.5)).toEqual([3, 1.5, 0, 1, 4, 0, 4, 2]);
+  expect(lampAt(1)).toEqual([4, 2, 0, 1, 0, 0, 8, 3]);
 });
