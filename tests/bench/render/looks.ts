@@ -105,13 +105,13 @@ export async function measureLights(quick: boolean): Promise<Figure[]> {
     }
     for (const lab of labs) lab.redraw();
     const bodies = labs.map(({ report }) => report!.bodiesDrawn);
-    demand(bodies[0] > 20 && new Set(bodies).size === 1, `${bodies} bodies`);
+    demand(bodies[0] > 20 && new Set(bodies).size === 1, `${bodies.join()} bodies`);
     const times: number[][] = labs.map(() => []);
     const rounds = quick ? 3 : 9;
     for (let round = 0; round < rounds; round++) {
       await say(`render.lights.${preset}, round ${round + 1} of ${rounds}`);
       const order = round % 2 === 0 ? labs : labs.toReversed();
-      for (const lab of order) times[labs.indexOf(lab)].push(await timeDrawing(lab.context, () => lab.redraw()));
+      for (const lab of order) times[labs.indexOf(lab)].push(timeDrawing(lab.context, () => lab.redraw()));
     }
     for (const lab of labs) lab.dispose();
     const note = `the frame / that without further lights, ${bodies[0]} bodies, ${width} x ${height}`;
