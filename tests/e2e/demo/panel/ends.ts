@@ -18,7 +18,7 @@ const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.rampBlend$/, { 'style.ramp': '0:000000,1:ffffff' }],
   [/^style\.rimColor$/, { 'style.rim': 1 }],
   [/^style\.inkLight$/, { 'light.intensity': 0 }],
-  [/^puff\.precision$/, { 'puff.form': 'billboards' }],
+  [/^puff\.(precision|views)$/, { 'puff.form': 'billboards' }],
   // Strokes have at least 12 pixels.
   [/^style\.strokes$/, { 'camera.distance': 1.5, 'camera.target.x': 1.1, 'camera.target.y': 1.2 }],
   [/^style\.washColor$/, { 'style.wash': 1 }],
