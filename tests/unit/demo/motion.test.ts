@@ -6,6 +6,8 @@ import { joined, stillOf } from '../../../src/demo/capture/loop.ts';
 import type { Rows } from '../../../src/simulator/rows.ts';
 import type { View } from '../../../src/simulator/view.ts';
 import type { Arranger, FrameInput } from '../../../src/renderer/frameInput.ts';
+import { styleOf } from '../../../src/renderer/style.ts';
+import { defaults } from '../../../src/parameters/values.ts';
 
 interface Puff {
   readonly from: readonly [number, number, number];
@@ -42,9 +44,12 @@ function cameraAt(z: number): PerspectiveCamera {
 
 const CAMERA = cameraAt(10);
 
+const STYLE = styleOf(defaults());
+
 function inputOf(...puffs: Puff[]): FrameInput {
   const light = { kind: 'sun', towards: new Vector3(0, 1, 0) } as const;
-  return { simulator: smokeOf(puffs), camera: CAMERA, light, rigids: [], blend: 1 } as unknown as FrameInput;
+  const simulator = smokeOf(puffs);
+  return { simulator, camera: CAMERA, light, rigids: [], blend: 1, style: STYLE } as unknown as FrameInput;
 }
 
 /** Vector at the pixel that shows a place, in fractions of the frame. */
