@@ -1,8 +1,8 @@
 precision highp float;
 precision highp int;
 
-// What the pixels of a tile of 8 x 8 have in common: one fragment for each. Output: their field, with
-// IS_SMOKE, IS_RIM and the set of lights in alpha. Where pixels differ, the share of light is 1/2, which no pixel has. Pixels that look the same in
+// What the pixels of a tile of 8 x 8 have in common: one fragment for each. Output: their field, with IS_SMOKE, IS_RIM and the
+// set of lights in alpha. Where pixels differ, the share of light is 1/2, which no pixel has. Pixels that look the same in
 // light and shadow, such as lines and the background, do not count; a tile of them has ANY_LIGHT.
 uniform sampler2D unlit;
 

@@ -24,7 +24,7 @@ const ADDITIONAL_LIGHTS: LightCode = { define: 'ADDITIONAL_LIGHTS', declared: 'i
 
 /** Number of lights in the shaders. */
 const LIGHTS = 3;
-/** A light fades as its strength falls from this many times that of the fourth light to that. */
+/** A light fades out while its strength falls from this many times the strength of the fourth light to the same strength. */
 const FADING = 1.5;
 /** Mean of max(0, N.L) over all directions. */
 const MEAN_FACING = 0.25;
@@ -118,22 +118,19 @@ interface Selected {
  * they are, comes from all sides: a light that takes the place of another one fades in while the other fades out.
  */
 export function strongest(all: readonly AdditionalLight[], smoke: Box3): Selected {
-  const strengths = all.map((each) => strengthAt(each, smoke));
+  const reaches = all.map(({ light }) => reachOf(light, nearestIn(smoke, light)));
+  const strengths = all.map(({ color }, index) => Math.max(...color) * reaches[index]);
   const [, , , most = 0] = strengths.toSorted((one, other) => other - one);
   const around: Selected['around'] = [0, 0, 0];
   const selected = all.flatMap(({ light, color }, index) => {
     const strength = strengths[index];
     const share = most > 0 ? Math.min(Math.max(0, (strength / most - 1) / (FADING - 1)), 1) : Number(strength > 0);
-    const rest = MEAN_FACING * (1 - share) * reachOf(light, nearestIn(smoke, light));
+    const rest = MEAN_FACING * (1 - share) * reaches[index];
     color.forEach((factor, at) => (around[at] += rest * factor));
     const [red, green, blue] = color.map((factor) => share * factor);
     return share > 0 ? [{ light, color: [red, green, blue] as const }] : [];
   });
   return { selected, around };
-}
-
-function strengthAt({ light, color }: AdditionalLight, smoke: Box3): number {
-  return Math.max(...color) * reachOf(light, nearestIn(smoke, light));
 }
 
 /** Where the light of a lamp is strong: the nearest place of the smoke, but not close to the lamp. */

@@ -10,6 +10,7 @@ import {
 } from 'three';
 import { ParameterError } from '../base/errors.ts';
 import type { Factors } from '../renderer/gpu/ramps.ts';
+import { IRRADIANCE } from '../renderer/glow.ts';
 import { showsAdditionalLights, type Style } from '../renderer/style.ts';
 import type { AdditionalLight } from '../renderer/light.ts';
 import { reachOf } from '../renderer/reach.ts';
@@ -39,7 +40,7 @@ export interface LightReference {
   readonly ambient: number;
 }
 
-const REFERENCE: LightReference = { key: 3, ambient: 1 };
+const REFERENCE: LightReference = { key: IRRADIANCE, ambient: 1 };
 const DARK: Factors = [0, 0, 0];
 
 /** @throws ParameterError for a number that is not positive */

@@ -25,6 +25,7 @@ import {
   dispose,
   draw,
   emptyHost,
+  HANGING,
   HEIGHT,
   makeRenderer,
   readCanvas,
@@ -77,21 +78,16 @@ export const SCENES: Readonly<Record<string, { sky: string; lights: () => Lights
   'beside the cone of a spot light': { sky: '#151a38', lights: () => [spot([3, 0, -2]), dim()] },
 };
 
+/** Behind smoke whose pixels are counted. */
 const MASK = '#ff0000';
 
 /** Billows of round puffs with lines and simplified light. */
 const LOOK: Values = {
-  'emission.rate': 240,
-  'emission.growthTime': 0,
-  'buoyancy.acceleration': 0,
-  'turbulence.speed': 0,
-  'emitters.0.speed': 0,
-  'emitters.0.shape': 'ball',
+  ...HANGING,
   'emitters.0.radius': 0.55,
   'emitters.0.size': 0.62,
   'emitters.0.sizeVariation': 0.4,
   'emitters.0.position.y': 1.1,
-  'simulation.maxParticles': 24,
   'style.simplify': 2,
   'style.form': 0.2,
   'style.outlineWidth': 1.5,
