@@ -36,6 +36,8 @@ export { presetValues } from './parameters/presets.ts';
 export { presets, type Preset } from './parameters/words/presets.ts';
 export type { DebugView, Quality } from './parameters/quality.ts';
 export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';
+export { drawPuff } from './renderer/puffs/drawing/drawPuff.ts';
+export type { DrawnArea, Line, Point, PuffDrawing } from './renderer/puffs/drawing/drawing.ts';
 export { fitPuff, type FitOptions, type FittedPuff } from './renderer/puffs/fit/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './renderer/puffs/lobeShapes.ts';
 export type { PuffKnobs } from './renderer/puffs/procedural.ts';

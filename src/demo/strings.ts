@@ -219,6 +219,9 @@ export const strings = {
     tooMany: (particles: number, max: number) =>
       `it needs room for ${particles} particles. The limit for links is ${max}.`,
   },
+  drawing: {
+    remove: 'Remove the drawings',
+  },
   ownShape: {
     choose: 'Use your own mesh\u2026',
     back: 'Use the default puffs',

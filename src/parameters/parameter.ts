@@ -4,10 +4,11 @@
  */
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
+import { DRAWING_LIMIT, MAX_DRAWINGS } from './drawingText.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import type { ItemValues, SingleValues, PresetName } from './valueTypes.ts';
 
-/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve or ramp. */
+/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve, ramp or drawing. */
 export type Value = number | string;
 
 /** Values by flat dotted key, of any type: for code that goes through the table. */
@@ -74,8 +75,20 @@ export interface RampParameter extends ParameterDescription {
   readonly default: string;
 }
 
+/** Drawn puffs, as text; empty for none. */
+export interface DrawingParameter extends ParameterDescription {
+  readonly kind: 'drawing';
+  readonly default: string;
+}
+
 export type Parameter =
-  CurveParameter | RampParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
+  | CurveParameter
+  | RampParameter
+  | DrawingParameter
+  | NumberParameter
+  | ToggleParameter
+  | ChoiceParameter
+  | ColorParameter;
 
 /** Describes the valid values in a phrase that completes the sentence 'it takes ...'. */
 export function accepted(parameter: Parameter): string {
@@ -88,6 +101,8 @@ export function accepted(parameter: Parameter): string {
       return `${MIN_STOPS} to ${MAX_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
     case 'ramp':
       return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
+    case 'drawing':
+      return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

@@ -1,5 +1,6 @@
 /** JSON Schema (2020-12) of the files that `file.ts` reads and writes, generated from the parameter table. */
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
+import { DRAWING_LIMIT, MAX_DRAWINGS } from './drawingText.ts';
 import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
@@ -71,6 +72,8 @@ function valueSchema(parameter: Parameter): Schema {
       return { type: 'string', pattern: stops('[0-9.]+', MIN_STOPS, MAX_STOPS), examples: [parameter.default] };
     case 'ramp':
       return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', MIN_COLORS, MAX_COLORS)}` };
+    case 'drawing':
+      return { type: 'string', maxLength: MAX_DRAWINGS * (DRAWING_LIMIT + 1) - 1, pattern: '^[-;,*.\\w]*$' };
     default:
       return { type: parameter.kind, minimum: parameter.min, maximum: parameter.max };
   }

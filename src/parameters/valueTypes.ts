@@ -63,6 +63,7 @@ export type SingleValues = {
   /** Billow: How much the lobes of a young puff are drawn together; they swell one after another as it grows. Billboards do not. */ 'puff.billow': number;
   /** Puffs: Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper. */ 'puff.form':
     'lobes' | 'billboards';
+  /** Drawn puffs: Up to four puffs of your own instead of round ones. They are billboards; each is at most 1,200 characters of a link. */ 'puff.drawing': string;
   /** Views: Number of sides from which billboards are drawn. A puff keeps its side for life. Lobes have all sides. */ 'puff.views':
     1 | 2 | 4 | 8;
   /** Precision: Bits of the normals and depths of billboards; the paper has 8. Lobes are exact. */ 'puff.precision':

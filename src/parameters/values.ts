@@ -1,5 +1,6 @@
 /** Values of the parameter table: defaults, validation, parsing and formatting. */
 import { readCurve } from './curve.ts';
+import { isDrawing } from './drawingText.ts';
 import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,
@@ -86,6 +87,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && readCurve(value) !== undefined;
     case 'ramp':
       return typeof value === 'string' && readRamp(value) !== undefined;
+    case 'drawing':
+      return typeof value === 'string' && isDrawing(value);
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -121,6 +124,7 @@ function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
   if (parameter.kind === 'curve') return readCurve(text) && text;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
+  if (parameter.kind === 'drawing') return isDrawing(text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
 }

@@ -27,6 +27,8 @@ import { type Work, finished } from '../base/work.ts';
 import { bounded, type Patch } from './puffs/bake/patches.ts';
 import { dot } from './puffs/vector.ts';
 
+export { makingShapes } from './puffs/drawing/drawPuff.ts';
+
 /** The shaders of billboard bodies. */
 export const billboardShaders: Shaders = { vertexShader, fragmentShader };
 
@@ -62,7 +64,9 @@ function* baking(shapes: readonly PuffShape[], precision: Precision, sides: numb
   const fronts: BoundedFront[] = [];
   for (const [layer, shape] of shapes.entries()) {
     const { lobes } = shape;
-    fronts.push('mesh' in shape ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 });
+    fronts.push(
+      'mesh' in shape || shape.drawing ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 },
+    );
   }
   const deviation = Math.max(...fronts.map((front) => front.deviation));
   const data = {

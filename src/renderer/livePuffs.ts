@@ -4,7 +4,8 @@ import { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
 import { keyOf, type PuffShape } from './puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../base/work.ts';
 import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
-import { deformationOf } from './style.ts';
+import { codeOf } from './extraPasses.ts';
+import { deformationOf, formOf } from './style.ts';
 
 /** Puffs to bake; equal puffs have equal keys. */
 interface PuffRequest {
@@ -79,26 +80,30 @@ export class LivePuffs {
     const { own, variations } = this;
     const design = designOf(values);
     const parts = partsOf(values);
+    const drawing = values['puff.drawing'];
     return {
-      key: `${parts.precision} ${parts.sides} ${own ? keyOf(own) : JSON.stringify([design, variations])}`,
-      begin: () => bakingPuffs(own ?? designedShapes(design, variations), parts),
+      key: `${parts.precision} ${parts.sides} ${own ? keyOf(own) : drawing || JSON.stringify([design, variations])}`,
+      *begin() {
+        const drawn = own ?? (drawing && (yield* codeOf('billboards').makingShapes(drawing)));
+        return yield* bakingPuffs(drawn || designedShapes(design, variations), parts);
+      },
     };
   }
 }
 
 /** Whether puffs are drawn as billboards, which take longer to bake than lobes. */
 export function showsBillboards(values: Values): boolean {
-  return values['puff.form'] === 'billboards' || values['style.renderer'] === 'selle';
+  return formOf(values) === 'billboards' || values['style.renderer'] === 'selle';
 }
 
 function partsOf(values: Values): PuffParts {
-  const isLobes = values['puff.form'] === 'lobes';
+  const isLobes = formOf(values) === 'lobes';
   return {
     caps: isLobes && !deformationOf(values).isDeformed,
     billboards: showsBillboards(values),
     precision: values['puff.precision'],
     // The renderer of Selle and lobes have the rows of one side.
-    sides: values['puff.form'] === 'billboards' ? values['puff.views'] : 1,
+    sides: formOf(values) === 'billboards' ? values['puff.views'] : 1,
   };
 }
 

@@ -17,7 +17,7 @@ import type { Values } from '../parameters/parameter.ts';
 import { coarserSurfaces, SceneSurfaces } from './sceneSurfaces.ts';
 import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
-import { styleOf, styleUniforms } from './style.ts';
+import { formOf, styleOf, styleUniforms } from './style.ts';
 
 /**
  * Computes everything that passes derive from surfaces. Results are memoized for the passes that draw them later.
@@ -54,7 +54,7 @@ export function prepareSurfaces(surfaces: readonly SurfaceDescription[], deviati
  */
 export async function compileAhead(device: Device, values: Values): Promise<void> {
   const { programs, renderer } = device;
-  if (!device.isUsable || values['puff.form'] !== 'lobes') return;
+  if (!device.isUsable || formOf(values) !== 'lobes') return;
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
   const { isDeformed, lampLight, hasAdditionalLights } = style;

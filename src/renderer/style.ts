@@ -111,11 +111,11 @@ export function styleOf(values: Values): Style {
   const { wash, washColor, gradientBottom, gradientTop, form: plumeForm, ...same } = others;
   return {
     ...same,
-    form: values['puff.form'] as PuffForm,
+    form: formOf(values),
     plumeForm,
     ...deformationOf(values),
     isEroded:
-      values['puff.form'] === 'lobes' &&
+      formOf(values) === 'lobes' &&
       values['style.renderer'] === 'nailboards' &&
       (values['emission.dissolve'] === 'erode' || values['emission.dissolve'] === 'tear'),
     isTorn: values['emission.dissolve'] === 'tear',
@@ -139,13 +139,18 @@ export function deformationOf(values: Values): Pick<Style, 'stretch' | 'billow' 
   const [rotation, moving, billow] = (['turn', 'stretch', 'billow'] as const).map((name) => values[`puff.${name}`]!);
   const endsStretched = values['emission.dissolve'] === 'tear' || values['emission.dissolve'] === 'thin';
   const stretch = endsStretched ? MAX_STRETCH : moving;
-  const isDeformed = values['puff.form'] === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
+  const isDeformed = formOf(values) === 'lobes' && (rotation > 0 || stretch > 1 || billow > 0);
   return { stretch, billow, isDeformed };
 }
 
 /** Whether a style shows lights besides the key light. Smoke without shading shows none. */
 export function showsAdditionalLights({ renderer, shading }: Pick<Style, 'renderer' | 'shading'>): boolean {
   return renderer === 'nailboards' && shading;
+}
+
+/** Drawn puffs are billboards. */
+export function formOf(values: Values): PuffForm {
+  return values['puff.drawing'] ? 'billboards' : values['puff.form']!;
 }
 
 function glowOf(values: Values): Stop[] {

@@ -36,6 +36,8 @@ function valueOf(parameter: Parameter, share: number): Value {
         .padStart(6, '0')}`;
     case 'curve':
       return writeCurve(places(share, 2, MAX_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
+    case 'drawing':
+      return share < 0.5 ? '' : 'ff8800*GRk-gg-Cg;ffffff*GRk-gg-Cg.G5uqggqWg,3355aa*Hh4qggqWg,*G5uqv';
     case 'ramp':
       return share < 0.1 ? '' : writeRamp(places(share, 2, MAX_COLORS).map((at) => ({ at, color: gray(at) })));
     default:

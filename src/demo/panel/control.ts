@@ -1,7 +1,7 @@
 import { isAccepted } from '../../internal.ts';
 import type { AnyValues, ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset.ts';
 import { createCurve } from './curveControl.ts';
-import { create, uniqueId } from '../ui/dom.ts';
+import { create, textButton, uniqueId } from '../ui/dom.ts';
 import { createRamp } from './rampControl.ts';
 import { strings } from '../strings.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
@@ -28,6 +28,8 @@ export function createControl(
       return createCurve(describedBy, parameter.label, listener);
     case 'ramp':
       return createRamp(parameter, describedBy, listener, current);
+    case 'drawing':
+      return createDrawing(describedBy, listener);
     default:
       return createNumber(parameter, describedBy, listener);
   }
@@ -53,6 +55,17 @@ function createChoice({ options }: ChoiceParameter, describedBy: string, listene
   });
   const show = (value: Value) => void (select.selectedIndex = options.findIndex((option) => option.value === value));
   return { elements: [select], id, show };
+}
+
+/** A button that removes drawn puffs. */
+function createDrawing(describedBy: string, listener: ControlListener): Control {
+  const remove = textButton('quiet', strings.drawing.remove, () => {
+    listener.change('');
+    listener.settle();
+  });
+  remove.id = uniqueId();
+  remove.setAttribute('aria-describedby', describedBy);
+  return { elements: [remove], id: remove.id, show: (text) => void (remove.disabled = text === '') };
 }
 
 function createColor(describedBy: string, listener: ControlListener): Control {

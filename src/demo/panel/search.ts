@@ -137,6 +137,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'puff.stretch': 'elongate smear squash motion blur',
   'puff.billow': 'unfold bloom curl swell',
   'puff.form': 'type sprites shape',
+  'puff.drawing': 'draw paint pen own custom shape heart letter text svg png image logo',
   'puff.views': 'sides directions angles sprites rotations',
   'puff.precision': 'byte half float depth quality',
   'puff.lumpiness': 'bumpy bubbly fluffy shape',

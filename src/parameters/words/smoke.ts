@@ -100,6 +100,11 @@ export const smokeWords: WordsOf<Rows> = {
     text: 'Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper.',
     options: { lobes: 'Lobes', billboards: 'Billboards' },
   },
+  'puff.drawing': {
+    label: 'Drawn puffs',
+    text: 'Up to four puffs of your own instead of round ones. They are billboards; each is at most 1,200 characters of a link.',
+    isBaked: true,
+  },
   'puff.views': {
     label: 'Views',
     text: 'Number of sides from which billboards are drawn. A puff keeps its side for life. Lobes have all sides.',

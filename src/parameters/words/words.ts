@@ -39,8 +39,17 @@ export interface CurveParameter extends bare.CurveParameter, ParameterDescriptio
 /** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` sorted by position; empty for none. */
 export interface RampParameter extends bare.RampParameter, ParameterDescription {}
 
+/** Drawn puffs, as text; empty for none. */
+export interface DrawingParameter extends bare.DrawingParameter, ParameterDescription {}
+
 export type Parameter =
-  CurveParameter | RampParameter | NumberParameter | ToggleParameter | ChoiceParameter | ColorParameter;
+  | CurveParameter
+  | RampParameter
+  | DrawingParameter
+  | NumberParameter
+  | ToggleParameter
+  | ChoiceParameter
+  | ColorParameter;
 
 /** Without a group, the first part of the key is the group. */
 type Words = Omit<ParameterDescription, keyof bare.ParameterDescription | 'group'> &

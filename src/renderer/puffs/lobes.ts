@@ -6,6 +6,7 @@ import type { PuffSample } from './billboards/layers.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../../base/errors.ts';
+import { isDrawing } from '../../parameters/drawingText.ts';
 import { MAX_LOBES } from '../../base/constants.ts';
 
 /** Intersection of a ray with a puff, in particle radii. */
@@ -100,12 +101,15 @@ export function requireShapes(shapes: readonly PuffShape[]): void {
   if (shapes.length < 1 || shapes.length > MAX_VARIATIONS) {
     throw new ShapeError(`Smoke cannot have ${shapes.length} puff shapes: use 1 to ${MAX_VARIATIONS}.`);
   }
-  for (const { name, lobes } of shapes) {
+  for (const { name, lobes, drawing } of shapes) {
     if (lobes.length < 1 || lobes.length > MAX_LOBES) {
       throw new ShapeError(`The puff ${name} has ${lobes.length} lobes: use 1 to ${MAX_LOBES}.`);
     }
     if (!lobes.every(({ radius }) => radius > 0) || !(reachOf(lobes) <= LARGEST_REACH)) {
       throw new ShapeError(`The puff ${name} must fit into the unit ball, and its lobe radii must be above 0.`);
+    }
+    if (drawing !== undefined && (!drawing || drawing.includes(';') || !isDrawing(drawing))) {
+      throw new ShapeError(`The drawing of the puff ${name} is damaged: make the puff with drawPuff.`);
     }
   }
 }

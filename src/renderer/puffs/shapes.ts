@@ -41,6 +41,8 @@ export interface PuffShape {
   readonly lobes: readonly Lobe[];
   /** What billboards are baked from instead of the lobes, made by `fitPuff`. It must not change afterwards. */
   readonly mesh?: PuffMesh;
+  /** What billboards show instead of the lobes: the text of a drawing, made by `drawPuff`. */
+  readonly drawing?: string;
 }
 
 const meshKeys = new WeakMap<PuffMesh, number>();
@@ -52,5 +54,7 @@ export function keyOf(shapes: readonly PuffShape[]): string {
     if (!meshKeys.has(mesh)) meshKeys.set(mesh, ++meshes);
     return meshKeys.get(mesh)!;
   };
-  return JSON.stringify(shapes.map(({ lobes, mesh }) => (mesh ? [lobes, keyOfMesh(mesh)] : lobes)));
+  return JSON.stringify(
+    shapes.map(({ lobes, mesh, drawing }) => (mesh ? [lobes, keyOfMesh(mesh)] : drawing ? [lobes, drawing] : lobes)),
+  );
 }

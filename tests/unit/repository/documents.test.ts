@@ -30,7 +30,8 @@ function range(parameter: Parameter): string {
     case 'curve':
       return 'curve';
     case 'ramp':
-      return 'ramp';
+    case 'drawing':
+      return parameter.kind;
     case 'choice':
       return parameter.options.map(({ value }) => value).join(', ');
     default:

@@ -16,6 +16,8 @@
 import { measuringDistance, nearestCells } from './distance.ts';
 import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterising, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
+import { readDrawings } from '../drawing/drawing.ts';
+import { rasterisingDrawing } from '../drawing/relief.ts';
 import type { PuffShape } from '../shapes.ts';
 import { finished, type Work } from '../../../base/work.ts';
 
@@ -82,9 +84,7 @@ export function* bakingLayers(
   const colorCoverage = new Uint8Array(4 * texels * shapes.length);
   const figures: PuffFigures[] = [];
   for (const [layer, shape] of shapes.entries()) {
-    const mesh = shape.mesh ?? puffMesh(shape.lobes);
-    yield;
-    const raster = yield* rasterising(mesh, size);
+    const raster = yield* rasterisingShape(shape, size);
     yield;
     const distance = yield* measuringDistance(raster.coverage, size * SUPERSAMPLE);
     const nearest = nearestCovered(raster);
@@ -104,6 +104,13 @@ export function* bakingLayers(
     colorCoverage,
     figures,
   };
+}
+
+function* rasterisingShape({ lobes, mesh, drawing }: PuffShape, size: number): Work<PuffRaster> {
+  if (drawing) return yield* rasterisingDrawing(readDrawings(drawing)[0], size);
+  const triangles = mesh ?? puffMesh(lobes);
+  yield;
+  return yield* rasterising(triangles, size);
 }
 
 /** The nearest covered texel of each texel. */
