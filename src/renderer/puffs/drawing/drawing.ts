@@ -42,12 +42,12 @@ const LONGEST_STEP = 31;
 const ZERO_STEP = 32;
 
 /**
- * Writes variations as text.
- * @throws ShapeError if there are none or more than four, or one is empty or exceeds DRAWING_LIMIT characters
+ * Writes variations as text, which is empty if there are none.
+ * @throws ShapeError if there are more than four, or one is empty or exceeds DRAWING_LIMIT characters
  */
 export function writeDrawings(drawings: readonly PuffDrawing[]): string {
   const text = drawings.map(writeDrawing).join(';');
-  if (!isDrawing(text)) throw new ShapeError('Draw one to four puffs, each with at least one area.');
+  if (!isDrawing(text)) throw new ShapeError('Draw at most four puffs, each with at least one area.');
   return text;
 }
 

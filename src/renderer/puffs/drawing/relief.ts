@@ -196,7 +196,7 @@ function* meanColors(areas: readonly DrawnArea[], paint: Int8Array, size: number
       covered++;
       for (let channel = 0; channel < 3; channel++) colors[3 * texel + channel] += shares[area][channel];
     }
-    for (let channel = 0; channel < 3 && covered > 0; channel++) colors[3 * texel + channel] /= covered;
+    for (let channel = 0; channel < 3; channel++) colors[3 * texel + channel] /= Math.max(1, covered);
     if (texel % (ROWS_A_SLICE * size) === 0) yield;
   }
   return colors;
