@@ -41,7 +41,10 @@ export type { DrawnArea, Line, Point, PuffDrawing } from './renderer/puffs/drawi
 export { fitPuff, type FitOptions, type FittedPuff } from './renderer/puffs/fit/fitPuff.ts';
 export { designedShapes, type PuffDesign } from './renderer/puffs/lobeShapes.ts';
 export type { PuffKnobs } from './renderer/puffs/procedural.ts';
-export type { Lobe, PixelImage, PuffMesh, PuffShape } from './renderer/puffs/shapes.ts';
+export type { Lobe, PixelImage, PuffMesh, PuffShape, PuffTile } from './renderer/puffs/shapes.ts';
+export { readPuffSheet, type ReadSheetOptions } from './renderer/puffs/sheet/readPuffSheet.ts';
+export type { PackedPuffs, PuffTextures } from './renderer/puffs/sheet/sheet.ts';
+export { writePuffSheet, type WriteSheetOptions } from './renderer/puffs/sheet/writePuffSheet.ts';
 export { CartoonSmoke } from './three/cartoonSmoke.ts';
 export type {
   CartoonSmokeEvents,

@@ -51,3 +51,13 @@ export function workedFor<Result>(work: Work<Result>, milliseconds: number): Res
   } while (performance.now() < until);
   return undefined;
 }
+
+/** The same work, which throws the reason of a signal that is aborted. */
+export function* unlessAborted<Result>(work: Work<Result>, signal: AbortSignal | undefined): Work<Result> {
+  for (;;) {
+    signal?.throwIfAborted();
+    const { done, value } = work.next();
+    if (done) return value;
+    yield;
+  }
+}

@@ -64,9 +64,8 @@ function* baking(shapes: readonly PuffShape[], precision: Precision, sides: numb
   const fronts: BoundedFront[] = [];
   for (const [layer, shape] of shapes.entries()) {
     const { lobes } = shape;
-    fronts.push(
-      'mesh' in shape || shape.drawing ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 },
-    );
+    const isExact = !('mesh' in shape || shape.drawing || shape.sheet);
+    fronts.push(isExact ? { balls: lobes, deviation: 0 } : yield* boundingFront(layers, layer, lobes));
   }
   const deviation = Math.max(...fronts.map((front) => front.deviation));
   const data = {

@@ -11,7 +11,7 @@ export interface Lobe {
   readonly radius: number;
 }
 
-/** An image in bytes, as the browser's `ImageData`: RGBA, sRGB, top row first. Alpha is ignored. */
+/** An image in bytes, as the browser's `ImageData`: RGBA, top row first, alpha not multiplied into the colours. */
 export interface PixelImage {
   /** Pixels. */
   readonly width: number;
@@ -35,6 +35,25 @@ export interface PuffMesh {
   readonly texture?: PixelImage;
 }
 
+/**
+ * A picture of the front of a puff, its centre at the centre of the particle, top row first. Texels that are not covered
+ * have any value in the other channels.
+ */
+export interface PuffTile {
+  /** Texels along each side. */
+  readonly size: number;
+  /** Half the width of the tile in particle radii. */
+  readonly pad: number;
+  /** x right, y up, z towards the viewer per texel; unit length where covered. */
+  readonly normals: Float32Array;
+  /** Height above the centre plane per texel, in widths of the tile. */
+  readonly depths: Float32Array;
+  /** Covered share per texel, 0..1. The silhouette is where it crosses 0.5. */
+  readonly mask: Float32Array;
+  /** Red, green, blue per texel, sRGB, 0..1. White where absent. */
+  readonly colors?: Float32Array;
+}
+
 /** One variation of a puff. The first lobe is its dominant mass. */
 export interface PuffShape {
   readonly name: string;
@@ -43,18 +62,23 @@ export interface PuffShape {
   readonly mesh?: PuffMesh;
   /** What billboards show instead of the lobes: the text of a drawing, made by `drawPuff`. */
   readonly drawing?: string;
+  /** What billboards are baked from instead of the lobes, made by `readPuffSheet`. It must not change afterwards. */
+  readonly sheet?: PuffTile;
 }
 
-const meshKeys = new WeakMap<PuffMesh, number>();
-let meshes = 0;
+const sourceKeys = new WeakMap<object, number>();
+let sources = 0;
 
 /** Equal for shapes that are drawn alike. */
 export function keyOf(shapes: readonly PuffShape[]): string {
-  const keyOfMesh = (mesh: PuffMesh): number => {
-    if (!meshKeys.has(mesh)) meshKeys.set(mesh, ++meshes);
-    return meshKeys.get(mesh)!;
+  const keyOfSource = (source: object): number => {
+    if (!sourceKeys.has(source)) sourceKeys.set(source, ++sources);
+    return sourceKeys.get(source)!;
   };
   return JSON.stringify(
-    shapes.map(({ lobes, mesh, drawing }) => (mesh ? [lobes, keyOfMesh(mesh)] : drawing ? [lobes, drawing] : lobes)),
+    shapes.map(({ lobes, mesh, drawing, sheet }) => {
+      const source = sheet ?? mesh;
+      return [lobes, drawing ?? (source && keyOfSource(source))];
+    }),
   );
 }

@@ -9,7 +9,9 @@ import {
   fitPuff,
   openStage,
   presetValues,
+  readPuffSheet,
   setAssetUrls,
+  writePuffSheet,
 } from '../../../src/index.ts';
 import { SmokeError } from '../../../src/base/errors.ts';
 import { validate } from '../../../src/parameters/values.ts';
@@ -32,6 +34,8 @@ const OPTIONS: Record<string, [call: Call, isRequired?: true]> = {
   connectFrame: [(options) => connectFrame(iframe, options)],
   createDevice: [(options) => createDevice(canvas, options)],
   fitPuff: [(options) => fitPuff(mesh, options)],
+  readPuffSheet: [(options) => readPuffSheet({} as never, options)],
+  writePuffSheet: [(options) => writePuffSheet([], options)],
   puff: [(options) => puff(null, options)],
   setAssetUrls: [(urls) => setAssetUrls(urls), true],
   validate: [(values) => validate(values), true],
@@ -47,6 +51,8 @@ const ARGUMENTS: Record<string, Call> = {
   connectFrame: (given) => connectFrame(given),
   createDevice: (given) => createDevice(given),
   fitPuff: (given) => fitPuff(given),
+  readPuffSheet: (given) => readPuffSheet(given),
+  writePuffSheet: (given) => writePuffSheet(given),
   'puff.create': (given) => puff.create(given),
   capsule: (given) => capsule(given),
   presetValues: (given) => presetValues(given),

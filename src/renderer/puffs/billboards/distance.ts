@@ -22,7 +22,8 @@ export function nearestCells(inSet: Uint8Array, value: 0 | 1, size: number): Nea
   return finished(findingNearest(inSet, value, size));
 }
 
-function* findingNearest(inSet: Uint8Array, value: 0 | 1, size: number): Work<NearestCells> {
+/** As {@link nearestCells}, in slices of a few milliseconds. */
+export function* findingNearest(inSet: Uint8Array, value: 0 | 1, size: number): Work<NearestCells> {
   const nearest = nearestInColumns(inSet, value, size);
   yield;
   const squaredDistance = new Float32Array(size * size);

@@ -7,17 +7,18 @@
  *   viewer. 8 bits cause visible steps of 0.4 % of the quad width where puffs intersect at grazing angles. Half floats
  *   make them eight times finer and are filterable on all devices. Texels outside the silhouette repeat the nearest
  *   inside value, so that linear filtering never mixes in background.
- * - `colorCoverage` (bytes): rgb = C, the colours of a mesh, else white. Texels outside the silhouette repeat the nearest
- *   inside value. Shaders select the ink by distance; ink painted into C would turn grey when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
+ * - `colorCoverage` (bytes): rgb = C, the colours of a mesh or a sheet, else white. Texels outside the silhouette repeat the
+ *   nearest inside value. Shaders select the ink by distance; ink painted into C would turn grey when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
  *   negative inside. A distance field keeps edge and ink crisp at any size; a mask would not.
  *
  * Row 0 of a layer is its bottom (texture v = 0). Layers are contiguous.
  */
-import { measuringDistance, nearestCells } from './distance.ts';
+import { findingNearest, measuringDistance } from './distance.ts';
 import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterising, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import { readDrawings } from '../drawing/drawing.ts';
 import { rasterisingDrawing } from '../drawing/relief.ts';
+import { resamplingTile } from './resample.ts';
 import type { PuffShape } from '../shapes.ts';
 import { finished, type Work } from '../../../base/work.ts';
 
@@ -87,7 +88,7 @@ export function* bakingLayers(
     const raster = yield* rasterisingShape(shape, size);
     yield;
     const distance = yield* measuringDistance(raster.coverage, size * SUPERSAMPLE);
-    const nearest = nearestCovered(raster);
+    const nearest = yield* findingCovered(raster);
     yield;
     writeNormalDepth(raster, nearest, normalDepth.subarray(4 * texels * layer));
     yield;
@@ -106,17 +107,19 @@ export function* bakingLayers(
   };
 }
 
-function* rasterisingShape({ lobes, mesh, drawing }: PuffShape, size: number): Work<PuffRaster> {
+/** The view of a shape from +z: of its drawing, its sheet, its mesh or its lobes. */
+export function* rasterisingShape({ lobes, mesh, drawing, sheet }: PuffShape, size: number): Work<PuffRaster> {
   if (drawing) return yield* rasterisingDrawing(readDrawings(drawing)[0], size);
+  if (sheet) return yield* resamplingTile(sheet, size);
   const triangles = mesh ?? puffMesh(lobes);
   yield;
   return yield* rasterising(triangles, size);
 }
 
 /** The nearest covered texel of each texel. */
-function nearestCovered({ size, depths }: PuffRaster): Int32Array {
+export function* findingCovered({ size, depths }: PuffRaster): Work<Int32Array> {
   const isCovered = Uint8Array.from(depths, (depth) => (depth > -Infinity ? 1 : 0));
-  return nearestCells(isCovered, 1, size).nearest;
+  return (yield* findingNearest(isCovered, 1, size)).nearest;
 }
 
 function writeNormalDepth(raster: PuffRaster, nearest: Int32Array, layer: Uint16Array | Uint8Array): void {

@@ -5,13 +5,13 @@ import type { Lobe, PuffMesh, PuffShape } from '../shapes.ts';
  * The shapes for billboards, seen from +z: all sides of the first one, then those of the next. Lobes behind the centre
  * plane move up to it. The outline does not change, and the relief has no deep steps along it that would interrupt the
  * outline where a puff touches the floor. A mesh keeps its own relief. It shrinks with its lobes to fit the unit ball,
- * beyond which nothing of a billboard is drawn. A drawing has only a front.
+ * beyond which nothing of a billboard is drawn. A drawing and a tile of a sheet have only a front.
  * @param sides 1, 2, 4 or 8, evenly spaced around the y axis; the first one is the front
  */
 export function billboardShapes(shapes: readonly PuffShape[], sides = 1): readonly PuffShape[] {
   const turns = EIGHTHS.filter((_, eighth) => eighth % (EIGHTHS.length / sides) === 0);
   return shapes.flatMap((shape) => {
-    if (shape.drawing) return turns.map(() => shape);
+    if (shape.drawing || shape.sheet) return turns.map(() => shape);
     const reach = shape.mesh ? reachOfMesh(shape.mesh) : 1;
     return turns.map((turn) => sideOf(shape, turn, reach));
   });

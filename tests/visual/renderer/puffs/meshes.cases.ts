@@ -2,6 +2,8 @@
 import { rampOf } from '../../../../src/renderer/palette.ts';
 import type { Color } from '../../../../src/renderer/gpu/ramps.ts';
 import { fitPuff } from '../../../../src/renderer/puffs/fit/fitPuff.ts';
+import { readPuffSheet } from '../../../../src/renderer/puffs/sheet/readPuffSheet.ts';
+import { writePuffSheet } from '../../../../src/renderer/puffs/sheet/writePuffSheet.ts';
 import type { PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
 import type { Style } from '../../../../src/renderer/style.ts';
 import { frontCamera, PLAIN_STYLE, takePicture } from '../../lab.ts';
@@ -16,10 +18,17 @@ const MESHES = { face, heart, popcorn, rings, torus } as const;
 const SIZE = 240;
 const [UPPER, LOWER] = [[1, 0.8, 0.2], [0.4, 0.6, 1]] as const; // prettier-ignore
 
-type Name = keyof typeof MESHES;
+type Name = keyof typeof MESHES | 'sheet';
 
-function shapesOf(names: readonly Name[]): Promise<PuffShape[]> {
-  return Promise.all(names.map(async (name) => (await fitPuff(MESHES[name](), { lobes: 8 })).shape));
+/** Those of a sheet are pictures of a heart, of popcorn and of a face. */
+async function shapesOf(names: readonly Name[]): Promise<PuffShape[]> {
+  const shapes = await Promise.all(
+    names.map(async (name) => {
+      if (name !== 'sheet') return [(await fitPuff(MESHES[name](), { lobes: 8 })).shape];
+      return readPuffSheet(await writePuffSheet(await shapesOf(['heart', 'popcorn', 'face'])));
+    }),
+  );
+  return shapes.flat();
 }
 
 /** See `selfMasked`. */
@@ -58,6 +67,37 @@ export async function paintedTones(style: Partial<Style>): Promise<{ found: stri
     color.map((value, channel) => Math.round((value * Math.round(255 * factor[channel])) / 255)).join();
   const expected = [UPPER, LOWER].map((factor) => [...new Set(lit.map(({ color }) => times(color, factor)))].sort());
   return { found: found.map((colors) => [...colors].sort()), expected };
+}
+
+/**
+ * A row of puffs of meshes, and below it the same puffs from a sheet of them: covered pixels of both, and pixels that
+ * differ by more than a step of a tone.
+ */
+export async function besideSheet(): Promise<{ covered: number; different: number }> {
+  const own = await shapesOf(['heart', 'popcorn', 'face', 'torus']);
+  const [upper, lower] = [own, await readPuffSheet(await writePuffSheet(own))].map((shapes) => {
+    const puffs = shapes.map((_, variation) => ({
+      place: [2.1 * variation - 3.15, 0, 0] as const,
+      radius: 1,
+      variation,
+    }));
+    const style = { form: 'billboards', shadows: false } as const;
+    return takePicture({
+      width: 4 * SIZE,
+      height: SIZE,
+      shapes,
+      puffs,
+      camera: frontCamera(4 * SIZE, SIZE, 4.5, 30),
+      style,
+    });
+  });
+  let [covered, different] = [0, 0];
+  for (let at = 0; at < upper.pixels.length; at += 4) {
+    if (upper.pixels[at + 3] > 0) covered++;
+    const off = [0, 1, 2, 3].map((channel) => Math.abs(upper.pixels[at + channel] - lower.pixels[at + channel]));
+    if (Math.max(...off) > 40) different++;
+  }
+  return { covered, different };
 }
 
 /** Pictures of a plume of meshes with and without culling. */

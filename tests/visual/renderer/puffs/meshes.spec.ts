@@ -10,7 +10,7 @@ for (const light of ['sun', 'lamp'] as const) {
   }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate(
-      (module, kind) => module.masked(['rings', 'heart', 'torus', 'popcorn'], kind, 150),
+      (module, kind) => module.masked(['rings', 'heart', 'torus', 'popcorn', 'sheet'], kind, 150),
       light,
     );
     expect(report.lit).toBeGreaterThan(40_000);
@@ -43,6 +43,19 @@ for (const sides of [1, 8]) {
     expect(inside.bodies[0]).toBeLessThan(0.3 * inside.bodies[1]);
   });
 }
+
+test('culling changes no pixel of a dense plume of a sheet', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expectSame(await cases.evaluate((module) => module.culled(['sheet'], 1)));
+});
+
+test('puffs of a sheet look like the puffs that it was made of', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  const { covered, different } = await cases.evaluate((module) => module.besideSheet());
+  process.stdout.write(`${different} of ${covered} covered pixels differ\n`);
+  expect(covered).toBeGreaterThan(40_000);
+  expect(different).toBeLessThan(0.01 * covered);
+});
 
 test('with eight views, the seeds of puffs select their sides; the simulation does not change', async ({ load }) => {
   const cases = await load<Cases>(CASES);
