@@ -30,7 +30,7 @@ export { ALL_PARTICLES as ALL_THAT_LIVES, type View } from './simulator/view.ts'
 export type { Arranger, FrameInput } from './renderer/frameInput.ts';
 export type { Light } from './renderer/light.ts';
 export { glowColors } from './renderer/glow.ts';
-export { showsBillboards } from './renderer/livePuffs.ts';
+export { designOf, showsBillboards } from './renderer/livePuffs.ts';
 export { formatColor, parseColor } from './renderer/palette.ts';
 export { linear, mixed, scaled, type Color } from './renderer/gpu/ramps.ts';
 export { automaticColors, inkOf, styleOf, type Style } from './renderer/style.ts';

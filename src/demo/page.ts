@@ -60,10 +60,10 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   const views = new Views(stage);
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
-  const ownShape = new OwnShape(stage, notices, container);
+  const ownShape = new OwnShape(editor, stage, notices, container);
   const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
-  acceptDrops(document.body, (file) => void (isJson(file) ? files : ownShape).open(file));
+  acceptDrops(document.body, (dropped) => void (isJson(dropped[0]) ? files.open(dropped[0]) : ownShape.open(dropped)));
   await nextTask();
   const own = new OwnPresets(editor, stage, notices, files);
   const statistics = createStatistics(stage);

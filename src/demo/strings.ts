@@ -223,12 +223,20 @@ export const strings = {
     remove: 'Remove the drawings',
   },
   ownShape: {
-    choose: 'Use your own mesh\u2026',
+    choose: 'Use your own mesh or puff sheet\u2026',
     back: 'Use the default puffs',
-    text: 'Makes puffs from a closed mesh. Drop a .glb, .gltf or .obj file on the page. It replaces the shape controls above.',
+    text: 'Makes puffs from a closed mesh or a puff sheet. Drop a .glb, .gltf or .obj file on the page, or one or two PNG images. They replace the shape controls above.',
     fitting: (name: string) => `Fitting a puff to ${name}\u2026`,
     shown: (name: string, overlap: number) => `${name}, ${Math.round(100 * overlap)} % match`,
-    unshared: (name: string) => `A link cannot contain a mesh. It shows the default puffs instead of ${name}.`,
+    reading: 'Reading the puff sheet\u2026',
+    sheet: (name: string, puffs: number) => `${name}, ${puffs === 1 ? 'one puff' : `${puffs} puffs`}`,
+    billboards: 'Puffs are now billboards, which show the sheet.',
+    save: 'Save puff sheet',
+    saving: 'Drawing the puff sheet\u2026',
+    saved: (saved: number, all: number) =>
+      `Saved puffs-normal-depth.png and puffs-color-coverage.png.${saved < all ? ` A sheet holds ${saved} of the ${all} puffs.` : ''}`,
+    unshared: (name: string) =>
+      `A link cannot contain a ${/\.png$/i.test(name) ? 'puff sheet' : 'mesh'}. It shows the default puffs instead of ${name}.`,
   },
   notices: {
     title: 'Messages',

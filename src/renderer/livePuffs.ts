@@ -107,7 +107,8 @@ function partsOf(values: Values): PuffParts {
   };
 }
 
-function designOf(values: Values): PuffDesign {
+/** The shapes that values describe. */
+export function designOf(values: Values): PuffDesign {
   const knobs = ['lumpiness', 'flatness', 'roughness', 'lobes', 'seed'] satisfies (keyof PuffDesign)[];
   return Object.fromEntries(knobs.map((knob) => [knob, values[`puff.${knob}`]])) as Record<keyof PuffDesign, number>;
 }

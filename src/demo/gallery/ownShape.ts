@@ -1,4 +1,5 @@
-import { fitPuff, type Stage, ShapeError, type PlainMesh } from '../../index.ts';
+import { fitPuff, type Stage, ShapeError, type PlainMesh, type PuffShape } from '../../index.ts';
+import type { Editor } from '../editor/editor.ts';
 import { create, textButton } from '../ui/dom.ts';
 import type { Notices } from '../ui/notices.ts';
 import { Progress } from '../ui/progress.ts';
@@ -13,38 +14,46 @@ import {
   type Texture,
 } from 'three';
 
-/** A mesh from the user as puff shape: chosen in the panel or dropped onto the page, and removable. */
+/**
+ * A mesh or a puff sheet from the user as puff shapes: chosen in the panel or dropped onto the page, and removable. The
+ * panel also saves the present puffs as a sheet.
+ */
 export class OwnShape {
   /** Element for the panel. */
   readonly element: HTMLElement;
+  private readonly editor: Editor;
   private readonly stage: Stage;
   private readonly notices: Notices;
   private readonly container: HTMLElement;
   private readonly caption = create('p', { class: 'own-shape-name', role: 'status' });
-  private readonly back = textButton('quiet', strings.ownShape.back, () => this.cancelFit());
-  private fitting: AbortController | undefined;
+  private readonly back = textButton('quiet', strings.ownShape.back, () => this.show());
+  private working: AbortController | undefined;
   private shown: string | undefined;
+  private shapes: readonly PuffShape[] | undefined;
 
   /** @param container parent of the progress bar */
-  constructor(stage: Stage, notices: Notices, container: HTMLElement) {
+  constructor(editor: Editor, stage: Stage, notices: Notices, container: HTMLElement) {
+    this.editor = editor;
     this.stage = stage;
     this.notices = notices;
     this.container = container;
     const chooser = create('input', {
       type: 'file',
-      accept: MESH_TYPES,
+      accept: `${MESH_TYPES},.png`,
+      multiple: true,
       hidden: true,
       'aria-label': strings.ownShape.choose,
     });
     chooser.addEventListener('change', () => {
-      const file = chooser.files?.[0];
-      if (file) void this.open(file);
+      const files = [...(chooser.files ?? [])];
+      if (files.length > 0) void this.open(files);
       chooser.value = '';
     });
     const choose = textButton('quiet', strings.ownShape.choose, () => chooser.click());
-    const buttons = create('div', { class: 'own-shape-buttons' }, choose, this.back);
+    const save = textButton('quiet', strings.ownShape.save, () => void this.save());
+    const buttons = create('div', { class: 'own-shape-buttons' }, choose, this.back, save);
     this.element = create('div', { 'data-text': strings.ownShape.text }, this.caption, buttons, chooser);
-    this.notify();
+    this.caption.hidden = this.back.hidden = true;
   }
 
   /** Name of the file whose shape is shown. */
@@ -52,17 +61,46 @@ export class OwnShape {
     return this.shown;
   }
 
-  /** Shows the mesh of a file, or reports why it cannot. Opening another file cancels a fit in progress. */
-  async open(file: File): Promise<void> {
-    this.fitting?.abort();
-    const controller = (this.fitting = new AbortController());
-    const progress = new Progress(strings.ownShape.fitting(file.name), () => controller.abort());
+  /** Shows a mesh or a puff sheet, or reports why it cannot. Opening other files cancels work in progress. */
+  async open(files: readonly File[]): Promise<void> {
+    const [{ name }] = files;
+    const isSheet = files.every((file) => /\.png$/i.test(file.name));
+    await this.work(isSheet ? strings.ownShape.reading : strings.ownShape.fitting(name), async (signal) => {
+      if (isSheet) {
+        const { openSheet } = await import('./puffSheet.ts');
+        const shapes = await openSheet(files, signal);
+        this.show(name, shapes, strings.ownShape.sheet(name, shapes.length));
+        this.showBillboards();
+      } else {
+        const { shape, overlap } = await fitPuff(await readMesh(files[0]), { name, signal });
+        this.show(name, [shape], strings.ownShape.shown(name, overlap));
+      }
+    });
+  }
+
+  /** Lobes would only show the silhouettes of a sheet. */
+  private showBillboards(): void {
+    if (this.editor.state.values['puff.form'] === 'billboards') return;
+    this.editor.change('puff.form', 'billboards');
+    this.notices.mention(strings.ownShape.billboards);
+  }
+
+  private async save(): Promise<void> {
+    await this.work(strings.ownShape.saving, async (signal) => {
+      const { saveSheet } = await import('./puffSheet.ts');
+      const { saved, all } = await saveSheet(this.stage, this.shapes, signal);
+      this.notices.mention(strings.ownShape.saved(saved, all));
+    });
+  }
+
+  /** Shows progress, and what failed. */
+  private async work(message: string, task: (signal: AbortSignal) => Promise<void>): Promise<void> {
+    this.working?.abort();
+    const controller = (this.working = new AbortController());
+    const progress = new Progress(message, () => controller.abort());
     this.container.append(progress.element);
     try {
-      const { shape, overlap } = await fitPuff(await readMesh(file), { name: file.name, signal: controller.signal });
-      this.stage.setPuffs([shape]);
-      this.shown = file.name;
-      this.notify(overlap);
+      await task(controller.signal);
     } catch (error) {
       if (!controller.signal.aborted) this.notices.notify((error as Error).message);
     } finally {
@@ -70,15 +108,12 @@ export class OwnShape {
     }
   }
 
-  private cancelFit(): void {
-    this.stage.setPuffs();
-    this.shown = undefined;
-    this.notify();
-  }
-
-  private notify(overlap = 0): void {
-    this.caption.textContent = this.shown === undefined ? '' : strings.ownShape.shown(this.shown, overlap);
-    this.caption.hidden = this.back.hidden = this.shown === undefined;
+  private show(name?: string, shapes?: readonly PuffShape[], caption = ''): void {
+    this.stage.setPuffs(shapes);
+    this.shown = name;
+    this.shapes = shapes;
+    this.caption.textContent = caption;
+    this.caption.hidden = this.back.hidden = name === undefined;
   }
 }
 

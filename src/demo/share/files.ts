@@ -94,8 +94,8 @@ function slug(name: string): string {
   return plain.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'smoke';
 }
 
-/** Accepts files that are dropped anywhere on the page. */
-export function acceptDrops(page: HTMLElement, open: (file: File) => void): void {
+/** Accepts files that are dropped anywhere on the page. @param open takes at least one file */
+export function acceptDrops(page: HTMLElement, open: (files: readonly File[]) => void): void {
   page.addEventListener('dragover', (event) => {
     if (!event.dataTransfer?.types.includes('Files')) return;
     event.preventDefault();
@@ -106,9 +106,9 @@ export function acceptDrops(page: HTMLElement, open: (file: File) => void): void
   });
   page.addEventListener('drop', (event) => {
     page.classList.remove('is-dropping');
-    const file = event.dataTransfer?.files[0];
-    if (!file) return;
+    const files = [...(event.dataTransfer?.files ?? [])];
+    if (files.length === 0) return;
     event.preventDefault();
-    open(file);
+    open(files);
   });
 }

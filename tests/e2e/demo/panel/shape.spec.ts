@@ -1,4 +1,4 @@
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
 import { expect, test } from '../../../support/fixtures.ts';
 import { ask, expectSteps, LIGHT, open } from '../page.ts';
@@ -110,6 +110,94 @@ test('billboards have the colours and the texture of a mesh', async ({ page }) =
   await page.getByLabel('Use your own mesh').last().setInputFiles(redCube('red.gltf'));
   await expect(page.locator('.own-shape-name')).toHaveText(/^red\.gltf/);
   expect(await redPixels()).toBeGreaterThan(30);
+});
+
+/** A PNG. @param pixelAt for places from -1 to 1, x to the right and y up */
+function picture(name: string, size: number, pixelAt: (x: number, y: number) => readonly number[]) {
+  const png = new PNG({ width: size, height: size });
+  for (let at = 0; at < size * size; at++) {
+    const [x, y] = [at % size, Math.floor(at / size)].map((pixel) => (2 * (pixel + 0.5)) / size - 1);
+    png.data.set(pixelAt(x, -y), 4 * at);
+  }
+  return { name, mimeType: 'image/png', buffer: PNG.sync.write(png) };
+}
+
+const BALL = 0.7;
+const heightOf = (x: number, y: number) => Math.sqrt(Math.max(0, BALL * BALL - x * x - y * y));
+/** A red ball of a puff sheet, whose colours are black, and whose normals are those of its middle, where it ends. */
+const BALL_NORMALS = picture('ball-n.png', 64, (x, y) => {
+  const z = heightOf(x, y);
+  return [...(z > 0 ? [x, y, z] : [0, 0, BALL]).map((axis) => 127.5 * (axis / BALL + 1)), 127.5 + (255 * z) / 2];
+});
+const BALL_COLORS = picture('ball-c.png', 64, (x, y) => (heightOf(x, y) > 0 ? [255, 0, 0, 255] : [0, 0, 0, 0]));
+
+test('puff sheets are opened as one or two PNGs, and saved without loss', async ({ page }, testInfo) => {
+  await open(page, `?paused=1&t=2${LIGHT}`);
+  await page.keyboard.press('p');
+  await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
+  const chooser = page.getByLabel('Use your own mesh or puff sheet').last();
+  const name = page.locator('.own-shape-name');
+  const hash = await ask(page, (stage) => stage.hash());
+
+  // In any order.
+  await chooser.setInputFiles([BALL_COLORS, BALL_NORMALS]);
+  await expect(name).toHaveText('ball-c.png, one puff');
+  expect(await ask(page, (stage) => [stage.get()['puff.form'], stage.hash()])).toEqual(['billboards', hash]);
+
+  const saved = new Map<string, string>();
+  page.on('download', (download) => {
+    const file = testInfo.outputPath(download.suggestedFilename());
+    void download.saveAs(file).then(() => saved.set(download.suggestedFilename(), file));
+  });
+  await page.getByRole('button', { name: 'Save puff sheet' }).click();
+  await expect.poll(() => saved.size).toBe(2);
+  const files = ['puffs-normal-depth.png', 'puffs-color-coverage.png'].map((file) => saved.get(file)!);
+  const [normals, colors] = files.map((file) => PNG.sync.read(readFileSync(file)));
+  expect([normals.width, colors.height]).toEqual([256, 256]);
+  // The upper right of the ball, and the corner, which has colours in spite of its alpha of 0.
+  const [shown, corner] = [4 * (88 * 256 + 168), 0];
+  const [x, y] = [40.5 / 128, 39.5 / 128];
+  const expected = [x / BALL, y / BALL, heightOf(x, y) / BALL].map((axis) => 127.5 * (axis + 1));
+  expected.forEach((byte, at) => expect(Math.abs(normals.data[shown + at] - byte)).toBeLessThan(3));
+  expect(Math.abs(normals.data[shown + 3] - 127.5 - 127.5 * heightOf(x, y))).toBeLessThan(3);
+  expect([...colors.data.subarray(shown, shown + 4)]).toEqual([255, 0, 0, 255]);
+  expect([...colors.data.subarray(corner, corner + 4)]).toEqual([255, 0, 0, 0]);
+
+  await page.getByRole('button', { name: 'Share' }).click();
+  await expect(page.getByText('A link cannot contain a puff sheet.')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await chooser.setInputFiles(files);
+  await expect(name).toHaveText('puffs-normal-depth.png, one puff');
+
+  const packed = picture('packed.png', 64, (right, up) => {
+    const z = heightOf(right, up);
+    return [0, 255, (255 * z) / BALL, z > 0 ? 255 : 0];
+  });
+  await page.evaluate(
+    ([base64, file]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([Uint8Array.from(atob(base64), (byte) => byte.charCodeAt(0))], file));
+      document
+        .querySelector('canvas')!
+        .dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    [packed.buffer.toString('base64'), packed.name],
+  );
+  await expect(name).toHaveText('packed.png, one puff');
+
+  for (const [wrong, words] of [
+    [[BALL_NORMALS], /ball-n\.png has normals and depths\. Open it together/],
+    [[BALL_COLORS, BALL_COLORS], /Neither of the two images has normals/],
+    [[BALL_COLORS, BALL_NORMALS, packed], /one or two images, not 3/],
+    [[{ ...packed, name: 'text.png', buffer: Buffer.from('text') }], /text\.png is not a PNG/],
+    [[picture('none.png', 64, () => [9, 9, 9, 0])], /The puff sheet is empty/],
+  ] as const) {
+    await chooser.setInputFiles([...wrong]);
+    await expect(page.getByText(words)).toBeVisible();
+    await expect(name).toHaveText('packed.png, one puff');
+  }
+  await page.getByRole('button', { name: 'Use the default puffs' }).click();
+  await expect(name).toBeHidden();
 });
 
 test('an open or invalid mesh is rejected with a message and the puffs stay, until a mesh is dropped on the page', async ({
