@@ -20,8 +20,19 @@ export { channelSheet, lobeSheet, type ChannelPicture } from './renderer/puffs/b
 export { bakePuffs } from './renderer/puffs/billboards/layers.ts';
 export { isOfLook } from './page/puff/look.ts';
 export { LOBE_SHAPES } from './renderer/puffs/lobeShapes.ts';
+export {
+  drawingText,
+  readDrawings,
+  SIDE,
+  type DrawnArea,
+  type Line,
+  type Point,
+  type PuffDrawing,
+} from './renderer/puffs/drawing/drawing.ts';
+export { painting } from './renderer/puffs/drawing/relief.ts';
+export { DRAWING_LIMIT, MAX_DRAWINGS } from './parameters/drawingText.ts';
 export { billboardShapes } from './renderer/puffs/billboards/sides.ts';
-export { inPieces, nextTask } from './base/work.ts';
+export { finished, inPieces, nextTask } from './base/work.ts';
 export { STEP_SECONDS } from './simulator/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, LAMP_FLOATS, NO_END, PLACE_FLOATS } from './simulator/layout.ts';
 export { readBits, type Rows } from './simulator/rows.ts';

@@ -6,6 +6,7 @@ import { createDock, surprise } from './gallery/dock.ts';
 import { create, iconButton } from './ui/dom.ts';
 import { acceptDrops, SmokeFiles } from './share/files.ts';
 import { DropThings } from './input/dropThings.ts';
+import { DrawOpener, isPicture } from './draw/opener.ts';
 import type { Editor } from './editor/editor.ts';
 import { Gizmos } from './gizmos/gizmos.ts';
 import type { Flag } from './ui/flag.ts';
@@ -14,6 +15,7 @@ import { icon } from './ui/icons.ts';
 import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
+import { DRAW_EVENT } from './panel/control.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
 import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
@@ -63,7 +65,23 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   const ownShape = new OwnShape(editor, stage, notices, container);
   const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
-  acceptDrops(document.body, (dropped) => void (isJson(dropped[0]) ? files.open(dropped[0]) : ownShape.open(dropped)));
+  let hadPanel = false;
+  const drawing = new DrawOpener(editor, notices, container, (isOpen) => {
+    if (isOpen === document.body.classList.contains('is-drawing')) return;
+    document.body.classList.toggle('is-drawing', isOpen);
+    if (isOpen) hadPanel = !panel.hidden;
+    // It would be in place of the drawing.
+    if (isOpen && ownShape.name !== undefined) ownShape.remove();
+    showPanel(!isOpen && (hadPanel || !panel.hidden));
+    if (!isOpen) (hadPanel ? panel.querySelector<HTMLElement>('.drawing-buttons button')! : toggle).focus();
+  });
+  acceptDrops(document.body, (dropped) => {
+    const [file] = dropped;
+    const openShape = (): void => void ownShape.open(dropped);
+    if (isJson(file)) void files.open(file);
+    else if (dropped.every(isPicture)) drawing.ask(dropped, openShape);
+    else openShape();
+  });
   await nextTask();
   const own = new OwnPresets(editor, stage, notices, files);
   const statistics = createStatistics(stage);
@@ -72,6 +90,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     page.togglePanel();
     toggle.focus();
   });
+  panel.addEventListener(DRAW_EVENT, () => void drawing.open());
   const things = new DropThings(stage, parts.canvas);
   const blowing = new Blowing(stage, parts.canvas);
   const dock = createDock(editor, stage, scrubber, blowing.element, things.element);
@@ -81,6 +100,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   gizmoToggle.setAttribute('aria-pressed', 'false');
   statistics.toggle(parts.hasStatistics);
   const showPanel = (isOpen: boolean) => {
+    if (isOpen) void drawing.close();
     panel.hidden = !isOpen;
     toggle.setAttribute('aria-expanded', String(isOpen));
     document.body.classList.toggle('has-panel', isOpen);

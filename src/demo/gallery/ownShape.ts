@@ -26,7 +26,7 @@ export class OwnShape {
   private readonly notices: Notices;
   private readonly container: HTMLElement;
   private readonly caption = create('p', { class: 'own-shape-name', role: 'status' });
-  private readonly back = textButton('quiet', strings.ownShape.back, () => this.show());
+  private readonly back = textButton('quiet', strings.ownShape.back, () => this.remove());
   private working: AbortController | undefined;
   private shown: string | undefined;
   private shapes: readonly PuffShape[] | undefined;
@@ -59,6 +59,11 @@ export class OwnShape {
   /** Name of the file whose shape is shown. */
   get name(): string | undefined {
     return this.shown;
+  }
+
+  /** Shows the default puffs, or drawn ones. */
+  remove(): void {
+    this.show();
   }
 
   /** Shows a mesh or a puff sheet, or reports why it cannot. Opening other files cancels work in progress. */

@@ -57,15 +57,22 @@ function createChoice({ options }: ChoiceParameter, describedBy: string, listene
   return { elements: [select], id, show };
 }
 
-/** A button that removes drawn puffs. */
+/** Bubbles from the panel when the user wants to draw puffs. */
+export const DRAW_EVENT = 'drawpuffs';
+
+/** Buttons that open the sheet for drawing puffs, and that remove them. */
 function createDrawing(describedBy: string, listener: ControlListener): Control {
+  const draw = textButton('quiet', strings.drawing.open, () => {
+    draw.dispatchEvent(new CustomEvent(DRAW_EVENT, { bubbles: true }));
+  });
+  draw.id = uniqueId();
+  draw.setAttribute('aria-describedby', describedBy);
   const remove = textButton('quiet', strings.drawing.remove, () => {
     listener.change('');
     listener.settle();
   });
-  remove.id = uniqueId();
-  remove.setAttribute('aria-describedby', describedBy);
-  return { elements: [remove], id: remove.id, show: (text) => void (remove.disabled = text === '') };
+  const elements = [create('div', { class: 'drawing-buttons' }, draw, remove)];
+  return { elements, id: draw.id, show: (text) => void (remove.disabled = text === '') };
 }
 
 function createColor(describedBy: string, listener: ControlListener): Control {

@@ -52,14 +52,19 @@ export function writeDrawings(drawings: readonly PuffDrawing[]): string {
 }
 
 /** @throws ShapeError if the text exceeds DRAWING_LIMIT characters */
-export function writeDrawing({ areas, folds }: PuffDrawing): string {
-  const parts = areas.map(({ color, outlines }) => `${color.slice(1)}*${outlines.map(writeLine).join('.')}`);
-  if (folds.length > 0) parts.push(`*${folds.map(writeLine).join('.')}`);
-  const text = parts.join(',');
+export function writeDrawing(drawing: PuffDrawing): string {
+  const text = drawingText(drawing);
   if (text.length > DRAWING_LIMIT) {
     throw new ShapeError(`The drawing has ${text.length} characters. The limit is ${DRAWING_LIMIT}. Simplify it.`);
   }
   return text;
+}
+
+/** The text of a variation of any length. */
+export function drawingText({ areas, folds }: PuffDrawing): string {
+  const parts = areas.map(({ color, outlines }) => `${color.slice(1)}*${outlines.map(writeLine).join('.')}`);
+  if (folds.length > 0) parts.push(`*${folds.map(writeLine).join('.')}`);
+  return parts.join(',');
 }
 
 /**
