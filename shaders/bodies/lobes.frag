@@ -6,7 +6,7 @@ precision highp int;
 // are visible. three.js unrolls the marked loops, because dynamic indexing would be much slower. Lobes and normals are
 // in view space. Outputs the display-encoded unlit and lit colour.
 // DEFORMED: points, heights and lobes are those of stretch.glsl, except in names with `view`.
-// BITES: puffs with bites; src/renderer/bites.ts adds bites/lobesFragment.glsl.
+// CUT: puffs with bites; src/renderer/bites.ts adds bites/lobesFragment.glsl.
 // FLAT: see lobes.vert; the quad that faces away draws the ink.
 uniform sampler2D ramps;
 uniform float fillet;
@@ -58,7 +58,7 @@ Projection projection;
 const float DEPTH_MARGIN = 4e-7;
 const float NOWHERE = -1e8;
 
-#ifdef BITES
+#ifdef CUT
 void meetBites(vec2 point);
 float frontOfRest(vec4 lobe, float squared);
 bool hasBiteLine(vec3 place, bool isRing, vec4 line, float reach, inout vec3 normal, inout vec3 viewNormal);
@@ -70,7 +70,7 @@ float deepest = 0.0;
 float frontOf(vec4 lobe, vec2 point) {
   vec2 beside = point - lobe.xy;
   float squared = lobe.w * lobe.w - dot(beside, beside);
-#ifdef BITES
+#ifdef CUT
   return frontOfRest(lobe, squared);
 #else
   return squared > 0.0 ? lobe.z + sqrt(squared) : NOWHERE;
@@ -91,7 +91,7 @@ vec3 shareOf(vec4 lobe, vec3 place, float perFillet) {
   float squared = max(dot(outward, outward), 1e-12);
   float inverse = inversesqrt(squared);
   float away = squared * inverse - lobe.w;
-#ifdef BITES
+#ifdef CUT
   deepest = min(deepest, away);
 #endif
   float nearness = max(0.0, 1.0 - abs(away) * perFillet);
@@ -150,7 +150,7 @@ void main() {
   float lineDrop = depthsAndRamp.z;
 #endif
   vec3 towardsLight = towardsLightFrom(lightInView, centreOf(point));
-#ifdef BITES
+#ifdef CUT
   meetBites(point);
 #endif
   float height = NOWHERE;
@@ -205,7 +205,7 @@ void main() {
   normal = mix(normal, normalize(place - middleAndInkReach.xyz), blend);
   float viewZ = min(depthsAndRamp.x + viewHeight(height, point) * radius, -near);
   bool isInk = isRing;
-#ifdef BITES
+#ifdef CUT
   if (hasBiteLine(place, isRing, line, reach, normal, viewNormal)) {
     isInk = true;
     viewZ -= lineDrop;

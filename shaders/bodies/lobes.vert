@@ -5,7 +5,7 @@ precision highp int;
 // around their silhouette and its ring of ink. Output lobes are in puff radii about the centre.
 // FLAT: for GPUs that do not keep the depth that fragments write. Two quads are drawn, each with its own depth: the
 // puff through its centre, and after it the ink, which is deeper.
-// BITES: puffs with bites; src/renderer/bites.ts adds bites/lobesVertex.glsl.
+// CUT: puffs with bites; src/renderer/bites.ts adds bites/lobesVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -40,7 +40,7 @@ flat out vec4 lobes[LOBES];
 float packedStrengthAt(vec3 place);
 #include ../lib/srgb.glsl
 #endif
-#ifdef BITES
+#ifdef CUT
 mat2x3 bitesIn(mat3 viewFromPuff);
 void cutLobes(mat2x3 bites, out vec2 lowest, out vec2 highest);
 #endif
@@ -89,7 +89,7 @@ void main() {
 #else
   vec3 middle = viewFromPuff * texelFetch(lobeTable, ivec2(LOBES, variation), 0).xyz;
 #endif
-#ifdef BITES
+#ifdef CUT
   mat2x3 bites = bitesIn(viewFromPuff);
 #ifdef DEFORMED
   bites = mat2x3(unstretched(projection, bites[0] / across), unstretched(projection, bites[1] / across));

@@ -5,6 +5,8 @@ precision highp float;
 // first entry and the last exit of all discs.
 // Counted by depth pass: entries in front of the receiver minus exits in front of it is the number of volumes that
 // contain the receiver.
+// SILHOUETTE: billboards that throw silhouettes; src/renderer/gpu/billboardTextures.ts adds
+// silhouettes/countedVolumesFragment.glsl.
 // Inputs: volume frame and discs of volumes.vert. Output: depth only.
 uniform mat4 clipFromView;
 uniform float near;
@@ -41,6 +43,10 @@ void aim(out vec3 origin, out vec3 ray) {
   if (dot(ray.xy, ray.xy) < 1e-12 * dot(ray, ray)) ray.x += 1e-6 * length(ray);
 }
 
+#ifdef SILHOUETTE
+bool crossSilhouette(inout vec2 stretch, vec2 direction, float offset);
+#endif
+
 void main() {
   vec3 origin, ray;
   aim(origin, ray);
@@ -58,6 +64,9 @@ void main() {
     pass(stretch, discs[ i ], direction, offset);
   }
   #pragma unroll_loop_end
+#ifdef SILHOUETTE
+  if (stretch.x > stretch.y || !crossSilhouette(stretch, direction, offset)) discard;
+#endif
 
   // Convert to depths along the ray. Under a lamp, the projected line ends where the ray points straight away from the
   // lamp.

@@ -1,6 +1,7 @@
 // The shadow volume of a particle: the discs that its lobes show to the light, extruded along the light rays. Everything
 // that is constant for a particle is computed here. Call writeVolume after reading a row; needs rows.glsl.
-// BITES: puffs with bites; src/renderer/bites.ts adds bites/volumeVertex.glsl.
+// CUT: puffs whose shadow is only a part of the discs. For puffs with bites, src/renderer/bites.ts adds bites/volumeVertex.glsl; for
+// billboards that throw silhouettes, src/renderer/gpu/billboardTextures.ts adds silhouettes/volumeVertex.glsl.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
 uniform float near;
@@ -173,8 +174,9 @@ struct Ends {
   float nearestZ;
 };
 
-#ifdef BITES
-float openCap(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre);
+#ifdef CUT
+// Writes the outputs of the part. Returns the start of the volume.
+float writeCut(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre);
 #endif
 
 // Computes the outputs. Returns false if the row has no volume.
@@ -212,12 +214,12 @@ bool writeVolume(out Ends ends) {
   mat2 sideAxes = mat2((frameFromView * ends.sideAxes[0]).xy, (frameFromView * ends.sideAxes[1]).xy);
   float widest = spreadDiscs(frameFromView * viewFromPuff, growth, sideAxes);
   float cap = startCap(axis, viewFromPuff, centre);
-#ifdef BITES
+#ifdef CUT
   vec4 lengthwise = vec4(0.0, 0.0, 1.0, 1.0);
 #ifdef DEFORMED
   lengthwise = vec4(projection.depth * vec3(0.0, dot(projection.shear, along), 1.0), width * sqrt(support));
 #endif
-  cap = openCap(cap, frameFromView * viewFromPuff, lengthwise, axis, centre);
+  cap = writeCut(cap, frameFromView * viewFromPuff, lengthwise, axis, centre);
 #endif
   float extent = min(exitOf(place.w * widest, growth / place.w), end) / place.w - cap;
   if (extent <= 0.0) return false;

@@ -4,7 +4,7 @@ precision highp sampler2D;
 // Fragment shader of particle shadow volumes. Tests whether the volume contains the receiver: the place whose depth the
 // pixel has. Seen from the light, the receiver must be in the disc of a lobe; along the light, between the start and
 // the end of the volume. Each fragment that is not discarded is one volume that contains the receiver.
-// BITES: puffs with bites; src/renderer/bites.ts adds bites/volumesFragment.glsl.
+// CUT: puffs whose shadow is only a part of the discs: see lib/volume.glsl.
 // Inputs: volume frame and discs of volumes.vert, a copy of the depth buffer. Output: none, the stencil counts.
 uniform mat4 clipFromView;
 uniform vec2 viewport;
@@ -22,7 +22,7 @@ float within(vec3 disc, vec2 point) {
   return disc.z - dot(offset, offset);
 }
 
-#ifdef BITES
+#ifdef CUT
 bool isLeft(vec2 point);
 #endif
 
@@ -39,7 +39,7 @@ void main() {
   }
   #pragma unroll_loop_end
   if (!(place.z >= 0.0 && place.z <= rightAndLength.w && inside > 0.0)) discard;
-#ifdef BITES
+#ifdef CUT
   if (!isLeft(point)) discard;
 #endif
 }

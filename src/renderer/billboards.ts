@@ -19,7 +19,7 @@ import {
   type PuffSample,
 } from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
-import { billboardShapes } from './puffs/billboards/sides.ts';
+import { billboardShapes, isOwnPicture } from './puffs/billboards/sides.ts';
 import { keyOf, type Lobe, type PuffShape } from './puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from './puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from './puffs/bake/startCaps.ts';
@@ -35,6 +35,8 @@ export const billboardShaders: Shaders = { vertexShader, fragmentShader };
 /** Tolerance of the outline and the relief: in radii for facets, texels and filtering, in pixels for mipmap levels. */
 const LAYER_TOLERANCE = 0.06;
 const LAYER_BLUR = 3;
+/** Tolerance of a silhouette as its layer is filtered, and of its roll in the simulator: a texel, in radii. */
+const DISC_TOLERANCE = 0.022;
 
 const cache = new LruCache<BillboardPuffs>(4);
 
@@ -64,22 +66,22 @@ function* baking(shapes: readonly PuffShape[], precision: Precision, sides: numb
   const fronts: BoundedFront[] = [];
   for (const [layer, shape] of shapes.entries()) {
     const { lobes } = shape;
-    const isExact = !('mesh' in shape || shape.drawing || shape.sheet);
-    fronts.push(isExact ? { balls: lobes, deviation: 0 } : yield* boundingFront(layers, layer, lobes));
+    fronts.push(isOwnPicture(shape) ? yield* boundingFront(layers, layer, lobes) : { balls: lobes, deviation: 0 });
   }
   const deviation = Math.max(...fronts.map((front) => front.deviation));
+  const casters = castersOf(shapes, layers);
   const data = {
     layers,
     sides,
     startCaps: joined(tables),
     latestCap: latest,
-    casters: castersOf(shapes),
+    casters,
     solids: billboardSolids(
       fronts.map(({ balls }) => balls),
       deviation,
     ),
-    casterSolids: billboardSolids(shapes.map(({ lobes }) => lobes)),
-    reach: Math.max(...shapes.map(({ lobes }) => reachOf(lobes))),
+    casterSolids: casters.silhouetteReach > 0 ? discSolids(layers) : billboardSolids(shapes.map(({ lobes }) => lobes)),
+    reach: Math.max(...shapes.map(({ lobes }) => reachOf(lobes)), casters.silhouetteReach),
     depth: Math.max(...layers.figures.map(({ depth }) => depth)),
   };
   return { ...data, texturesFor: (context) => new BillboardTextures(context, data) };
@@ -87,7 +89,13 @@ function* baking(shapes: readonly PuffShape[], precision: Precision, sides: numb
 
 /** @param deviation of the baked fronts from the balls, in particle radii */
 function billboardSolids(balls: readonly (readonly Lobe[])[], deviation = 0): PuffSolids {
-  return solidsOf(balls, { facesEye: true, tolerance: LAYER_TOLERANCE + deviation, blur: LAYER_BLUR });
+  return solidsOf(balls, { facesEye: 1, tolerance: LAYER_TOLERANCE + deviation, blur: LAYER_BLUR });
+}
+
+/** Discs within the silhouettes of layers, as they turn to the light. */
+function discSolids({ figures }: PuffLayers): PuffSolids {
+  const balls = figures.map(({ discs }) => discs);
+  return solidsOf(balls, { facesEye: 2, tolerance: DISC_TOLERANCE, blur: 0 });
 }
 
 /** The visible front surfaces of baked layers, as patches of points. */

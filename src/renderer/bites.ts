@@ -9,7 +9,7 @@ import type { FormTextures } from './gpu/formTextures.ts';
 import { withLobes, type Shaders } from './gpu/programsAhead.ts';
 import type { Bites, PuffTextures } from './gpu/puffTextures.ts';
 
-/** Functions that the shaders of bodies and of volumes declare for BITES. */
+/** Functions that the shaders of bodies and of volumes declare for CUT. */
 const OF_BODIES: Shaders = { vertexShader: lobesVertex, fragmentShader: lobesFragment };
 const OF_VOLUMES: Shaders = { vertexShader: volumeVertex, fragmentShader: volumesFragment };
 /** Varyings of puffs with bites besides those of the lobes. WebGL 2 guarantees 15. */
@@ -66,7 +66,7 @@ function copied(whole: RawShaderMaterial, code: Shaders, lobes: number): RawShad
   whole.uniforms = {};
   const material = whole.clone();
   whole.uniforms = material.uniforms = uniforms;
-  material.defines.BITES = '';
+  material.defines.CUT = '';
   material.vertexShader = added(whole.vertexShader, code.vertexShader, lobes);
   material.fragmentShader = added(whole.fragmentShader, code.fragmentShader, lobes);
   whole.addEventListener('dispose', () => material.dispose());
@@ -76,7 +76,7 @@ function copied(whole: RawShaderMaterial, code: Shaders, lobes: number): RawShad
 
 /** Counted volumes have a fragment shader without bites. */
 function added(shader: string, code: string, lobes: number): string {
-  return shader.includes('BITES') ? `${shader}\n${withLobes(code, lobes)}` : shader;
+  return shader.includes('CUT') ? `${shader}\n${withLobes(code, lobes)}` : shader;
 }
 
 /** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */

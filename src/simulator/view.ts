@@ -74,7 +74,7 @@ export interface Solids {
   readonly table: Float32Array;
   /** Balls per variation: 4, 8 or 12. */
   readonly balls: number;
-  readonly facesEye: boolean;
+  readonly facesEye: 0 | 1 | 2;
   readonly tolerance: number;
   readonly blur: number;
 }
@@ -129,7 +129,7 @@ function writeCoverage(coverage: CoverageView, target: Float32Array): void {
   }
   target[VIEW_OFFSETS.tolerance] = solids.tolerance;
   target[VIEW_OFFSETS.blur] = solids.blur;
-  target[VIEW_OFFSETS.facesEye] = solids.facesEye ? 1 : 0;
+  target[VIEW_OFFSETS.facesEye] = solids.facesEye;
   copy(coverage.capRange, target, VIEW_OFFSETS.capRange, 2);
   target[VIEW_OFFSETS.balls] = solids.balls;
   target[VIEW_OFFSETS.lifters] = coverage.lifters.length;

@@ -139,7 +139,7 @@ function lobePuffs({ lobes }: BakedPuffs) {
   return { fillet, blend, startCaps, depth, lobes: lobesOf(table, count, lobeCount, lobeCount + 1) };
 }
 
-/** Billboards are baked layers, passed unchanged. Their shadows consist of lobes. */
+/** Billboards are baked layers, passed unchanged. Their shadows consist of lobes, or of their silhouettes within these. */
 function billboardPuffs({ billboards }: BakedPuffs) {
   const { layers, casters, startCaps, depth } = billboards;
   const { size, pad, distanceRange, normalDepth, colorCoverage } = layers;
@@ -150,6 +150,7 @@ function billboardPuffs({ billboards }: BakedPuffs) {
     blend: 0,
     depth,
     lobes,
+    areSilhouettes: casters.silhouetteReach > 0,
     startCaps,
     layers: { size, pad, distanceRange, normalDepth: relief, colorCoverage: [...colorCoverage] },
   };

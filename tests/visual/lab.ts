@@ -11,12 +11,14 @@ import {
   WebGLRenderer,
   type WebGLRenderTarget,
 } from 'three';
-import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
+import { finished } from '../../src/base/work.ts';
+import { bakingPuffs } from '../../src/renderer/bakedPuffs.ts';
 import { createDevice, Device } from '../../src/renderer/gpu/device.ts';
 import { ADDS, FullScreen } from '../../src/renderer/gpu/fullScreen.ts';
 import type { Color } from '../../src/renderer/gpu/ramps.ts';
 import type { DebugView } from '../../src/parameters/quality.ts';
 import type { SurfaceDescription } from '../../src/renderer/passes/surface.ts';
+import { LOBE_SHAPES } from '../../src/renderer/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../src/renderer/puffs/shapes.ts';
 import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS, TEMPERATURE_MAX } from '../../src/simulator/layout.ts';
 import type { Rows } from '../../src/simulator/rows.ts';
@@ -218,6 +220,8 @@ export function takePicture(scene: LabOptions): LabPicture {
 export interface LabOptions extends LabScene {
   /** Largest number of puffs in any scene, if larger than in this one. */
   capacity?: number;
+  /** Sides of each variation of billboards, default 1. In rows a variation is variation * sides + side. */
+  sides?: number;
   /** Draws as on a device that ignores fragment depth. */
   failsSelfTest?: boolean;
 }
@@ -231,7 +235,7 @@ export class Lab {
     const { puffs, casters = [], surfaces = [], backdrop, capacity = 1 } = options;
     this.device = deviceFor(options);
     const max = Math.max(capacity, puffs.length, casters.length);
-    const baked = bakedPuffs(options.shapes);
+    const baked = finished(bakingPuffs(options.shapes ?? LOBE_SHAPES, { sides: options.sides }));
     const drawn = { surfaces: drawnSurfaces(surfaces), backdrop };
     this.smoke = new SmokeRenderer(this.device, { capacity: max, ...drawn, puffs: baked });
   }

@@ -1,5 +1,5 @@
 /** Closed meshes that a few balls do not stand for, some with colours, for tests of puffs from meshes. */
-import { SphereGeometry, TorusGeometry, type BufferGeometry } from 'three';
+import { ExtrudeGeometry, Path, Shape, SphereGeometry, TorusGeometry, type BufferGeometry } from 'three';
 import type { PlainMesh } from '../../src/renderer/puffs/fit/closedMesh.ts';
 import { puffMesh } from '../../src/renderer/puffs/billboards/mesh.ts';
 import { LOBE_SHAPES } from '../../src/renderer/puffs/lobeShapes.ts';
@@ -92,6 +92,45 @@ function faceColor(x: number, y: number): readonly [number, number, number] {
   const isCheek = ((Math.abs(right) - 1.25) / 0.35) ** 2 + ((down - 0.35) / 0.25) ** 2 < 1;
   if (isEye || isMouth) return [40, 30, 60];
   return isCheek ? [255, 150, 150] : [255, 255, 255];
+}
+
+/** Cut out of a board, facing +z: a heart, a letter O that is higher than wide, and a slanted leaf with a stalk. */
+export const CARDS = {
+  heartCard: () => board(heartOutline()),
+  letterO: () => board(ellipse(new Shape(), 0.7, 0.95), ellipse(new Path(), 0.4, 0.62)),
+  leaf: () => board(leafOutline()),
+} as const;
+
+function heartOutline(): Shape {
+  const outline = new Shape();
+  outline.moveTo(0, -0.9);
+  outline.bezierCurveTo(-0.4, -0.5, -1, -0.1, -1, 0.35);
+  outline.bezierCurveTo(-1, 0.95, -0.2, 0.95, 0, 0.4);
+  outline.bezierCurveTo(0.2, 0.95, 1, 0.95, 1, 0.35);
+  outline.bezierCurveTo(1, -0.1, 0.4, -0.5, 0, -0.9);
+  return outline;
+}
+
+function leafOutline(): Shape {
+  const outline = new Shape();
+  outline.moveTo(0.8, 0.8);
+  outline.bezierCurveTo(-0.1, 1, -0.7, 0.3, -0.5, -0.42);
+  outline.lineTo(-0.9, -0.82);
+  outline.lineTo(-0.8, -0.9);
+  outline.lineTo(-0.4, -0.5);
+  outline.bezierCurveTo(0.2, -0.7, 0.95, -0.1, 0.8, 0.8);
+  return outline;
+}
+
+function ellipse<Outline extends Path>(outline: Outline, width: number, height: number): Outline {
+  outline.absellipse(0, 0, width, height, 0, 2 * Math.PI);
+  return outline;
+}
+
+function board(outline: Shape, ...holes: Path[]): PlainMesh {
+  outline.holes.push(...holes);
+  const solid = new ExtrudeGeometry(outline, { depth: 0.3, bevelEnabled: false, curveSegments: 32 });
+  return { positions: Float32Array.from(solid.attributes.position.array) };
 }
 
 function plain(geometry: BufferGeometry): PlainMesh & { positions: Float32Array; indices: Uint32Array } {

@@ -61,7 +61,8 @@ impl Picture {
 }
 
 pub fn draw(scene: &Scene) -> Picture {
-    let painter = Painter::new(scene);
+    let billboards = scene.puffs.layers.as_ref().map(Billboards::new);
+    let painter = Painter::new(scene, billboards.as_ref());
     let mut seen: Vec<Nearest> = (0..scene.width * scene.height)
         .map(|pixel| painter.behind_smoke(pixel))
         .collect();
@@ -76,7 +77,6 @@ pub fn draw(scene: &Scene) -> Picture {
         width: scene.width,
         depths: seen.iter().map(|seen| seen.window_depth).collect(),
     };
-    let billboards = scene.puffs.layers.as_ref().map(Billboards::new);
     let form = Form::new(scene, &painter.camera, &painter.light);
     for (index, &row) in scene.bodies.iter().enumerate() {
         let (camera, light) = (&painter.camera, &painter.light);
@@ -96,19 +96,19 @@ struct Painter<'a> {
     scene: &'a Scene,
     camera: Camera,
     solids: Solids<'a>,
-    volumes: Vec<Volume>,
+    volumes: Vec<Volume<'a>>,
     light: Light,
 }
 
 impl<'a> Painter<'a> {
-    fn new(scene: &'a Scene) -> Self {
+    fn new(scene: &'a Scene, billboards: Option<&'a Billboards>) -> Self {
         let (camera, light) = (Camera::new(scene), Light::new(&scene.light));
         Self {
             solids: Solids::new(&scene.surfaces),
             volumes: scene
                 .casters
                 .iter()
-                .filter_map(|row| Volume::new(scene, &camera, &light, row))
+                .filter_map(|row| Volume::new(scene, billboards, &camera, &light, row))
                 .collect(),
             light,
             scene,

@@ -160,6 +160,9 @@ pub struct Puffs {
     pub tallest: f64,
     /// Maximum visible depth behind the centre plane (radii).
     pub depth: f64,
+    /// True if the shadows of billboards are their silhouettes, within their lobes.
+    #[serde(default)]
+    pub are_silhouettes: bool,
     /// Baked fronts of billboards, which roll about the view axis; none for lobes.
     pub layers: Option<Layers>,
 }

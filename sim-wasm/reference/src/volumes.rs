@@ -2,9 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 
 use crate::attributes::{PackedAttributes, stretching, unfolded, unstretched};
+use crate::billboards::Billboards;
 use crate::bites::{self, FIRST_START, Lobe};
 use crate::bodies::clearance;
 use crate::light::Light;
@@ -13,9 +14,12 @@ use crate::scene::{Row, Scene, StartCaps};
 
 /// Distance (radii) from the farthest lit point to the start of the volume.
 const SLACK: f64 = 0.02;
+/// Number of places of a view ray that are compared with a silhouette, and the depth (m) of a place without an end.
+const SAMPLES: usize = 200;
+const FAR: f64 = 1e6;
 
 /// Everything that the puff's lobes hide from the light, from behind the puff to infinity.
-pub struct Volume {
+pub struct Volume<'a> {
     center: DVec3,
     /// Unit vector away from the light.
     axis: DVec3,
@@ -28,6 +32,35 @@ pub struct Volume {
     /// The discs of the lobes on this plane, in metres from the centre.
     discs: Vec<Disc>,
     eaten: Option<Eaten>,
+    picture: Option<Picture<'a>>,
+}
+
+/// The picture of a billboard as it turns to the light, whose silhouette is what hides the light within the discs.
+struct Picture<'a> {
+    billboards: &'a Billboards,
+    variation: usize,
+    /// Its x and y axis, over the radius of the puff.
+    axes: [DVec3; 2],
+}
+
+impl<'a> Picture<'a> {
+    fn new(scene: &Scene, billboards: Option<&'a Billboards>, camera: &Camera, row: &Row, axis: DVec3) -> Option<Self> {
+        let billboards = billboards.filter(|_| scene.puffs.are_silhouettes)?;
+        let attributes = PackedAttributes(row.attributes);
+        let world_from_puff = world_from_puff(scene, camera, attributes);
+        let turned = DMat3::from_quat(DQuat::from_rotation_arc(world_from_puff.z_axis, -axis)) * world_from_puff;
+        Some(Self {
+            billboards,
+            variation: attributes.variation(),
+            axes: [turned.x_axis, turned.y_axis].map(|axis| axis / row.radius),
+        })
+    }
+
+    /// `offset`: from the centre, on the plane across the axis.
+    fn hides(&self, offset: DVec3) -> bool {
+        let [x, y] = self.axes.map(|axis| axis.dot(offset));
+        self.billboards.at(self.variation, DVec2::new(x, y), 0.0).outside < 0.0
+    }
 }
 
 /// An eroded puff in a space about its centre where lobes and bites are balls of their own radii. A line to a lamp is treated
@@ -88,9 +121,15 @@ struct Disc {
     radius: f64,
 }
 
-impl Volume {
+impl<'a> Volume<'a> {
     /// None if the light is within the puff, which it lights entirely, or if nothing is left of the puff near the eye.
-    pub fn new(scene: &Scene, camera: &Camera, light: &Light, row: &Row) -> Option<Self> {
+    pub fn new(
+        scene: &Scene,
+        billboards: Option<&'a Billboards>,
+        camera: &Camera,
+        light: &Light,
+        row: &Row,
+    ) -> Option<Self> {
         let radius = row.radius * clearance(camera, row, stretch(scene, row).1);
         if radius <= 0.0 {
             return None;
@@ -113,6 +152,7 @@ impl Volume {
             flat,
             discs,
             eaten: Eaten::new(scene, row, axis, growth),
+            picture: Picture::new(scene, billboards, camera, row, axis),
         })
     }
 
@@ -125,6 +165,7 @@ impl Volume {
         along >= self.begin
             && self.discs.iter().any(|disc| seen.distance(disc.center) <= disc.radius)
             && self.eaten.as_ref().is_none_or(|eaten| eaten.is_met(on_plane))
+            && self.picture.as_ref().is_none_or(|picture| picture.hides(on_plane))
     }
 
     /// Returns true if it contains the point of a view ray at a depth, counted as the paper does: on each ray it extends
@@ -137,7 +178,22 @@ impl Volume {
         let (enter, leave) = stretches.fold((f64::INFINITY, f64::NEG_INFINITY), |all, one| {
             (all.0.min(one.0), all.1.max(one.1))
         });
-        enter <= depth && depth <= leave
+        enter <= depth && depth <= leave && self.is_between_hidden(ray, [enter, depth, leave])
+    }
+
+    /// Returns true if a view ray passes behind the silhouette before the second of three depths, and after it.
+    fn is_between_hidden(&self, ray: Ray, depths: [f64; 3]) -> bool {
+        let Some(picture) = &self.picture else {
+            return true;
+        };
+        // Places on the plane through the centre are on a line. A ray of infinite length ends at the point where it leaves to.
+        let [first, here, last] = depths.map(|depth| {
+            let offset = ray.at(depth.clamp(-FAR, FAR)) - self.center;
+            let along = offset.dot(self.axis);
+            (offset - along * self.axis) / (1.0 + self.growth * along)
+        });
+        let is_hidden = |end: DVec3| (0..=SAMPLES).any(|at| picture.hides(here.lerp(end, at as f64 / SAMPLES as f64)));
+        is_hidden(first) && is_hidden(last)
     }
 
     /// Depths between which a view ray is within the light's rays through a disc.

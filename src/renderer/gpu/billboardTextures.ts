@@ -5,9 +5,13 @@ import {
   HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
+  type RawShaderMaterial,
   RGBAFormat,
   UnsignedByteType,
 } from 'three';
+import countedFragment from '../../../shaders/silhouettes/countedVolumesFragment.glsl';
+import volumeVertex from '../../../shaders/silhouettes/volumeVertex.glsl';
+import volumesFragment from '../../../shaders/silhouettes/volumesFragment.glsl';
 import type { PuffLayers } from '../puffs/billboards/layers.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
@@ -23,6 +27,7 @@ export class BillboardTextures implements FormTextures {
   readonly spread = 1;
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
+  readonly silhouettes: FormTextures['silhouettes'];
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
@@ -51,6 +56,7 @@ export class BillboardTextures implements FormTextures {
     this.casterLobes = casters.lobeCount;
     this.casterTable = new DataTexture(casters.table, casters.lobeCount, casters.count, RGBAFormat, FloatType);
     this.casterTable.needsUpdate = true;
+    this.silhouettes = casters.silhouetteReach > 0 ? (material) => this.addSilhouettes(material) : undefined;
     this.capRange = capRange(startCaps);
     this.capTable = startCaps;
     this.solids = solids;
@@ -65,6 +71,21 @@ export class BillboardTextures implements FormTextures {
     this.colorCoverage.dispose();
     this.startCaps.dispose();
     this.casterTable.dispose();
+  }
+
+  /** Appends the functions that the shaders of volumes declare for CUT, or those of counted volumes for SILHOUETTE. */
+  private addSilhouettes(material: RawShaderMaterial): void {
+    const { pad, distanceRange } = this.layers;
+    Object.assign(material.uniforms, {
+      silhouettes: { value: this.colorCoverage },
+      pad: { value: pad },
+      distanceRange: { value: distanceRange },
+    });
+    if ('SILHOUETTE' in material.defines) return;
+    const isCounted = material.fragmentShader.includes('SILHOUETTE');
+    Object.assign(material.defines, { CUT: '', SILHOUETTE: '' });
+    material.vertexShader += `\n${volumeVertex}`;
+    material.fragmentShader += `\n${isCounted ? countedFragment : volumesFragment}`;
   }
 }
 

@@ -1,4 +1,4 @@
-import { DataArrayTexture, type DataTexture, FloatType, NearestFilter, RedFormat } from 'three';
+import { DataArrayTexture, type DataTexture, FloatType, NearestFilter, type RawShaderMaterial, RedFormat } from 'three';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { CasterTable } from '../puffs/billboards/casters.ts';
@@ -32,6 +32,11 @@ export interface FormTextures extends PuffExtents {
   /** One row for each variation: centre and radius of the lobes that cast shadow. The first `casterLobes` count. */
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
+  /**
+   * Makes the volumes of a material those of silhouettes. Each lobe that casts shadow contains one. Absent if the whole lobes cast
+   * shadow.
+   */
+  readonly silhouettes?: (material: RawShaderMaterial) => void;
 }
 
 /** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */

@@ -26,7 +26,9 @@ const DISC_REACH = 1.15;
 export abstract class ParticleVolumes {
   protected readonly uniforms: Record<string, IUniform>;
   private readonly puffs: PuffTextures;
-  /** Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes. */
+  /**
+   * Materials by lobe count, negative for deformed puffs, because the shaders unroll the loop over the lobes; of silhouettes by 0.
+   */
   private readonly materials = new Map<number, RawShaderMaterial>();
   protected readonly form = {
     minCap: { value: 0 },
@@ -91,11 +93,12 @@ export abstract class ParticleVolumes {
 
   /** The material for the lobe count of a puff form. */
   protected materialFor(form: PuffForm): RawShaderMaterial {
-    const { casterLobes } = this.puffs.of(form);
+    const { casterLobes, silhouettes } = this.puffs.of(form);
     const { isDeformed } = this.puffs;
-    const key = isDeformed ? -casterLobes : casterLobes;
+    const key = silhouettes ? 0 : isDeformed ? -casterLobes : casterLobes;
     const material = this.materials.get(key) ?? this.materialWith(casterLobes, isDeformed);
     this.materials.set(key, material);
+    silhouettes?.(material);
     return material;
   }
 }

@@ -63,7 +63,7 @@ it('draws whole rows with the plain material and the others with bites, each onc
   expect(calls[0].material).toBe(whole);
   expect(calls[1].material.uniforms).toBe(whole.uniforms);
   expect(calls[1].material.stencilRef).toBe(3);
-  expect([calls[0], calls[1]].map(({ material }) => 'BITES' in material.defines)).toEqual([false, true]);
+  expect([calls[0], calls[1]].map(({ material }) => 'CUT' in material.defines)).toEqual([false, true]);
   expect([geometry.rows.first, geometry.rows.count]).toEqual([0, EROSIONS.length]);
 });
 

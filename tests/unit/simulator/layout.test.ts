@@ -45,7 +45,7 @@ describe('the layout of rows and views', () => {
         capRange: [-0.5, 0.5],
         startCaps: { values: new Float32Array([0.25, 0.375]) },
         depth: 1.25,
-        solids: { table: new Float32Array([9, 8, 7]), balls: 4, facesEye: true, tolerance: 0.0625, blur: 3 },
+        solids: { table: new Float32Array([9, 8, 7]), balls: 4, facesEye: 1, tolerance: 0.0625, blur: 3 },
       },
     };
     const floats = new Float32Array(viewLength(view)).fill(77);

@@ -73,6 +73,10 @@ const SCENES = {
     ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
     shapes: await meshShapes(),
   }),
+  meshesByLamp: async () => ({
+    ...cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, -0.9] }),
+    shapes: await meshShapes(),
+  }),
   coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   underParts: () => underParts(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),

@@ -51,6 +51,7 @@ const MORE_BOARDS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['byLamp', [BILLBOARDS]],
 ];
 const MESHES: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['meshesByLamp', [BILLBOARDS, { ...BILLBOARDS, volumes: 'counted' }]],
   ['meshes', [BILLBOARDS, { ...BILLBOARDS, tones: 3, gradient: 'height', shadowSteps: 2, shadowDepth: 3 }]],
 ];
 /** Painted colours change within a region, so that the rounding of the GPU's filter shows at their borders. */

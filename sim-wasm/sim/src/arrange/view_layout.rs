@@ -76,7 +76,7 @@ view_numbers! {
     tolerance: f32,
     /// The same distance in pixels, added to it.
     blur: f32,
-    /// 1 if puffs turn to the eye, else 0.
+    /// 1 if puffs turn to the eye; 2 if the balls are discs that such puffs turn to the light; else 0.
     faces_eye: f32,
     /// Metres by which a surface can lift ink in front of its lobe, per unit of clip w.
     lift: f32,

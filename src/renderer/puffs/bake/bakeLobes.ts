@@ -54,7 +54,7 @@ export function* bakingLobes(shapes: readonly PuffShape[]): Work<LobePuffs> {
     table: Float32Array.from(ofAll.flatMap((lobes) => rowOf(lobes, lobeCount))),
     reach: Math.max(...ofAll.map(reachOf)),
     depth: Math.ceil((deepest + DEPTH_SLACK) / DEPTH_STEP) * DEPTH_STEP,
-    solids: solidsOf(ofAll, { facesEye: false, tolerance: ROTATION_TOLERANCE, blur: 0 }),
+    solids: solidsOf(ofAll, { facesEye: 0, tolerance: ROTATION_TOLERANCE, blur: 0 }),
     blend: NORMAL_BLEND,
     fillet: CREASE_FILLET,
   };

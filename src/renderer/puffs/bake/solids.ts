@@ -11,8 +11,11 @@ export interface PuffSolids {
   readonly table: Float32Array;
   /** Balls per variation: 4, 8 or 12. */
   readonly balls: number;
-  /** Whether the puff faces the eye and rolls about the view axis. Otherwise it is oriented in world space. */
-  readonly facesEye: boolean;
+  /**
+   * 1 if the puff faces the eye and rolls about the view axis, 2 if the balls, with their centres on the centre plane, are discs that
+   * such a puff turns to the light; 0 if it is oriented in world space.
+   */
+  readonly facesEye: 0 | 1 | 2;
   /** Maximum deviation of the drawn outline and height from the balls: `tolerance` in radii, `blur` in pixels. */
   readonly tolerance: number;
   readonly blur: number;

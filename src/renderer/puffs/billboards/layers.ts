@@ -18,8 +18,11 @@ import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterising, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import { readDrawings } from '../drawing/drawing.ts';
 import { rasterisingDrawing } from '../drawing/relief.ts';
+import { inscribedDiscs } from './inscribedDiscs.ts';
+import { isOwnPicture } from './sides.ts';
 import { resamplingTile } from './resample.ts';
-import type { PuffShape } from '../shapes.ts';
+import type { Lobe, PuffShape } from '../shapes.ts';
+import { MAX_LOBES } from '../../../base/constants.ts';
 import { finished, type Work } from '../../../base/work.ts';
 
 /** Bits of normals and depths: 16 for half floats, 8 for the integers of the paper. */
@@ -41,6 +44,8 @@ export interface PuffFigures {
   readonly outerRadius: number;
   /** Height of the highest point above the centre plane, towards the viewer. */
   readonly relief: number;
+  /** Discs inside the silhouette, if it is that of a picture of its own and so throws shadow; else none. */
+  readonly discs: readonly Lobe[];
   /** Depth of the deepest visible point below the centre plane; 0 if there is none. */
   readonly depth: number;
 }
@@ -84,6 +89,7 @@ export function* bakingLayers(
   const normalDepth = new (precision === 8 ? Uint8Array : Uint16Array)(4 * texels * shapes.length);
   const colorCoverage = new Uint8Array(4 * texels * shapes.length);
   const figures: PuffFigures[] = [];
+  const areOwn = shapes.some(isOwnPicture);
   for (const [layer, shape] of shapes.entries()) {
     const raster = yield* rasterisingShape(shape, size);
     yield;
@@ -94,7 +100,8 @@ export function* bakingLayers(
     yield;
     writeColorCoverage(raster, nearest, distance, colorCoverage.subarray(4 * texels * layer));
     yield;
-    figures.push(measure(raster, distance));
+    const discs = areOwn ? inscribedDiscs(distance, size * SUPERSAMPLE, MAX_LOBES) : [];
+    figures.push({ ...measure(raster, distance), discs });
   }
   return {
     size,
@@ -159,7 +166,7 @@ function middleDistance(distance: Float32Array, fine: number, x: number, y: numb
   return (distance[cell] + distance[cell + 1] + distance[cell + fine] + distance[cell + fine + 1]) / 4;
 }
 
-function measure(raster: PuffRaster, distance: Float32Array): PuffFigures {
+function measure(raster: PuffRaster, distance: Float32Array): Omit<PuffFigures, 'discs'> {
   const fine = raster.size * SUPERSAMPLE;
   let covered = 0;
   let inscribed = Infinity;

@@ -17,6 +17,11 @@ export function billboardShapes(shapes: readonly PuffShape[], sides = 1): readon
   });
 }
 
+/** Whether a shape for billboards is a picture of its own, which its lobes do not stand for. */
+export function isOwnPicture(shape: PuffShape): boolean {
+  return 'mesh' in shape || 'drawing' in shape || 'sheet' in shape;
+}
+
 /** Cosine and sine of eighths of a turn. Engines differ in the last bit of Math.cos. */
 const EIGHTHS: readonly Turn[] = [
   [1, 0], [Math.SQRT1_2, Math.SQRT1_2], [0, 1], [-Math.SQRT1_2, Math.SQRT1_2],

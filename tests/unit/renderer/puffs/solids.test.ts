@@ -23,7 +23,7 @@ describe('the solids of puffs', () => {
   it('are the lobes, column by column, padded with absent ones', () => {
     const { table, balls } = solidsOf(
       LOBE_SHAPES.map(({ lobes }) => lobes),
-      { facesEye: false, tolerance: 0, blur: 0 },
+      { facesEye: 0, tolerance: 0, blur: 0 },
     );
     expect(balls).toBe(12);
     expect(table).toHaveLength(LOBE_SHAPES.length * 48);
@@ -38,7 +38,7 @@ describe('the solids of puffs', () => {
 
   it('reject more lobes than the limit', () => {
     const lobes = Array.from({ length: 13 }, () => ({ center: [0, 0, 0] as const, radius: 1 }));
-    const drawn = { facesEye: false, tolerance: 0, blur: 0 };
+    const drawn = { facesEye: 0, tolerance: 0, blur: 0 } as const;
     expect(() => solidsOf([lobes], drawn)).toThrow(/13 lobes/);
   });
 

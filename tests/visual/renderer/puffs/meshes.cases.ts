@@ -10,11 +10,11 @@ import { frontCamera, PLAIN_STYLE, takePicture } from '../../lab.ts';
 import { defaultPreset, presetValues } from '../../../../src/parameters/presets.ts';
 import { createStage } from '../../../../src/stage/stage.ts';
 import { PLAIN_LOOK } from '../../../support/plainLook.ts';
-import { face, halves, heart, popcorn, rings, torus } from '../../puffMeshes.ts';
+import { CARDS, face, halves, heart, popcorn, rings, torus } from '../../puffMeshes.ts';
 import { comparePlume, type Comparison } from '../culling.cases.ts';
 import { selfMasked } from '../passes/lonePuffs.cases.ts';
 
-const MESHES = { face, heart, popcorn, rings, torus } as const;
+const MESHES = { face, heart, popcorn, rings, torus, ...CARDS } as const;
 const SIZE = 240;
 const [UPPER, LOWER] = [[1, 0.8, 0.2], [0.4, 0.6, 1]] as const; // prettier-ignore
 
@@ -101,8 +101,9 @@ export async function besideSheet(): Promise<{ covered: number; different: numbe
 }
 
 /** Pictures of a plume of meshes with and without culling. */
-export async function culled(names: readonly Name[], sides: number): Promise<Comparison[]> {
-  return comparePlume(1000, { form: 'billboards' }, ['scene', 'inside', 'orthographic'], await shapesOf(names), sides);
+export async function culled(names: readonly Name[], sides: number, style: Partial<Style> = {}): Promise<Comparison[]> {
+  const shown = { form: 'billboards', ...style } as const;
+  return comparePlume(1000, shown, ['scene', 'inside', 'orthographic'], await shapesOf(names), sides);
 }
 
 /**

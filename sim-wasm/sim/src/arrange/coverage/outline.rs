@@ -31,6 +31,8 @@ const MIN_COVERING_CLEARANCE: f32 = 0.05;
 const CLEARANCE_TOLERANCE: f32 = 0.002;
 /// Distance from the eye, in twice the greatest height of puffs, from which a stretched one certainly has its full size.
 const STRETCHED_FROM: f32 = 1.5;
+/// Least [`ShadowFrame::rise`] of a puff that covers: twice that of shaders/silhouettes/volumeVertex.glsl.
+const LEAST_RISE: f32 = 2e-4;
 /// Radii by which the chart of a lamp may move a point of a shadow that covers others.
 const MAX_BEND: f32 = 0.25;
 
@@ -305,7 +307,7 @@ impl<'a> Outliner<'a> {
     }
 
     /// The discs of all lobes of a shadow are certain. The area between them depends on the eye, so the polygon around
-    /// them bounds what it may darken.
+    /// them bounds what it may darken; around the bounding disc if they are only discs within a silhouette.
     #[inline(never)]
     fn draw_shadow(&self, shadows: &Shadows, attributes: Attributes, outline: &mut Outline) {
         let (projected, frame) = (outline.projected, outline.frame);
@@ -315,9 +317,13 @@ impl<'a> Outliner<'a> {
         } else {
             self.standing(attributes, &frame.axes)
         };
+        let shown = match shadows.solids.faces_light {
+            true => self.orientations.facing(attributes, &frame.facing_light()),
+            false => rotation,
+        };
         shadows
             .solids
-            .rotate(attributes, &rotation, self.billow, &mut outline.balls);
+            .rotate(attributes, &shown, self.billow, &mut outline.balls);
         let caps = match self.billow {
             Some(_) if !shadows.solids.faces_eye => shadows.caps.behind(&outline.balls),
             _ => shadows.caps.of(attributes, rotation[2]),
@@ -350,9 +356,14 @@ impl<'a> Outliner<'a> {
                 rim_depth: lanes(f32::INFINITY),
             };
         }
+        if shadows.solids.faces_light {
+            let outside = lanes((shadows.reach + projected.tolerance) * cells);
+            reaches.add(f32x4::ZERO, f32x4::ZERO, outside);
+        }
         outline.polygon = Polygon::at(projected.u, projected.v, nearest);
         outline.polygon.extend(&reaches);
-        outline.inner.count = if projected.covers { outline.balls.count } else { 0 };
+        let covers = projected.covers && (!shadows.solids.faces_light || frame.rise() > LEAST_RISE);
+        outline.inner.count = if covers { outline.balls.count } else { 0 };
         outline.inner.bulge = 0.0;
         if self.plan.covers > 1 {
             // Discs of one puff must not count as several covers.
@@ -404,6 +415,25 @@ fn flat(projected: &ProjectedPuff, radius: f32, depth: f32) -> Disc {
 }
 
 impl ShadowFrame {
+    /// 1 plus the cosine between the light and the direction towards the eye, without its rounding.
+    fn rise(&self) -> f32 {
+        let [x, y, back] = self.in_view[2];
+        if back < 0.0 {
+            (x * x + y * y) / (1.0 - back)
+        } else {
+            1.0 + back
+        }
+    }
+
+    /// The axes in the view space of a picture that faces the eye, which then turns to the light the shortest way.
+    #[inline(never)]
+    fn facing_light(&self) -> [[f32; 3]; 3] {
+        let [x, y, _] = self.in_view[2];
+        let rise = greater(self.rise(), LEAST_RISE);
+        let turned = |[right, up, back]: [f32; 3]| [right - back / rise * x, up - back / rise * y, 0.0];
+        [turned(self.in_view[0]), turned(self.in_view[1]), [0.0, 0.0, 1.0]]
+    }
+
     /// Distance (radii) by which the chart of a lamp moves a point of a puff's shadow, against a plane at its centre.
     #[inline(never)]
     fn bend(&self, reach: f32) -> f32 {
@@ -546,6 +576,31 @@ mod tests {
         let packed = [ROLL.of(attributes), SEED.of(attributes)].map(|value| value as f32);
         let all = [&place[..], &packed, &light, &values].concat();
         all.iter().map(f32::to_string).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn a_picture_turns_to_the_light_the_shortest_way() {
+        let mut random = Random::new(38);
+        for _ in 0..200 {
+            let z = 1.99 * random.unit() - 0.99;
+            let angle = random.unit() * std::f32::consts::TAU;
+            let sine = (1.0 - z * z).sqrt();
+            let light = [sine * angle.cos(), sine * angle.sin(), z];
+            // About the axis across the light, from the direction towards the eye to it.
+            let across = [-angle.sin(), angle.cos(), 0.0];
+            let along = [-light[2] * across[1], light[2] * across[0], sine];
+            let frame = ShadowFrame {
+                in_view: [across, along, light],
+                ..ShadowFrame::default()
+            };
+            let [right, up, _] = frame.facing_light();
+            for (axis, expected) in [(right, across), (up, [-across[1], across[0], 0.0])] {
+                assert!(
+                    (0..3).all(|i| (axis[i] - expected[i]).abs() < 1e-4),
+                    "{axis:?} {expected:?}"
+                );
+            }
+        }
     }
 
     /// `npm run generate` writes the file. `tests/visual/renderer/passes/volumes/volumes.spec.ts` compares it with the

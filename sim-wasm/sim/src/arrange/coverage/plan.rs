@@ -172,7 +172,7 @@ impl<'v> Bodies<'v> {
     fn new(numbers: &ViewNumbers, solids: &'v [f32], eye: &EyeAxes) -> Option<Self> {
         let solids = &solids[..solids.len() - caps_length(numbers, solids.len())];
         (!solids.is_empty()).then(|| Self {
-            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
+            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye),
             reach: numbers.reach,
             tolerance: numbers.tolerance,
             blur: numbers.blur,
@@ -222,7 +222,7 @@ impl<'v> Shadows<'v> {
     fn new(numbers: &ViewNumbers, tables: &'v [f32], eye: &EyeAxes, chart: &Chart) -> Option<Self> {
         let (solids, caps) = tables.split_at(tables.len() - caps_length(numbers, tables.len()));
         (!solids.is_empty()).then(|| Self {
-            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye != 0.0),
+            solids: Solids::new(solids, numbers.balls as usize, numbers.faces_eye),
             reach: numbers.reach,
             tolerance: numbers.tolerance,
             caps: StartCaps::new(caps, numbers.cap_range),

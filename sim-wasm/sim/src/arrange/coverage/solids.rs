@@ -29,6 +29,8 @@ pub struct Solids<'v> {
     balls: usize,
     /// True if puffs face the eye and roll about the view axis; false if they are fixed in world space.
     pub faces_eye: bool,
+    /// True if the balls, with their centres on the centre plane, are discs that a puff turns to the light.
+    pub faces_light: bool,
 }
 
 /// The balls of one puff in view space: right, up, towards the eye. If the puff is stretched, balls that its ellipsoids
@@ -58,13 +60,14 @@ impl RotatedBalls {
 }
 
 impl<'v> Solids<'v> {
-    /// `table` holds 4 * `balls` numbers per variation; `balls` is 4, 8 or 12.
-    pub(crate) fn new(table: &'v [f32], balls: usize, faces_eye: bool) -> Self {
+    /// `table` holds 4 * `balls` numbers per variation; `balls` is 4, 8 or 12. `faces`: see `ViewNumbers::faces_eye`.
+    pub(crate) fn new(table: &'v [f32], balls: usize, faces: f32) -> Self {
         debug_assert!(balls.is_multiple_of(LANES) && balls <= BALLS_LIMIT && !table.is_empty());
         Self {
             table,
             balls,
-            faces_eye,
+            faces_eye: faces != 0.0,
+            faces_light: faces == 2.0,
         }
     }
 
