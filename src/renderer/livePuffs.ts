@@ -4,12 +4,14 @@ import { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
 import { keyOf, type PuffShape } from './puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../base/work.ts';
 import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
-import { codeOf } from './extraPasses.ts';
+import { codeOf, hasCode } from './extraPasses.ts';
 import { deformationOf, formOf } from './style.ts';
 
 /** Puffs to bake; equal puffs have equal keys. */
 interface PuffRequest {
   readonly key: string;
+  /** Whether the code that bakes them is loaded. */
+  isReady(): boolean;
   begin(): Work<BakedPuffs>;
 }
 
@@ -64,7 +66,8 @@ export class LivePuffs {
   /** Starts a bake if one is requested. Returns whether there is work to do. */
   private begin(): boolean {
     const { key } = this.wanted;
-    if (!this.baking && key !== this.currentKey) this.baking = { key, work: this.wanted.begin() };
+    if (!this.baking && key !== this.currentKey && this.wanted.isReady())
+      this.baking = { key, work: this.wanted.begin() };
     return this.baking !== undefined;
   }
 
@@ -83,6 +86,8 @@ export class LivePuffs {
     const drawing = values['puff.drawing'];
     return {
       key: `${parts.precision} ${parts.sides} ${own ? keyOf(own) : drawing || JSON.stringify([design, variations])}`,
+      // Until then the picture keeps its puffs.
+      isReady: () => Boolean(own) || !drawing || hasCode('billboards'),
       *begin() {
         const drawn = own ?? (drawing && (yield* codeOf('billboards').makingShapes(drawing)));
         return yield* bakingPuffs(drawn || designedShapes(design, variations), parts);
