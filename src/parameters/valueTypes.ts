@@ -25,10 +25,12 @@ export type PresetName =
   | 'train-night'
   | 'campfire'
   | 'campfire-night'
+  | 'campfire-popcorn'
   | 'rocket'
   | 'rocket-night'
   | 'genie'
   | 'genie-sumi-e'
+  | 'genie-potion'
   | 'dust'
   | 'cloudscape'
   | 'cloudscape-gouache'
@@ -36,10 +38,14 @@ export type PresetName =
   | 'cloudscape-ink-wash'
   | 'cloudscape-dusk'
   | 'cloudscape-night'
+  | 'cloudscape-woodcut'
   | 'wisp'
   | 'wisp-matcha'
+  | 'wisp-hearts'
   | 'air'
-  | 'air-comic-explosion';
+  | 'air-comic-explosion'
+  | 'air-leaves'
+  | 'air-pow';
 
 /** The values of parameters that exist once, by their keys. */
 export type SingleValues = {
@@ -64,6 +70,7 @@ export type SingleValues = {
   /** Puffs: Lobes have a true shape from every side. Billboards are pictures of puffs that face the camera, as in the paper. */ 'puff.form':
     'lobes' | 'billboards';
   /** Drawn puffs: Up to four puffs of your own instead of round ones. They are billboards; each is at most 1,200 characters of a link. */ 'puff.drawing': string;
+  /** Upright: How far puffs stand upright, as letters do; 0 turns each at random. */ 'puff.upright': number;
   /** Views: Number of sides from which billboards are drawn. A puff keeps its side for life. Lobes have all sides. */ 'puff.views':
     1 | 2 | 4 | 8;
   /** Precision: Bits of the normals and depths of billboards; the paper has 8. Lobes are exact. */ 'puff.precision':

@@ -111,11 +111,6 @@ export async function fetchExtras(kind: PictureKind): Promise<void> {
   await Promise.all(missing(kind).map(([name, what]) => modules.load(name, what)));
 }
 
-/** Whether a module is loaded. */
-export function hasCode(name: Name): boolean {
-  return loaded[name] !== undefined;
-}
-
 /**
  * Returns a loaded module.
  * @throws LoadError if it is not loaded

@@ -4,14 +4,12 @@ import { designedShapes, type PuffDesign } from './puffs/lobeShapes.ts';
 import { keyOf, type PuffShape } from './puffs/shapes.ts';
 import { finished, workedFor, type Work } from '../base/work.ts';
 import { bakingPuffs, type PuffParts } from './bakedPuffs.ts';
-import { codeOf, hasCode } from './extraPasses.ts';
+import { codeOf, loaded } from './extraPasses.ts';
 import { deformationOf, formOf } from './style.ts';
 
 /** Puffs to bake; equal puffs have equal keys. */
 interface PuffRequest {
   readonly key: string;
-  /** Whether the code that bakes them is loaded. */
-  isReady(): boolean;
   begin(): Work<BakedPuffs>;
 }
 
@@ -66,8 +64,7 @@ export class LivePuffs {
   /** Starts a bake if one is requested. Returns whether there is work to do. */
   private begin(): boolean {
     const { key } = this.wanted;
-    if (!this.baking && key !== this.currentKey && this.wanted.isReady())
-      this.baking = { key, work: this.wanted.begin() };
+    if (!this.baking && key !== this.currentKey) this.baking = { key, work: this.wanted.begin() };
     return this.baking !== undefined;
   }
 
@@ -83,17 +80,22 @@ export class LivePuffs {
     const { own, variations } = this;
     const design = designOf(values);
     const parts = partsOf(values);
-    const drawing = values['puff.drawing'];
+    const drawing = own ? '' : values['puff.drawing'];
+    // While the code is not loaded, the last picture stays, and these puffs are not drawn.
+    const isDrawn = () => drawing && loaded.billboards;
+    const undrawn = own ? keyOf(own) : JSON.stringify([design, variations]);
     return {
-      key: `${parts.precision} ${parts.sides} ${own ? keyOf(own) : drawing || JSON.stringify([design, variations])}`,
-      // Until then the picture keeps its puffs.
-      isReady: () => Boolean(own) || !drawing || hasCode('billboards'),
-      *begin() {
-        const drawn = own ?? (drawing && (yield* codeOf('billboards').makingShapes(drawing)));
-        return yield* bakingPuffs(drawn || designedShapes(design, variations), parts);
+      get key() {
+        return `${parts.precision} ${parts.sides} ${isDrawn() ? drawing : undrawn}`;
       },
+      begin: () =>
+        isDrawn() ? bakingDrawn(drawing!, parts) : bakingPuffs(own ?? designedShapes(design, variations), parts),
     };
   }
+}
+
+function* bakingDrawn(drawing: string, parts: PuffParts): Work<BakedPuffs> {
+  return yield* bakingPuffs(yield* codeOf('billboards').makingShapes(drawing), parts);
 }
 
 /** Whether puffs are drawn as billboards, which take longer to bake than lobes. */

@@ -58,6 +58,8 @@ type Combined =
  */
 export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stops' | 'isBlended' | 'wash'> {
   form: PuffForm;
+  /** How far puffs stand upright, 0..1. */
+  upright: number;
   /** How far light follows the form of the whole smoke, 0..1. */
   plumeForm: number;
   /** Greatest ratio of the axes of a puff, 1 for puffs that do not stretch. */
@@ -112,6 +114,7 @@ export function styleOf(values: Values): Style {
   return {
     ...same,
     form: formOf(values),
+    upright: values['puff.upright']!,
     plumeForm,
     ...deformationOf(values),
     isEroded:

@@ -72,8 +72,8 @@ export function lightView(sources: ViewSources, input: FrameInput, receivers: Bo
   };
 }
 
-function common({ eye, extents }: ViewSources, { blend, cull }: FrameInput) {
-  return { blend, cull, clipFromWorld: eye.clipFromWorld.elements, reach: extents.reach, sides: extents.sides };
+function common({ eye, extents: { reach, sides } }: ViewSources, { blend, cull, style: { upright } }: FrameInput) {
+  return { blend, cull, clipFromWorld: eye.clipFromWorld.elements, reach, sides, upright };
 }
 
 function coverageOf(

@@ -26,10 +26,11 @@ export const VIEW_OFFSETS = {
   capsFollow: 91,
   lamp: 92,
   sides: 95,
+  upright: 96,
 } as const;
 
 /** Floats of a packed view, without the solids and the start caps that can follow. */
-export const VIEW_FLOATS = 96;
+export const VIEW_FLOATS = 97;
 
 /** Maximum number of boxes of surfaces that lift ink. */
 export const LIFTERS_LIMIT = 8;

@@ -30,6 +30,8 @@ export interface View {
   receivers: { min: Triple; max: Triple };
   /** Sides from which each variation is drawn, 1 to 8, default 1. In rows, variation is variation * sides + side. */
   sides?: number;
+  /** Share of the roll of puffs that is left out, 0 to 1, default 0. */
+  upright?: number;
   /** Enables occlusion culling. If absent, only rows outside the view are culled. */
   coverage?: CoverageView;
 }
@@ -117,6 +119,7 @@ export function writeView(view: View, target: Float32Array): void {
   copy(view.direction, target, VIEW_OFFSETS.direction, 3);
   target[VIEW_OFFSETS.reach] = view.reach;
   target[VIEW_OFFSETS.sides] = view.sides ?? 1;
+  target[VIEW_OFFSETS.upright] = view.upright ?? 0;
   copy(view.receivers.min, target, VIEW_OFFSETS.receivers, 3);
   copy(view.receivers.max, target, VIEW_OFFSETS.receivers + 3, 3);
   if (view.coverage) writeCoverage(view.coverage, target);

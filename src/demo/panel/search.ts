@@ -138,6 +138,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'puff.billow': 'unfold bloom curl swell',
   'puff.form': 'type sprites shape',
   'puff.drawing': 'draw paint pen own custom shape heart letter text svg png image logo',
+  'puff.upright': 'roll rotation rotate angle tilt straight level',
   'puff.views': 'sides directions angles sprites rotations',
   'puff.precision': 'byte half float depth quality',
   'puff.lumpiness': 'bumpy bubbly fluffy shape',

@@ -128,4 +128,24 @@ export const cloudscapePresets: readonly Preset[] = [
       'light.ambient': 0.5,
     },
   },
+  {
+    name: 'cloudscape-woodcut',
+    values: {
+      ...smoke,
+      'puff.drawing':
+        'ffffff*IKPfSaTYVVXTbSeSiTlVpXrbteuiulspsrotluiuetbrYoUmU,ffffff*MJbeQZRWTTVRaPeQiRmTrVtavewixmvrttqvnwixevZtWqTnR,ffffff*PCKeSbTYVUXTbTeSiTlVpXrbteuiultprrotmuhtftasYoVlT,ffffff*L2feRbTXVVXSaSfShTmUpYrateviumtorsptmuhufuarXpVlT,2c2a33*GmM1m2dzVtOlLcKh2ZzTvQrMk,2c2a33*HuGtgsdrYpWkUhTctapYoXnWm,2c2a33*IZ7mfmdlclcjaiablbjckcjcl,2c2a33*De3ymzdwXrRkOdNgzZvWtTpPk,2c2a33*EazrgrdpanXkWhVcqaoanZmXl,2c2a33*FCplflekdkcjbibbkcjcidjdk,2c2a33*KWzylydwXsRkOcNgzawWsSpQk,2c2a33*LSurgrdpanXkWhVcqaoZnZmYl,2c2a33*L2kmflekdkcjbibbkcjcidkdj,*KImNZNfNlQqUv.GdhRaPfQlTpVs.NVcQaQfQlSpWs;ffffff*HR2eUbUZWVYVbTeTiVlVoZqbsesitlsnqrorktitercrYnWlU,ffffff*LOieSbTYVUYTaTeSiTmVoXrbteuiultprrptluitetbsXoVlT,ffffff*O5leRaSXUUWRbReRiSlUqXsauevivmuptspumvivevasXpTmS,ffffff*KdXeSbUYVVYUbTeTiTlWoXrbsfuhtlsprqotltitesbrYoVlU,2c2a33*JySzl0eyWsPlMcMg0ayUuRpOl,2c2a33*KyMshscqanWlVhUcsZpZnYmXl,2c2a33*LaCmfmekclcjbiablbjcjdjck,2c2a33*GjLylyewWsRkOcOgyawWsSpQl,2c2a33*HfGrgrdpanYkWhVcqaoZmZmYl,2c2a33*IC9mflekckcjcibbjcjcjdjdk,2c2a33*C-bxlwevXqTkPdQgwauXrUoRl,2c2a33*D2XqgqdobnYjXhWcpbnamZlZl,2c2a33*EaPkelfkdjcjcibbjcjdidjdk,*NAzPaOfPlRqVt.Jh1QaQfQkSpWt.FtNSaRgSkToXr;ffffff*JReeRaTXUUXTbReSiSlVpXsateviumupsroumuivetasYpUmS,ffffff*NpbfUbUYWWYUbTfUhUlWoYqbsfshtlsoqqoslshtfsbqYoWlU,ffffff*OagfSaTYVVXTbSeSiTlVpXrbteuiultprrotmuhuftarYoVmT,ffffff*IelfSaUYVWYTbTeTiTlWoYrbseuitlsorqotltitetbqYoVmU,ffffff*LaAeSaTYVVYTaSeSiTmVoYrateuiumtorrotmuiuetarYoVmT,2c2a33*EWIym0exWrQlNcNgzaxVtSpPl,2c2a33*FWDrhrdqZnXlWgUcraoZnZmXl,2c2a33*F56mfldldkcjbibbkcjcidkck,2c2a33*JvIymzdwXrRkOdNgzZwWsTpPk,2c2a33*KrErgrdpanXkWhVcqaoanZmXl,2c2a33*LS6lflekdkcjbibbkcjcidkdj,2c2a33*D_MxlydwXqSkPdOgyavWrTpRk,2c2a33*E7HrgqdoanYkXhVcqananZlYl,2c2a33*Fe-lflekdjcjcibbjcjdidjdk,*HcuQaPfPlSpVt.MtyRaPfQlTpVs.G15SaQgRkSoXs',
+      'puff.upright': 0.9,
+      'puff.size': 1.25,
+      'style.simplify': 0,
+      'style.form': 0,
+      'style.ramp': '0:c9d3d6,.3:fbf5e6',
+      'style.inkColor': '#2c2a33',
+      'style.outlineWidth': 2.4,
+      'style.inkSwell': 0.6,
+      'style.innerLine': 0.3,
+      'style.backdrop': '0:f6e9c8,1:6d9db5',
+      'style.wash': 0.7,
+      'style.washColor': '#f3ead2',
+    },
+  },
 ];

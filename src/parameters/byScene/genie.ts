@@ -47,4 +47,25 @@ export const geniePresets: readonly Preset[] = [
       'style.strokes': 0.5,
     },
   },
+  {
+    name: 'genie-potion',
+    values: {
+      ...smoke,
+      'emission.rate': 80,
+      'puff.drawing':
+        'ffffff*N1oeRcRZTXUVVSYSZQcQfQhQkSnSoVrXsZtcveviukvntpsrrupumwkwhwfwcuauXrVpUnTkR,ffffff*F6l3g2g3g1sfzezcvYmOiKgKgOeYacRfNeN,4a3a66*HF2dYbaZbZeYgZjalcnfogojolnmkojofnemakZhY,4a3a66*L-AgYfYcZabZdYgZiZlbmdogohoknmmniohodmclZ,4a3a66*ICRs7YdccckYj,*GzMg_.IDJgzgy.JTMg_.ESSjkkkkkkjkjkj.KWnkdkdkdkckcjc;ffffff*N1oeRcRZTXUVVSYSZQcQfQhQkSnSoVrXsZtcveviukvntpsrrupumwkwhwfwcuauXrVpUnTkR,ffffff*F6l3g2g3g1sfzezcvYmOiKgKgOeYacRfNeN,4a3a66*HSFhZeYaZYaXcWeYhZjbmfninmnnmqkpipfnd,4a3a66*MJtbaZdYfWiXkYmaneohnllnjphpeqcnamZiZ,4a3a66*ICRs7YdccckYj,*GzMg_.IDJgzgy.JTMg_.ESSjkkkkkkjkjkj.KWnkdkdkdkckcjc',
+      'puff.upright': 0.9,
+      'puff.size': 0.95,
+      'style.simplify': 0,
+      'style.form': 0,
+      'style.ramp': '0:5cae6a,.34:9fe08a,.66:e6ffc0',
+      'style.inkColor': '#16241e',
+      'style.outlineWidth': 2.2,
+      'style.backdrop': '0:6a4a8c,1:241a44',
+      'style.wash': 0.45,
+      'style.washColor': '#b8a0e0',
+      'light.azimuth': 38,
+      'light.elevation': 46,
+    },
+  },
 ];

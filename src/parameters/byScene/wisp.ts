@@ -46,4 +46,27 @@ export const wispPresets: readonly Preset[] = [
       'style.washColor': '#dcecb4',
     },
   },
+  {
+    name: 'wisp-hearts',
+    values: {
+      ...smoke,
+      'emission.rate': 3.2,
+      'emission.dissolve': 'shrink',
+      'emission.density': '0:1,.8:.9,1:0',
+      'puff.drawing':
+        'ffffff*IBKgdjYlVqUuWxbzhxnvtqwjzd0WyRyPxNwPvSuWtbqdmgigedabWWTSSPRNQPPROWOdMjNqQvTxZzfxluqqslrjo;ffd0da*IBKgdjYlVqUuWxbzhxnvtqwjzd0WyRyPxNwPvSuWtbqdmgigedabWWTSSPRNQPPROWOdMjNqQvTxZzfxluqqslrjo,ffffff*F05ceagZjakamdmemikkimgmenblakahb;ff9db4*IBKgdjYlVqUuWxbzhxnvtqwjzd0WyRyPxNwPvSuWtbqdmgigedabWWTSSPRNQPPROWOdMjNqQvTxZzfxluqqslrjo',
+      'puff.upright': 0.85,
+      'puff.size': 1.05,
+      'emitters.0.spread': 0.4,
+      'emitters.0.speed': 0.6,
+      'style.simplify': 0,
+      'style.form': 0,
+      'style.ramp': '0:e6849f,.3:ffb3c4,.62:ffe3e8',
+      'style.inkColor': '#7c2440',
+      'style.outlineWidth': 2,
+      'style.backdrop': '0:fff3ee,1:ffc4d2',
+      'style.wash': 0.6,
+      'style.washColor': '#fff0f2',
+    },
+  },
 ];

@@ -42,6 +42,7 @@ export const puffRows = [
   simulated('puff.billow'),
   choice('puff.form', 'style', 'lobes', ['lobes', 'billboards']),
   { kind: 'drawing', key: 'puff.drawing', reader: 'style', default: '' },
+  quantity('puff.upright', 'style', { min: 0, max: 1, default: 0 }),
   choice('puff.views', 'style', 1, [1, 2, 4, 8]),
   choice('puff.precision', 'style', 16, [16, 8]),
   lobeShape('lumpiness', 0.8),

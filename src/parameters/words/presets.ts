@@ -49,10 +49,12 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
     label: 'Night',
     text: 'The fire lights the camp and its own smoke, and sparks rise into the dark.',
   },
+  'campfire-popcorn': { label: 'Popcorn', text: 'Drawn popcorn that jumps out of the fire.' },
   rocket: { label: 'Rocket launch', text: 'A rocket that takes off in a ring of cloud, and returns.' },
   'rocket-night': { label: 'Night', text: 'The flame lights the sand, and the cloud from inside.' },
   genie: { label: 'Genie', text: 'A genie of smoke at your service. Drag him anywhere.' },
   'genie-sumi-e': { label: 'Sumi-e', text: 'Brush and black ink on white paper; the lines tremble.' },
+  'genie-potion': { label: 'Potion', text: 'Drawn skulls that rise in poisonous green.' },
   dust: { label: 'Dust', text: 'Falling objects raise dust. Throw the red ball, or leave it to the mole.' },
   cloudscape: { label: 'Cloudscape', text: 'Clouds drift over a meadow, and the sun moves on.' },
   'cloudscape-gouache': { label: 'Gouache', text: 'Evening clouds in three broad tones, painted without a line.' },
@@ -63,13 +65,17 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   'cloudscape-ink-wash': { label: 'Ink wash', text: 'Wet grey washes on paper, and a brush line that swells below.' },
   'cloudscape-dusk': { label: 'Dusk', text: 'The last sun on violet clouds.' },
   'cloudscape-night': { label: 'Night', text: 'Clouds in the moonlight over a sleeping meadow.' },
+  'cloudscape-woodcut': { label: 'Woodcut', text: 'Drawn clouds with cut hatching, printed in two inks.' },
   wisp: { label: 'Cup of tea', text: 'Steam from a friendly cup of tea.' },
   'wisp-matcha': { label: 'Matcha', text: 'One green in three tones.' },
+  'wisp-hearts': { label: 'Hearts', text: 'Drawn hearts that rise from a cup for two.' },
   air: { label: 'Open air', text: 'Only smoke, to flow over pages and around their elements.' },
   'air-comic-explosion': {
     label: 'Comic explosion',
     text: 'A burst from yellow to red in thick ink, again every two seconds.',
   },
+  'air-leaves': { label: 'Autumn leaves', text: 'Drawn leaves that fall in the wind.' },
+  'air-pow': { label: 'Pow', text: 'Drawn letters and stars of a comic blow, again every two seconds.' },
 };
 
 /** Presets grouped by scene. The first one of a scene has the scene's name and is its default look. */

@@ -105,6 +105,11 @@ export const smokeWords: WordsOf<Rows> = {
     text: 'Up to four puffs of your own instead of round ones. They are billboards; each is at most 1,200 characters of a link.',
     isBaked: true,
   },
+  'puff.upright': {
+    label: 'Upright',
+    text: 'How far puffs stand upright, as letters do; 0 turns each at random.',
+    step: 0.05,
+  },
   'puff.views': {
     label: 'Views',
     text: 'Number of sides from which billboards are drawn. A puff keeps its side for life. Lobes have all sides.',

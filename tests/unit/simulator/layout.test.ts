@@ -34,6 +34,7 @@ describe('the layout of rows and views', () => {
       lamp: [7, 8, -9],
       reach: 1.5,
       sides: 8,
+      upright: 0.625,
       receivers: { min: [-1, -2, -3], max: [1, 2, 3] },
       coverage: {
         covers: 2,
@@ -75,6 +76,7 @@ describe('the layout of rows and views', () => {
       lifterBoxes: [6, 5, 4, 3, 2, 1, ...Array<number>(6 * (LIFTERS_LIMIT - 1)).fill(0)],
       capsFollow: [1],
       sides: [8],
+      upright: [0.625],
     };
     for (const [name, numbers] of Object.entries(parts)) {
       const offset = VIEW_OFFSETS[name as keyof typeof parts];

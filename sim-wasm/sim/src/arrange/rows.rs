@@ -27,6 +27,8 @@ pub struct RowSampler {
     pub dt: f32,
     /// Sides of each variation, at least 1.
     pub sides: u32,
+    /// Share of the roll that is left out, 0..1.
+    pub upright: f32,
 }
 
 impl RowSampler {
@@ -81,11 +83,22 @@ impl RowSampler {
         let [turn, stretch] = self.flow(particles, i, dissolution);
         let erosion = fraction(self.radii.erosion(dissolution), EROSION);
         [
-            ROLL.packed(roll(attributes, age)) | worn,
+            ROLL.packed(self.roll(attributes, age)) | worn,
             constant(attributes, self.sides),
             turn,
             stretch | EROSION.packed(erosion),
         ]
+    }
+
+    /// Roll at birth and by `age` seconds of spin, in 65,536ths of a revolution. The highest bits mean nothing.
+    fn roll(&self, attributes: u32, age: f32) -> u32 {
+        // Between half a revolution to the left and to the right, so that a share of it is as far from upright.
+        let at_birth = (attributes >> 12 & 0xfff0) as u16 as i16;
+        let roll = i32::from(at_birth).wrapping_add(spin(attributes, age));
+        if self.upright == 0.0 {
+            return roll as u32;
+        }
+        (roll as f32 * (1.0 - self.upright)) as i32 as u32
     }
 
     fn flow(&self, particles: &Particles, i: usize, dissolution: f32) -> [u32; 2] {
@@ -119,15 +132,10 @@ fn constant(attributes: u32, sides: u32) -> u32 {
     VARIATION.packed((attributes & 0xff) * sides + (seed & 0xff) % sides) | SEED.packed(seed)
 }
 
-/// Roll at birth and by `age` seconds of spin, in 65,536ths of a revolution. The highest bits mean nothing.
-fn roll(attributes: u32, age: f32) -> u32 {
-    (attributes >> 12 & 0xfff0).wrapping_add(spin(attributes, age))
-}
-
 /// Roll by `age` seconds of spin, in 65,536ths of a revolution.
-fn spin(attributes: u32, age: f32) -> u32 {
+fn spin(attributes: u32, age: f32) -> i32 {
     let pace = ((attributes >> 8 & 0xff) as f32 - 127.5) / 127.5 * MAX_SPIN;
-    (age * pace * 65_536.0) as i32 as u32
+    (age * pace * 65_536.0) as i32
 }
 
 fn fraction(value: f32, bits: Bits) -> u32 {

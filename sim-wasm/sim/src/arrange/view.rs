@@ -29,6 +29,8 @@ pub struct View<'v> {
     pub is_light: bool,
     /// Sides of each variation, at least 1.
     pub sides: u32,
+    /// Share of the roll of puffs that is left out, 0..1.
+    pub upright: f32,
     /// Frustum culling, if enabled.
     pub cull: Option<Cull>,
     /// Occlusion culling, if enabled.
@@ -50,6 +52,7 @@ impl<'v> View<'v> {
         within("view.pad", numbers.pad, 0.0, 1e6)?;
         within("view.reach", numbers.reach, 0.0, 1e6)?;
         within("view.sides", numbers.sides, 0.0, SIDES_LIMIT)?;
+        within("view.upright", numbers.upright, 0.0, 1.0)?;
         check_coverage(numbers, solids)?;
         let direction = direction(numbers.direction)?;
         let cull = (numbers.cull != 0.0).then(|| Cull::new(numbers, direction));
@@ -60,6 +63,7 @@ impl<'v> View<'v> {
             lamp: numbers.place_of_lamp(),
             is_light: numbers.purpose != 0.0,
             sides: (numbers.sides as u32).max(1),
+            upright: numbers.upright,
             cull,
             coverage,
         })

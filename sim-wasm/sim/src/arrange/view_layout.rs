@@ -97,6 +97,8 @@ view_numbers! {
     /// Sides from which each variation is drawn, up to 8; 0 as 1. The seed selects the side of a puff. In rows the number
     /// of the variation is that of the side: variation * sides + side.
     sides: f32,
+    /// Share of the roll of puffs that is left out: 0 none, 1 puffs stand upright.
+    upright: f32,
 }
 
 /// Count of the numbers of a view, without its solids.

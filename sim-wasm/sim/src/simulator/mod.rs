@@ -240,18 +240,22 @@ impl Simulator {
     /// rows of the last call.
     pub fn arrange(&mut self, view: &[f32]) -> Result<usize, ParameterError> {
         let view = View::new(view)?;
-        let sampler = self.sampler(view.blend, view.sides);
+        let sampler = RowSampler {
+            sides: view.sides,
+            upright: view.upright,
+            ..self.sampler(view.blend)
+        };
         Ok(self.arranger.arrange(&self.particles, &view, &sampler))
     }
 
     /// Lamps at the glowing parts of smoke, as [`glow::lamps`] documents them. `blend`: elapsed share of the step, 0..1.
     pub fn glow(&self, blend: f32, colors: &[f32]) -> Vec<f32> {
-        glow::lamps(&self.particles, &self.sampler(blend, 1), colors)
+        glow::lamps(&self.particles, &self.sampler(blend), colors)
     }
 
     // Called twice; inlined, it would take more space.
     #[inline(never)]
-    fn sampler(&self, blend: f32, sides: u32) -> RowSampler {
+    fn sampler(&self, blend: f32) -> RowSampler {
         RowSampler {
             radii: RadiusLaw::new(&self.parameters),
             flow: FlowLaw::new(&self.parameters),
@@ -259,7 +263,8 @@ impl Simulator {
             // Held particles do not move between steps.
             blend: if self.particles.held.is_some() { 1.0 } else { blend },
             dt: STEP as f32,
-            sides,
+            sides: 1,
+            upright: 0.0,
         }
     }
 

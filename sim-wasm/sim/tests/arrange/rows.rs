@@ -296,6 +296,39 @@ fn the_seed_selects_one_of_the_sides_of_a_variation() {
 }
 
 #[test]
+fn upright_puffs_turn_back_without_a_jump() {
+    let mut simulator = simulator(4, 1, &[STILL, FULL]);
+    // Half a revolution to the left and to the right of upright, and a sixteenth; the last seed spins fastest.
+    for (roll, seed) in [(0x7ff_u32, 255_u32), (0x801, 0), (0x100, 255), (0xf00, 0)] {
+        simulator.add(&Newborn {
+            attributes: (roll << 16) | (seed << 8),
+            ..newborn([0.0; 3])
+        });
+    }
+    let mut rolls = |upright: f32| -> Vec<i32> {
+        let view = ViewNumbers { upright, ..view() };
+        rows(&mut simulator, &view);
+        let mut all: Vec<i32> = simulator
+            .attributes()
+            .iter()
+            .map(|row| i32::from(row[0] as u16 as i16))
+            .collect();
+        all.sort_unstable();
+        all
+    };
+    let free = rolls(0.0);
+    assert!(free[0] < -30_000 && free[3] > 30_000, "{free:?}");
+    for upright in [0.25_f32, 0.5, 0.9, 1.0] {
+        for (found, roll) in rolls(upright).iter().zip(&free) {
+            let expected = *roll as f32 * (1.0 - upright);
+            assert!((*found as f32 - expected).abs() <= 1.0, "{upright}: {found} of {roll}");
+        }
+    }
+    let too_far = ViewNumbers { upright: 1.1, ..view() };
+    assert!(simulator.arrange(&too_far.to_array()).is_err());
+}
+
+#[test]
 fn bounds_contain_all_living_particles_with_any_culling() {
     let mut simulator = simulator(3, 1, &[STILL, FULL]);
     let view = ViewNumbers { cull: 1.0, ..view() }.to_array();

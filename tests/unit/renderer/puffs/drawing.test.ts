@@ -15,6 +15,7 @@ import {
   type Line,
   type PuffDrawing,
 } from '../../../../src/renderer/puffs/drawing/drawing.ts';
+import { simulatorValues } from '../../../../src/simulator/simulatorValues.ts';
 import { requireShapes } from '../../../../src/renderer/puffs/lobes.ts';
 
 /** A regular polygon about the middle of the sheet, in particle radii. */
@@ -182,6 +183,14 @@ test('puffs take their pictures from `puff.drawing`, whatever their form', async
   expect([...layers.colorCoverage.subarray(middle, middle + 3)]).toEqual([255, 136, 0]);
   live.requestPuffs({ ...values, 'puff.drawing': '' });
   expect(live.finish()!.lobes.count).toBe(4);
+});
+
+test('drawings are not in the simulation', () => {
+  const values = presetValues('wisp-hearts');
+  const { 'puff.drawing': drawing, ...others } = values;
+  expect(isDrawing(drawing!)).toBe(true);
+  expect(drawing!.split(';').length).toBe(3);
+  expect(simulatorValues(values)).toEqual(simulatorValues(others));
 });
 
 test('a drawing is the longest that a link holds', () => {
