@@ -31,8 +31,8 @@ export class BillboardTextures implements FormTextures {
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
   readonly solids: PuffSolids;
-  readonly casterSolids: PuffSolids | undefined;
-  readonly sides: number | undefined;
+  readonly casterSolids?: PuffSolids;
+  readonly sides?: number;
   readonly reach: number;
   readonly depth: number;
 
