@@ -24,6 +24,7 @@ export type {
   ChoiceParameter,
   ColorParameter,
   CurveParameter,
+  DrawingParameter,
   NumberParameter,
   Parameter,
   ParameterDescription,

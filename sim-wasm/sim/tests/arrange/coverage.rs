@@ -778,7 +778,7 @@ fn malformed_coverage_is_an_error_with_its_key() {
         (|view| view.numbers.balls = 5.0, "view.balls"),
         (|view| view.numbers.balls = 16.0, "view.balls"),
         (|view| view.numbers.balls = 0.0, "view.length"),
-        (|view| view.tables[3] = f32::INFINITY, "view[99]"),
+        (|view| view.tables[3] = f32::INFINITY, "view[100]"),
         (|view| view.numbers.caps_follow = 1.0, "view.length"),
     ];
     for (change, name) in cases {
