@@ -67,6 +67,8 @@ function createDrawing(describedBy: string, listener: ControlListener): Control 
   });
   draw.id = uniqueId();
   draw.setAttribute('aria-describedby', describedBy);
+  // The label of the row would replace the text of the button.
+  draw.setAttribute('aria-label', strings.drawing.open);
   const remove = textButton('quiet', strings.drawing.remove, () => {
     listener.change('');
     listener.settle();

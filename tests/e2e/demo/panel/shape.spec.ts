@@ -183,6 +183,10 @@ test('puff sheets are opened as one or two PNGs, and saved without loss', async 
     },
     [packed.buffer.toString('base64'), packed.name],
   );
+  await page
+    .getByRole('dialog')
+    .getByRole('button', { name: /^Puff sheet/ })
+    .click();
   await expect(name).toHaveText('packed.png, one puff');
 
   for (const [wrong, words] of [
