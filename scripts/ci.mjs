@@ -1,16 +1,20 @@
-/** `.ci/run`: the full check. A failed command does not stop the others; the last line is the sum of their results. */
+/**
+ * `.ci/run`: the full check. A failed command does not stop the others. The reports of failures are repeated at the end,
+ * because hosts often show only the end of a log; the last line is the sum of the results.
+ */
 
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { root } from './lib/paths.mjs';
 import { conclude } from './lib/userError.mjs';
-import { sumEndings } from './test/tally.mjs';
+import { failureReports, sumEndings } from './test/tally.mjs';
 
 const COMMANDS = [['test'], ['run', 'test:engines']];
 
 await conclude(async () => {
   const outcomes = [];
   for (const command of COMMANDS) outcomes.push(await npm(command));
+  for (const report of outcomes.flatMap(({ output }) => failureReports(output))) console.log(report);
   const { passed, failed } = sumEndings(outcomes);
   console.log(`${passed} passed, ${failed} failed`);
   return failed > 0 ? 1 : 0;

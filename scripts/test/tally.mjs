@@ -99,6 +99,16 @@ export function sumEndings(outcomes) {
   return sum;
 }
 
+/**
+ * The reports of failures that `npm test` prints between a line `---- TITLE` and a line `----`, with both lines.
+ *
+ * @param {string} output
+ * @returns {string[]}
+ */
+export function failureReports(output) {
+  return output.match(/^---- .+\n[^]*?^----$/gm) ?? [];
+}
+
 /** The parsed JSON file, or undefined if it is missing or invalid, for example after a crash. */
 export function readReport(/** @type {string} */ path) {
   try {

@@ -14,12 +14,15 @@ interface TallyScript {
   tallyCargo(output: string): Tally;
   settle(tally: Tally | undefined, status: number): Tally;
   notesIn(report: unknown): string[];
+  failureReports(output: string): string[];
   sumEndings(outcomes: { status: number; output: string }[]): { passed: number; failed: number };
 }
 
 // Not a literal path, because plain JavaScript has no types here.
 const path = '../../../scripts/test/tally.mjs';
-const { tallyVitest, tallyPlaywright, tallyCargo, settle, notesIn, sumEndings } = (await import(path)) as TallyScript;
+const { tallyVitest, tallyPlaywright, tallyCargo, settle, notesIn, failureReports, sumEndings } = (await import(
+  path
+)) as TallyScript;
 
 test('vitest: a file that fails before its first test is a failure', () => {
   const testResults = [
@@ -58,6 +61,14 @@ test('vitest: notes of tests are printed in order', () => {
     assertionResults: notes.map((note) => ({ meta: { note } })),
   });
   expect(notesIn({ testResults: [noting('b', undefined), noting(), noting('a')] })).toEqual(['a', 'b']);
+});
+
+test('reports of failures are found among other output', () => {
+  const reports = ['---- Lint\n1 error\n---- not a title\n----', '---- Rust tests\nfailed\n----'];
+  expect(failureReports(`Lint: 0 passed\n${reports.join('\nTypes: 1 passed\n')}\n1 passed, 2 failed\n`)).toEqual(
+    reports,
+  );
+  expect(failureReports('12 passed, 0 failed\n')).toEqual([]);
 });
 
 test('totals add up, and a command that prints nothing or exits with an error fails', () => {
