@@ -103,7 +103,7 @@ export async function expectTitle(
   const { serveSite } = await script<{ serveSite(folder: string, place: string): Promise<Server> }>('site/serve.mjs');
   const server = await serveSite(place, '/');
   await page.goto(server.address);
-  await expect(page).toHaveTitle(title, { timeout: 60_000 });
+  await expect(page).toHaveTitle(title);
   await further();
   await server.close();
 }

@@ -19,12 +19,14 @@ function withChanges(preset: PresetName, changes: Values): State {
 const needed = table.filter(({ isOptional }) => !isOptional);
 
 function expectUsable(state: State): void {
-  expect(presets.map(({ name }) => name)).toContain(state.preset);
-  expect(Object.keys(state.values)).toEqual(expect.arrayContaining(needed.map(({ key }) => key)));
-  for (const [key, value] of Object.entries(state.values)) {
+  const missing = needed.filter(({ key }) => !Object.hasOwn(state.values, key));
+  const invalid = Object.entries(state.values).filter(([key, value]) => {
     const row = findParameter(key);
-    expect(row && isAccepted(row, value), key).toBe(true);
-  }
+    return !row || !isAccepted(row, value);
+  });
+  // One assertion, because the tests call this thousands of times.
+  const found = { isPreset: presets.some(({ name }) => name === state.preset), missing, invalid };
+  expect(found).toEqual({ isPreset: true, missing: [], invalid: [] });
 }
 
 const codes = async (hash: string) => (await decode(hash)).notices.map(({ code }) => code);
@@ -103,7 +105,7 @@ describe('migrations', () => {
 });
 
 describe('round trip', () => {
-  it('restores random states without a notice', () => expectRoundTrips(1000), 120_000);
+  it('restores random states without a notice', () => expectRoundTrips(1000));
 });
 
 describe('decode', () => {
@@ -200,7 +202,7 @@ describe('decode', () => {
   it('survives a deflate bomb of 50 MB', async () => {
     const bomb = await pack('a'.repeat(50 * 1024 * 1024));
     expect(await codes(`#v=1&z=${bomb}`)).toEqual(['tooLong']);
-  }, 60_000);
+  });
 
   it('limits the number and the length of notices', async () => {
     const { notices } = await decode(`#${Array.from({ length: 5000 }, (_, index) => `k${index}=1`).join('&')}`);
@@ -224,7 +226,7 @@ describe('decode', () => {
       }),
       { numRuns: 1000 },
     );
-  }, 60_000);
+  });
 });
 
 it.each([

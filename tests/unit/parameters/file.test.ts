@@ -26,7 +26,7 @@ describe('a file', () => {
       }),
       { numRuns: 200 },
     );
-  }, 60_000);
+  });
 
   it('is readable text', async () => {
     const state: State = { ...defaultState(), values: { ...defaultState().values, 'puff.size': 2, 'style.tones': 3 } };

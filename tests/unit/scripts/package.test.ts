@@ -27,7 +27,7 @@ beforeAll(async () => {
   const script = (await import(pathToFileURL(join(ROOT, 'scripts/setup/package.mjs')).href)) as PackageScript;
   if (!script.isFresh()) await script.bring(() => undefined);
   archive = join(ROOT, script.ARCHIVE);
-}, 300_000);
+});
 
 it('is also written as one tarball next to the folder, which git ignores', () => {
   const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
@@ -42,7 +42,7 @@ it('is also written as one tarball next to the folder, which git ignores', () =>
 it('has valid exports and files for npm and bundlers', async () => {
   const { messages } = await publint({ pkgDir: FOLDER, pack: 'npm' });
   expect(messages).toEqual([]);
-}, 60_000);
+});
 
 it('links to the repository of package.json, its homepage and its issues', () => {
   const manifestIn = (folder: string) =>
@@ -92,7 +92,7 @@ export const rejected: SmokeAttributes[] = [
   writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(config));
   const { stdout } = spawnSync(process.execPath, [join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', folder]);
   expect(String(stdout)).toBe('');
-}, 60_000);
+});
 
 const WARNING = ['index', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
 

@@ -10,7 +10,7 @@ const BASE = 'https://example.org/some/where';
 const out = mkdtempSync(join(tmpdir(), 'cartoon-smoke-site-'));
 afterAll(() => rmSync(out, { recursive: true }));
 
-test('the site is built by the command of the workflow, with its public address', { timeout: 240_000 }, () => {
+test('the site is built by the command of the workflow, with its public address', () => {
   const { status, stderr } = spawnSync(`${commandOf('build', 'Build the site')} -- --out "$OUT"`, {
     cwd: ROOT,
     shell: true,
