@@ -30,7 +30,7 @@ export {
   type PuffDrawing,
 } from './renderer/puffs/drawing/drawing.ts';
 export { painting } from './renderer/puffs/drawing/relief.ts';
-export { DRAWING_LIMIT, MAX_DRAWINGS } from './parameters/drawingText.ts';
+export { DRAWING_LIMIT, MAX_DRAWINGS } from './base/drawingText.ts';
 export { billboardShapes } from './renderer/puffs/billboards/sides.ts';
 export { finished, inPieces, nextTask } from './base/work.ts';
 export { STEP_SECONDS } from './simulator/clock.ts';

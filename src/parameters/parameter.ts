@@ -4,7 +4,7 @@
  */
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
-import { DRAWING_LIMIT, MAX_DRAWINGS } from './drawingText.ts';
+import { DRAWING_LIMIT, MAX_DRAWINGS } from '../base/drawingText.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import type { ItemValues, SingleValues, PresetName } from './valueTypes.ts';
 

@@ -1,6 +1,6 @@
 /** JSON Schema (2020-12) of the files that `file.ts` reads and writes, generated from the parameter table. */
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
-import { DRAWING_LIMIT, MAX_DRAWINGS } from './drawingText.ts';
+import { DRAWING_LIMIT, MAX_DRAWINGS } from '../base/drawingText.ts';
 import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';

@@ -1,6 +1,6 @@
 /** Values of the parameter table: defaults, validation, parsing and formatting. */
 import { readCurve } from './curve.ts';
-import { isDrawing } from './drawingText.ts';
+import { isDrawing } from '../base/drawingText.ts';
 import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,

@@ -19,7 +19,7 @@ import {
   type PuffSample,
 } from './puffs/billboards/layers.ts';
 import { reachOf } from './puffs/lobes.ts';
-import { billboardShapes, isOwnPicture } from './puffs/billboards/sides.ts';
+import { billboardShapes, hasOnlyFront, isOwnPicture } from './puffs/billboards/sides.ts';
 import { keyOf, type Lobe, type PuffShape } from './puffs/shapes.ts';
 import { solidsOf, type PuffSolids } from './puffs/bake/solids.ts';
 import { bakingTable, joined, latestCap } from './puffs/bake/startCaps.ts';
@@ -43,13 +43,15 @@ const cache = new LruCache<BillboardPuffs>(4);
 /**
  * Bakes billboards in steps of a few milliseconds, or returns them from the LRU cache.
  * @param shapes viewed from +z
- * @param sides number of views of each shape, 1, 2, 4 or 8, evenly spaced around its y axis
+ * @param views number of views of each shape, 1, 2, 4 or 8, evenly spaced around its y axis; one is enough if all shapes
+ *   have only a front
  */
 export function bakingBillboards(
   shapes: readonly PuffShape[],
   precision: Precision = 16,
-  sides = 1,
+  views = 1,
 ): Work<BillboardPuffs> {
+  const sides = shapes.every(hasOnlyFront) ? 1 : views;
   const key = `${precision} ${sides} ${keyOf(shapes)}`;
   return cache.making(key, () => baking(billboardShapes(shapes, sides), precision, sides));
 }

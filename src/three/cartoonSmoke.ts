@@ -25,6 +25,8 @@ import type { Simulator } from '../simulator/simulator.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
 import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
+import { requireShapes } from '../renderer/puffs/lobes.ts';
+import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer } from '../renderer/smoke.ts';
 import type { Style } from '../renderer/style.ts';
@@ -343,6 +345,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.change({ ...this.shown.values, ...values });
     this.showGlow();
+  }
+
+  /**
+   * Draws puffs with custom shapes, one per variation, such as those that `drawPuff` and `fitPuff` make. Without an
+   * argument, the values define the shapes again.
+   * @throws ShapeError when a shape is invalid; the smoke is unchanged then
+   */
+  setPuffs(shapes?: readonly PuffShape[]): void {
+    this.requireAlive();
+    if (shapes) requireShapes(shapes);
+    this.shown.usePuffs(shapes);
   }
 
   /**

@@ -6,7 +6,7 @@ import type { PuffSample } from './billboards/layers.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../../base/errors.ts';
-import { isDrawing } from '../../parameters/drawingText.ts';
+import { isDrawing } from '../../base/drawingText.ts';
 import { MAX_LOBES } from '../../base/constants.ts';
 
 /** Intersection of a ray with a puff, in particle radii. */

@@ -1,6 +1,7 @@
 /** The measurements of `npm run bench -- render`, in one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
+import { measureDrawings } from './drawings.ts';
 import { measureForms } from './forms.ts';
 import { measureLights, measureLooks } from './looks.ts';
 import { measureHost } from './host.ts';
@@ -18,6 +19,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
   return [
     ...(await measurePasses(quick)),
     ...(await measureForms(quick)),
+    ...(await measureDrawings(quick)),
     ...(await measureAgainstQuarks(quick)),
     ...(await measureLooks(quick)),
     ...(await measureLights(quick)),

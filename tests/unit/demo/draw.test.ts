@@ -10,7 +10,7 @@ import {
 } from '../../../src/demo/draw/sketch.ts';
 import type { Brush, Sketch } from '../../../src/demo/draw/sketch.ts';
 import { traceSketch } from '../../../src/demo/draw/trace.ts';
-import { isDrawing } from '../../../src/parameters/drawingText.ts';
+import { isDrawing } from '../../../src/base/drawingText.ts';
 import { readDrawings, SIDE } from '../../../src/renderer/puffs/drawing/drawing.ts';
 
 const PEN: Brush = { tool: 'pen', width: 100, ink: 1, isMirrored: false };

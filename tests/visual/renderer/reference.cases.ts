@@ -3,6 +3,10 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import type { PuffForm } from '../../../src/renderer/gpu/puffTextures.ts';
 import { ballMesh } from '../../../src/scenes/models/ball.ts';
 import { ALL_PARTICLES } from '../../../src/simulator/view.ts';
+import { presetValues } from '../../../src/parameters/presets.ts';
+import { drawPuff } from '../../../src/renderer/puffs/drawing/drawPuff.ts';
+import { readPuffSheet } from '../../../src/renderer/puffs/sheet/readPuffSheet.ts';
+import { writePuffSheet } from '../../../src/renderer/puffs/sheet/writePuffSheet.ts';
 import { fitPuff } from '../../../src/renderer/puffs/fit/fitPuff.ts';
 import type { PuffShape } from '../../../src/renderer/puffs/shapes.ts';
 import type { Style } from '../../../src/renderer/style.ts';
@@ -77,6 +81,18 @@ const SCENES = {
     ...cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, -0.9] }),
     shapes: await meshShapes(),
   }),
+  drawings: () => ({
+    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
+    shapes: drawnShapes(),
+  }),
+  drawingsByLamp: () => ({
+    ...cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, -0.9] }),
+    shapes: drawnShapes(),
+  }),
+  sheet: async () => ({
+    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
+    shapes: await readPuffSheet(await writePuffSheet(await meshShapes())),
+  }),
   coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   underParts: () => underParts(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),
@@ -140,6 +156,12 @@ function meshShapes(): Promise<PuffShape[]> {
   );
   const meshes = [{ positions, indices, colors }, popcorn(), face(), torus()];
   return Promise.all(meshes.map(async (mesh) => (await fitPuff(mesh, { lobes: 8 })).shape));
+}
+
+/** A heart, a leaf with folds, popcorn and a woodcut cloud. */
+function drawnShapes(): PuffShape[] {
+  const presets = ['wisp-hearts', 'air-leaves', 'campfire-popcorn', 'cloudscape-woodcut'] as const;
+  return presets.map((name) => drawPuff(presetValues(name)['puff.drawing']!));
 }
 
 /** Any turn, and any stretch up to a ratio of 3. */

@@ -54,6 +54,11 @@ const MESHES: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['meshesByLamp', [BILLBOARDS, { ...BILLBOARDS, volumes: 'counted' }]],
   ['meshes', [BILLBOARDS, { ...BILLBOARDS, tones: 3, gradient: 'height', shadowSteps: 2, shadowDepth: 3 }]],
 ];
+const DRAWINGS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  ['drawings', [BILLBOARDS, { ...BILLBOARDS, tones: 3, rim: 0.3, shadowSteps: 2, shadowDepth: 3 }]],
+  ['drawingsByLamp', [BILLBOARDS]],
+  ['sheet', [BILLBOARDS]],
+];
 /** Painted colours change within a region, so that the rounding of the GPU's filter shows at their borders. */
 const PAINTED = { maxWithin: 0.0025, maxOfEdges: 0.015 };
 const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
@@ -168,6 +173,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs that are eroded, also while they turn and stretch', DISSOLVING, false],
   ['billboards', ON_BOARDS, false],
   ['billboards of meshes with colours', MESHES, false],
+  ['billboards of drawings and of a puff sheet', DRAWINGS, false],
   ['billboards from other sides', MORE_BOARDS, false],
   ['a lamp among puffs, puffs beside the eye, more than a stencil counts', MANY, false],
   ['volumes counted by entry and exit', COUNTED, false],
@@ -179,7 +185,7 @@ for (const [what, scenes, reversedDepth] of [
   ['the lamp', LAMPS, false],
 ] as const) {
   const isRare = new Set([LAMPS, MANY, MORE_BOARDS, MORE_COUNTED]).has(scenes);
-  const limits = scenes === MESHES ? PAINTED : {};
+  const limits = scenes === MESHES || scenes === DRAWINGS ? PAINTED : {};
   const tag = longIf(reversedDepth || isRare);
   test(`${what}: the picture equals the reference${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);

@@ -314,6 +314,16 @@ test.describe('billboards that are not loaded yet', () => {
     expect(await cases.evaluate((module, one) => module.frames(one), asked)).toBeGreaterThan(100);
   });
 
+  test('setPuffs draws a drawing like its parameter, rejects no shapes, and gives way to the values', async ({
+    load,
+  }) => {
+    const cases = await load<Billboards>(BILLBOARDS);
+    const { byLobes, ...found } = await cases.evaluate((module) => module.setPuffs());
+    const error = 'ShapeError: Smoke cannot have 0 puff shapes: use 1 to 32.';
+    expect(found).toEqual({ own: 0, error, afterError: 0, restored: 0 });
+    expect(byLobes).toBeGreaterThan(100);
+  });
+
   test('code that is no longer needed causes no error, and creation waits for needed code @long', async ({
     load,
     blank,

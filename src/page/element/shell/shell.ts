@@ -28,7 +28,6 @@ const css = `
 }
 .sizer { display: block; inline-size: 100%; block-size: 100%; visibility: hidden; }
 .layer { position: absolute; inset: 0; inline-size: 100%; block-size: 100%; }
-canvas { pointer-events: none; }
 .interactive canvas { pointer-events: auto; touch-action: pan-y; cursor: grab; }
 .interactive canvas.holding { cursor: grabbing; }
 .poster ::slotted(*) { display: block !important; inline-size: 100% !important; block-size: 100% !important; object-fit: cover !important; }

@@ -1,5 +1,8 @@
 /** Discs inside a silhouette, which surely cover what is behind them. */
+import { measuringDistance } from './distance.ts';
 import { PUFF_PAD } from './rasterise.ts';
+import { MAX_LOBES } from '../../../base/constants.ts';
+import type { Work } from '../../../base/work.ts';
 import type { Lobe } from '../shapes.ts';
 
 /** Cells between candidate centres, along x and along y. */
@@ -16,16 +19,24 @@ interface Disc {
 }
 
 /**
- * Chooses discs inside a silhouette, each time the one that adds the most area.
+ * Chooses discs inside a region, see {@link choosingDiscs}.
+ * @param coverage 1 inside, per cell, row 0 at the bottom
+ * @param size cells along each side of the grid, which spans a layer
+ */
+export function* discsInside(coverage: Uint8Array, size: number): Work<Lobe[]> {
+  return yield* choosingDiscs(yield* measuringDistance(coverage, size), size);
+}
+
+/**
+ * Chooses up to MAX_LOBES discs inside a silhouette, each time the one that adds the most area.
  * @param distance signed distance to the silhouette in cells, negative inside, row 0 at the bottom
  * @param size cells along each side of the grid, which spans a layer
- * @param max maximum number of discs
  * @returns flat balls in the centre plane, in particle radii; a point if the silhouette has no room for a disc
  */
-export function inscribedDiscs(distance: Float32Array, size: number, max: number): Lobe[] {
+export function* choosingDiscs(distance: Float32Array, size: number): Work<Lobe[]> {
   const places = placesIn(distance, size);
   const chosen: Disc[] = [];
-  for (let least = 0; chosen.length < max; least = MIN_GAIN * chosen[0].radius ** 2) {
+  for (let least = 0; chosen.length < MAX_LOBES; least = MIN_GAIN * chosen[0].radius ** 2) {
     let [best, gain] = [undefined as Disc | undefined, least];
     for (const place of places) {
       const added = chosen.reduce((area, disc) => area - overlap(place, disc), place.radius ** 2);
@@ -33,6 +44,7 @@ export function inscribedDiscs(distance: Float32Array, size: number, max: number
     }
     if (!best) break;
     chosen.push(best);
+    yield;
   }
   const unitsPerCell = (2 * PUFF_PAD) / size;
   const discs = chosen.map(({ x, y, radius }): Lobe => {

@@ -7,8 +7,9 @@
  *   viewer. 8 bits cause visible steps of 0.4 % of the quad width where puffs intersect at grazing angles. Half floats
  *   make them eight times finer and are filterable on all devices. Texels outside the silhouette repeat the nearest
  *   inside value, so that linear filtering never mixes in background.
- * - `colorCoverage` (bytes): rgb = C, the colours of a mesh or a sheet, else white. Texels outside the silhouette repeat the
- *   nearest inside value. Shaders select the ink by distance; ink painted into C would turn grey when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
+ * - `colorCoverage` (bytes): rgb = C, the colours of a mesh, a drawing or a sheet, else white. Texels outside the
+ *   silhouette repeat the nearest inside value. Shaders select the ink by distance; ink painted into C would turn grey
+ *   when filtered. a = 0.5 + distance / DISTANCE_RANGE, with the signed distance to the silhouette in particle radii,
  *   negative inside. A distance field keeps edge and ink crisp at any size; a mask would not.
  *
  * Row 0 of a layer is its bottom (texture v = 0). Layers are contiguous.
@@ -18,11 +19,10 @@ import { puffMesh } from './mesh.ts';
 import { PUFF_PAD, rasterising, SUPERSAMPLE, type PuffRaster } from './rasterise.ts';
 import { readDrawings } from '../drawing/drawing.ts';
 import { rasterisingDrawing } from '../drawing/relief.ts';
-import { inscribedDiscs } from './inscribedDiscs.ts';
+import { choosingDiscs } from './inscribedDiscs.ts';
 import { isOwnPicture } from './sides.ts';
 import { resamplingTile } from './resample.ts';
 import type { Lobe, PuffShape } from '../shapes.ts';
-import { MAX_LOBES } from '../../../base/constants.ts';
 import { finished, type Work } from '../../../base/work.ts';
 
 /** Bits of normals and depths: 16 for half floats, 8 for the integers of the paper. */
@@ -100,7 +100,7 @@ export function* bakingLayers(
     yield;
     writeColorCoverage(raster, nearest, distance, colorCoverage.subarray(4 * texels * layer));
     yield;
-    const discs = areOwn ? inscribedDiscs(distance, size * SUPERSAMPLE, MAX_LOBES) : [];
+    const discs = areOwn ? yield* choosingDiscs(distance, size * SUPERSAMPLE) : [];
     figures.push({ ...measure(raster, distance), discs });
   }
   return {

@@ -11,10 +11,15 @@ import type { Lobe, PuffMesh, PuffShape } from '../shapes.ts';
 export function billboardShapes(shapes: readonly PuffShape[], sides = 1): readonly PuffShape[] {
   const turns = EIGHTHS.filter((_, eighth) => eighth % (EIGHTHS.length / sides) === 0);
   return shapes.flatMap((shape) => {
-    if (shape.drawing || shape.sheet) return turns.map(() => shape);
+    if (hasOnlyFront(shape)) return turns.map(() => shape);
     const reach = shape.mesh ? reachOfMesh(shape.mesh) : 1;
     return turns.map((turn) => sideOf(shape, turn, reach));
   });
+}
+
+/** Whether all sides of a shape are the same. */
+export function hasOnlyFront({ drawing, sheet }: PuffShape): boolean {
+  return drawing !== undefined || sheet !== undefined;
 }
 
 /** Whether a shape for billboards is a picture of its own, which its lobes do not stand for. */

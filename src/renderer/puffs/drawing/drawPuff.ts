@@ -1,8 +1,6 @@
 /** Puffs that are drawn: the shapes of drawings. */
-import { MAX_LOBES } from '../../../base/constants.ts';
 import { finished, type Work } from '../../../base/work.ts';
-import { measuringDistance } from '../billboards/distance.ts';
-import { inscribedDiscs } from '../billboards/inscribedDiscs.ts';
+import { discsInside } from '../billboards/inscribedDiscs.ts';
 import type { PuffShape } from '../shapes.ts';
 import { readDrawings, writeDrawing, type PuffDrawing } from './drawing.ts';
 import { painting, placementOf } from './relief.ts';
@@ -30,7 +28,7 @@ export function* makingShapes(text: string): Work<PuffShape[]> {
   for (const [index, drawing] of readDrawings(text).entries()) {
     const paint = yield* painting(drawing.areas, placementOf(drawing, CELLS), CELLS);
     const coverage = Uint8Array.from(paint, (area) => (area < 0 ? 0 : 1));
-    const lobes = inscribedDiscs(yield* measuringDistance(coverage, CELLS), CELLS, MAX_LOBES);
+    const lobes = yield* discsInside(coverage, CELLS);
     shapes.push({ name: `drawing ${index + 1}`, lobes, drawing: text.split(';')[index] });
     yield;
   }

@@ -11,7 +11,7 @@
  * 32, one digit each. The digits are those of base64url.
  */
 import { ShapeError } from '../../../base/errors.ts';
-import { DRAWING_LIMIT, isDrawing } from '../../../parameters/drawingText.ts';
+import { DRAWING_LIMIT, isDrawing } from '../../../base/drawingText.ts';
 
 /** Width and height of the sheet. */
 export const SIDE = 256;

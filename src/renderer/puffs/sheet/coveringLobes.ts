@@ -1,9 +1,7 @@
 /** Lobes of a puff that has only a picture: they throw its shadow, and are what is drawn unless it is a billboard. */
 import { ShapeError } from '../../../base/errors.ts';
-import { MAX_LOBES } from '../../../base/constants.ts';
 import type { Work } from '../../../base/work.ts';
-import { measuringDistance } from '../billboards/distance.ts';
-import { inscribedDiscs } from '../billboards/inscribedDiscs.ts';
+import { discsInside } from '../billboards/inscribedDiscs.ts';
 import { PUFF_PAD } from '../billboards/rasterise.ts';
 import { reachOf } from '../lobes.ts';
 import type { Lobe, PuffTile } from '../shapes.ts';
@@ -19,9 +17,7 @@ export function* coveringLobes(tile: PuffTile): Work<Lobe[]> {
   const { size, pad } = tile;
   // Distances are to what is not covered, so the grid has an empty cell on each side of the tile.
   const cells = size + 2;
-  const distance = yield* measuringDistance(framed(tile, cells), cells);
-  const discs = inscribedDiscs(distance, cells, MAX_LOBES);
-  yield;
+  const discs = yield* discsInside(framed(tile, cells), cells);
   const scale = (pad * cells) / (size * PUFF_PAD);
   if (discs[0].radius * scale < (MIN_RADIUS * 2 * pad) / size) {
     throw new ShapeError('A puff of the sheet is too thin: no disc fits into its mask, which is alpha of 128 or more.');

@@ -12,7 +12,7 @@ export interface ReadSheetOptions {
   readonly name?: string;
   /** Tiles along each side, 1 or 2. By default one, if the middle of the image is covered, and otherwise two. */
   readonly tiles?: 1 | 2;
-  /** Where green of `normalDepth` points: `up` (OpenGL), the default, or `down` (DirectX). */
+  /** Where green of `normalDepth` points: `up` (OpenGL) or `down` (DirectX). By default as the slopes of the depth show. */
   readonly green?: 'up' | 'down';
   /**
    * Height of white above black in blue of `lightRimDepthMask`, in widths of a tile, above 0 and up to 2. By default the
@@ -25,6 +25,8 @@ export interface ReadSheetOptions {
 
 /** Texels along each side of a tile that is kept. Billboards are baked from four times as many as they have. */
 const MAX_TEXELS = 256;
+/** Pixels along each side at which the direction of green is looked up. */
+const SAMPLES = 512;
 
 /**
  * Reads the puffs of a sheet, one of each tile that is not empty, from the top left one on in reading order. Works in
@@ -36,8 +38,8 @@ export async function readPuffSheet(
   options: ReadSheetOptions = {},
 ): Promise<PuffShape[]> {
   requireOptions('readPuffSheet', options, ['name', 'tiles', 'green', 'relief', 'signal']);
-  const { green = 'up', relief, signal } = options;
-  if (green !== 'up' && green !== 'down') {
+  const { green, relief, signal } = options;
+  if (green !== undefined && green !== 'up' && green !== 'down') {
     throw new ShapeError(`Green of normals cannot point ${String(green)}: use up or down.`);
   }
   if (relief !== undefined && !(relief > 0 && relief <= 2)) {
@@ -49,8 +51,9 @@ export async function readPuffSheet(
 
 function* reading(source: SheetSource, { name = 'sheet', green, relief }: ReadSheetOptions): Work<PuffShape[]> {
   const shapes: PuffShape[] = [];
+  const up = green ? green === 'up' : pointsUp(source);
   for (let index = 0; index < source.tiles ** 2; index++) {
-    const average = yield* averaging(source, index, green === 'down' ? -1 : 1);
+    const average = yield* averaging(source, index, up ? 1 : -1);
     if (!average.mask.some((share) => share >= 0.5)) continue;
     const sheet = inUnitBall(withoutWhite(source.hasNormals ? average : yield* withNormals(average, relief)));
     shapes.push({ name: `${name} ${index + 1}`, lobes: yield* coveringLobes(sheet), sheet });
@@ -59,6 +62,22 @@ function* reading(source: SheetSource, { name = 'sheet', green, relief }: ReadSh
   throw new ShapeError(
     'The puff sheet is empty: no pixel has an alpha of 128 or more. Alpha is the coverage; save the image with it.',
   );
+}
+
+/** Whether green of normals is high where the depth increases downwards, at a sample of the pixels. */
+function pointsUp({ surface, depthChannel, paint, tile, tiles }: SheetSource): boolean {
+  const width = tile * tiles;
+  const step = Math.ceil(width / SAMPLES);
+  let sum = 0;
+  for (let row = 0; row + 1 < width; row += step) {
+    for (let column = 0; column < width; column += step) {
+      const at = 4 * (row * width + column);
+      const below = at + 4 * width;
+      if (paint[at + 3] < 128 || paint[below + 3] < 128) continue;
+      sum += (surface[at + 1] - 127.5) * (surface[below + depthChannel] - surface[at + depthChannel]);
+    }
+  }
+  return sum >= 0;
 }
 
 /** The means of the pixels of a tile over at most `MAX_TEXELS` along each side, weighted by their coverage. */

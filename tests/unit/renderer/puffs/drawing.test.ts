@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it, test } from 'vitest';
 import { ShapeError } from '../../../../src/base/errors.ts';
 import { MAX_LOBES } from '../../../../src/base/constants.ts';
-import { DRAWING_LIMIT, isDrawing } from '../../../../src/parameters/drawingText.ts';
+import { DRAWING_LIMIT, isDrawing } from '../../../../src/base/drawingText.ts';
 import { defaultPreset, presetValues } from '../../../../src/parameters/presets.ts';
 import { fetchExtras } from '../../../../src/renderer/extraPasses.ts';
 import { LivePuffs } from '../../../../src/renderer/livePuffs.ts';

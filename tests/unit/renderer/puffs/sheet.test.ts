@@ -188,6 +188,19 @@ describe('orientation', () => {
     expect(middles).toEqual([[1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
   });
 
+  test('green points as the slopes of the depth show, unless the sheet says otherwise', async () => {
+    const { normalDepth, colorCoverage } = await writePuffSheet(shapes, { size: 64 });
+    const flipped = normalDepth.data.map((byte, at) => (at % 4 === 1 ? 255 - byte : byte));
+    const down = { normalDepth: { ...normalDepth, data: flipped }, colorCoverage };
+    const [own, found, given] = await Promise.all([
+      readPuffSheet({ normalDepth, colorCoverage }),
+      readPuffSheet(down),
+      readPuffSheet(down, { green: 'up' }),
+    ]).then((sheets) => sheets.map((read) => bytesOf(bakePuffs(billboardShapes(read)))));
+    expect(found).toEqual(own);
+    expect(given).not.toEqual(own);
+  });
+
   test('the upper half of a tile is baked at the top, where green points up unless the sheet says down', async () => {
     const { colorCoverage } = discs(32, 1);
     const normalDepth = image(32, (_, y) => (y < 16 ? [128, 230, 203, 160] : [128, 128, 255, 128]));
@@ -278,7 +291,8 @@ test('all sides of a puff of a sheet are its front, and each sheet has a key of 
   const clone = structuredClone(shape);
   expect(bytesOf(bakePuffs([clone]))).toEqual(bytesOf(bakePuffs([shape])));
   const { layers, startCaps, solids } = finished(bakingBillboards([shape], 16, 2));
-  expect([layers.count, startCaps.count]).toEqual([2, 2]);
+  expect([layers.count, startCaps.count]).toEqual([1, 1]);
+  expect(finished(bakingBillboards([shape, LOBE_SHAPES[0]], 16, 2)).layers.count).toBe(4);
   // The disc has a flat front, the ball has not, so the culling must allow for the difference.
   expect(solids.tolerance).toBeGreaterThan(0.1);
 });
