@@ -7,7 +7,7 @@ flat out float middles[LOBES];
 // Writes the outputs of bites. Returns the start of the volume: bites open the puff to the light up to its end.
 // lengthwise: the direction whose dot product with a place is the place along the light where balls are balls; half of the length of a
 // lobe along the light, in its radii.
-float writeCut(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre) {
+float writeCut(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre, mat2 sideAxes) {
   int variation = variationOf(attributes) % textureSize(casterTable, 0).y;
   float behind = 0.0;
   #pragma unroll_loop_start

@@ -1,8 +1,8 @@
 precision highp float;
 precision highp int;
-precision highp sampler2DArray;
 
-// The body of a billboard particle: a nailboard parallel to the image plane that covers the puff and its ring of ink.
+// The body of a billboard particle: a nailboard parallel to the image plane that covers the puff and its ring of ink, and rolls
+// with it.
 // Rows are in world space; outputs are in view space or in puff radii.
 uniform mat4 viewFromWorld;
 uniform mat4 clipFromView;
@@ -15,7 +15,6 @@ uniform int drawing;
 uniform float innerLine;
 uniform vec3 gradientWeights;
 uniform sampler2D ramps;
-uniform sampler2DArray normalDepth;
 
 out vec2 puffPoint;
 out float gradientPosition;
@@ -36,6 +35,7 @@ flat out vec3 towardsLight;
 #include ../lib/ink.glsl
 #include ../lib/attributes.glsl
 #include ../lib/material.glsl
+#include ../silhouettes/support.glsl
 #ifdef FALLOFF
 float packedStrengthAt(vec3 place);
 #include ../lib/srgb.glsl
@@ -48,10 +48,13 @@ void main() {
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   phase = boilPhase(seedOf(attributes), drawing);
   inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
-  vec2 point = corner * (1.0 + inkReach);
+  variation = variationOf(attributes) % textureSize(supports, 0).y;
+  int quarter = textureSize(supports, 0).x / 4;
+  float right = supportAt(corner.x > 0.0 ? 0 : 2 * quarter, variation);
+  float up = supportAt(corner.y > 0.0 ? quarter : 3 * quarter, variation);
+  puffPoint = corner * (vec2(right, up) + inkReach);
   rollRotation = vec2(cos(rollOf(attributes)), sin(rollOf(attributes)));
-  puffPoint = vec2(rollRotation.x * point.x + rollRotation.y * point.y, rollRotation.x * point.y - rollRotation.y * point.x);
-  variation = variationOf(attributes) % textureSize(normalDepth, 0).z;
+  vec2 point = vec2(rollRotation.x * puffPoint.x - rollRotation.y * puffPoint.y, rollRotation.y * puffPoint.x + rollRotation.x * puffPoint.y);
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);

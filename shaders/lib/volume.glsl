@@ -175,8 +175,8 @@ struct Ends {
 };
 
 #ifdef CUT
-// Writes the outputs of the part. Returns the start of the volume.
-float writeCut(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre);
+// Writes the outputs of the part, and may narrow `sides`. Returns the start of the volume.
+float writeCut(float cap, mat3 discsFromPuff, vec4 lengthwise, vec3 travel, vec3 centre, mat2 sideAxes);
 #endif
 
 // Computes the outputs. Returns false if the row has no volume.
@@ -219,7 +219,7 @@ bool writeVolume(out Ends ends) {
 #ifdef DEFORMED
   lengthwise = vec4(projection.depth * vec3(0.0, dot(projection.shear, along), 1.0), width * sqrt(support));
 #endif
-  cap = writeCut(cap, frameFromView * viewFromPuff, lengthwise, axis, centre);
+  cap = writeCut(cap, frameFromView * viewFromPuff, lengthwise, axis, centre, sideAxes);
 #endif
   float extent = min(exitOf(place.w * widest, growth / place.w), end) / place.w - cap;
   if (extent <= 0.0) return false;

@@ -5,6 +5,8 @@ import {
   HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
+  RedFormat,
+  type IUniform,
   type RawShaderMaterial,
   RGBAFormat,
   UnsignedByteType,
@@ -22,11 +24,14 @@ export class BillboardTextures implements FormTextures {
   readonly layers: PuffLayers;
   readonly normalDepth: DataArrayTexture;
   readonly colorCoverage: DataArrayTexture;
+  /** Uniforms of the shaders of bodies. */
+  readonly uniforms: Readonly<Record<string, IUniform>>;
   readonly startCaps: DataArrayTexture;
   readonly latestCap: number;
   readonly spread = 1;
   readonly casterTable: DataTexture;
   readonly casterLobes: number;
+  private readonly supports: DataTexture;
   readonly silhouettes: FormTextures['silhouettes'];
   readonly capRange: readonly [number, number];
   readonly capTable: StartCaps;
@@ -51,6 +56,14 @@ export class BillboardTextures implements FormTextures {
     this.colorCoverage.format = RGBAFormat;
     this.colorCoverage.type = UnsignedByteType;
     smooth(this.colorCoverage, true);
+    this.supports = supportTexture(layers);
+    this.uniforms = {
+      normalDepth: { value: this.normalDepth },
+      colorCoverage: { value: this.colorCoverage },
+      pad: { value: layers.pad },
+      distanceRange: { value: layers.distanceRange },
+      supports: { value: this.supports },
+    };
     this.startCaps = capTexture(startCaps);
     this.latestCap = latestCap;
     this.casterLobes = casters.lobeCount;
@@ -71,22 +84,28 @@ export class BillboardTextures implements FormTextures {
     this.colorCoverage.dispose();
     this.startCaps.dispose();
     this.casterTable.dispose();
+    this.supports.dispose();
   }
 
   /** Appends the functions that the shaders of volumes declare for CUT, or those of counted volumes for SILHOUETTE. */
   private addSilhouettes(material: RawShaderMaterial): void {
-    const { pad, distanceRange } = this.layers;
-    Object.assign(material.uniforms, {
-      silhouettes: { value: this.colorCoverage },
-      pad: { value: pad },
-      distanceRange: { value: distanceRange },
-    });
+    Object.assign(material.uniforms, this.uniforms, { silhouettes: { value: this.colorCoverage } });
     if ('SILHOUETTE' in material.defines) return;
     const isCounted = material.fragmentShader.includes('SILHOUETTE');
     Object.assign(material.defines, { CUT: '', SILHOUETTE: '' });
     material.vertexShader += `\n${volumeVertex}`;
     material.fragmentShader += `\n${isCounted ? countedFragment : volumesFragment}`;
   }
+}
+
+/** For shaders/silhouettes/support.glsl. */
+function supportTexture({ figures, count, pad, size }: PuffLayers): DataTexture {
+  // Filtering moves the silhouette by less than a texel.
+  const slack = (2 * pad) / size;
+  const values = figures.flatMap(({ supports }) => Array.from(supports, (extent) => extent + slack));
+  const texture = new DataTexture(Float32Array.from(values), values.length / count, count, RedFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
 }
 
 function smooth(texture: DataArrayTexture, withMipmaps: boolean): void {

@@ -60,10 +60,6 @@ export class BodiesPass {
     lobeTable: { value: null as Texture | null },
     fillet: { value: 1 },
     blend: { value: 0 },
-    normalDepth: { value: null as Texture | null },
-    colorCoverage: { value: null as Texture | null },
-    pad: { value: 1 },
-    distanceRange: { value: 1 },
   };
 
   /**
@@ -161,11 +157,7 @@ export class BodiesPass {
   }
 
   private billboardsMaterial(shaders: Shaders): RawShaderMaterial {
-    const { layers, normalDepth, colorCoverage } = this.puffs.billboards;
-    this.puffUniforms.normalDepth.value = normalDepth;
-    this.puffUniforms.colorCoverage.value = colorCoverage;
-    this.puffUniforms.pad.value = layers.pad;
-    this.puffUniforms.distanceRange.value = layers.distanceRange;
+    Object.assign(this.common, this.puffs.billboards.uniforms);
     return this.materialOf(0, { ...shaders, defines: definesOf(this.kind) });
   }
 

@@ -55,8 +55,7 @@ export function* bakingTable(patches: readonly Patch[], litThreshold: number): W
   const bounds = new PatchBounds(patches, Math.acos(litThreshold));
   for (let row = 0; row < CAP_ROWS; row += BLOCK) {
     for (let column = 0; column < CAP_COLUMNS; column += BLOCK) {
-      bakeBlock(bounds, row, column, table);
-      yield;
+      yield* bakingBlock(bounds, row, column, table);
     }
   }
   return table;
@@ -100,10 +99,11 @@ function cellAt(row: number, column: number, count: number): Cell {
 }
 
 /** Fills a block of entries: selects patches for the whole block, then evaluates each entry. */
-function bakeBlock(bounds: PatchBounds, row: number, column: number, table: Float32Array): void {
+function* bakingBlock(bounds: PatchBounds, row: number, column: number, table: Float32Array): Work<void> {
   bounds.choose(cellAt(row, column, BLOCK));
   for (let j = row; j < row + BLOCK; j++) {
     for (let i = column; i < column + BLOCK; i++) table[j * CAP_COLUMNS + i] = bounds.farthestFrom(cellAt(j, i, 1));
+    yield;
   }
 }
 

@@ -7,7 +7,7 @@
 import { finished, type Work } from '../../../base/work.ts';
 
 /** Rows of 512 cells in a slice of about two milliseconds. */
-const ROWS_A_SLICE = 64;
+const ROWS_A_SLICE = 24;
 
 /** The nearest cell of a set, for each cell of a grid. */
 export interface NearestCells {
@@ -24,7 +24,7 @@ export function nearestCells(inSet: Uint8Array, value: 0 | 1, size: number): Nea
 
 /** As {@link nearestCells}, in slices of a few milliseconds. */
 export function* findingNearest(inSet: Uint8Array, value: 0 | 1, size: number): Work<NearestCells> {
-  const nearest = nearestInColumns(inSet, value, size);
+  const nearest = yield* findingInColumns(inSet, value, size);
   yield;
   const squaredDistance = new Float32Array(size * size);
   const envelope = new Envelope(size);
@@ -32,16 +32,18 @@ export function* findingNearest(inSet: Uint8Array, value: 0 | 1, size: number): 
     envelope.sweepRow(y, nearest, squaredDistance);
     if (y % ROWS_A_SLICE === ROWS_A_SLICE - 1) yield;
   }
+  yield;
   return { nearest, squaredDistance };
 }
 
 /** The nearest cell of the set in the same column, or -1. */
-function nearestInColumns(inSet: Uint8Array, value: 0 | 1, size: number): Int32Array {
+function* findingInColumns(inSet: Uint8Array, value: 0 | 1, size: number): Work<Int32Array> {
   const nearest = new Int32Array(size * size);
   for (let cell = 0; cell < nearest.length; cell++) {
     if (inSet[cell] === value) nearest[cell] = cell;
     else nearest[cell] = cell < size ? -1 : nearest[cell - size];
   }
+  yield;
   for (let cell = nearest.length - size - 1; cell >= 0; cell--) {
     const above = nearest[cell + size];
     if (above >= 0 && (nearest[cell] < 0 || above - cell < cell - nearest[cell])) nearest[cell] = above;

@@ -5,8 +5,9 @@ import { MAX_LOBES } from '../../../base/constants.ts';
 import type { Work } from '../../../base/work.ts';
 import type { Lobe } from '../shapes.ts';
 
-/** Cells between candidate centres, along x and along y. */
-const STRIDE = 4;
+/** About the most candidate centres along each side, and the fewest cells from one to the next. */
+const MAX_PLACES = 64;
+const MIN_STRIDE = 4;
 /** Minimum area that a further disc adds, relative to the first one. */
 const MIN_GAIN = 0.01;
 
@@ -57,8 +58,9 @@ export function* choosingDiscs(distance: Float32Array, size: number): Work<Lobe[
 /** Candidate discs that are at least half a cell inside the silhouette. */
 function placesIn(distance: Float32Array, size: number): Disc[] {
   const places: Disc[] = [];
-  for (let y = 0; y < size; y += STRIDE) {
-    for (let x = 0; x < size; x += STRIDE) {
+  const stride = Math.max(MIN_STRIDE, Math.floor(size / MAX_PLACES));
+  for (let y = 0; y < size; y += stride) {
+    for (let x = 0; x < size; x += stride) {
       const radius = -distance[y * size + x] - 0.5;
       if (radius > 0.5) places.push({ x, y, radius });
     }

@@ -40,6 +40,8 @@ export interface PuffFigures {
   readonly silhouetteRadius: number;
   /** Radius of the largest disc about the particle's centre inside the silhouette. */
   readonly inscribedRadius: number;
+  /** How far the silhouette extends in 16 directions, evenly spaced from the x axis on. */
+  readonly supports: Float32Array;
   /** Radius of the smallest disc about the particle's centre that contains the silhouette. */
   readonly outerRadius: number;
   /** Height of the highest point above the centre plane, towards the viewer. */
@@ -171,6 +173,7 @@ function measure(raster: PuffRaster, distance: Float32Array): Omit<PuffFigures, 
   let covered = 0;
   let inscribed = Infinity;
   let outer = 0;
+  const supports = new Float32Array(SUPPORTS).fill(-Infinity);
   for (let cell = 0; cell < distance.length; cell++) {
     const x = (cell % fine) + 0.5 - fine / 2;
     const y = Math.floor(cell / fine) + 0.5 - fine / 2;
@@ -178,6 +181,7 @@ function measure(raster: PuffRaster, distance: Float32Array): Omit<PuffFigures, 
     if (distance[cell] < 0) {
       covered++;
       outer = Math.max(outer, squared);
+      if (distance[cell] > -BORDER) support(supports, x, y);
     } else {
       inscribed = Math.min(inscribed, squared);
     }
@@ -186,10 +190,24 @@ function measure(raster: PuffRaster, distance: Float32Array): Omit<PuffFigures, 
   return {
     silhouetteRadius: Math.sqrt(covered / Math.PI) * unitsPerCell,
     inscribedRadius: Math.sqrt(inscribed) * unitsPerCell,
+    supports: supports.map((extent) => extent * unitsPerCell),
     outerRadius: Math.sqrt(outer) * unitsPerCell,
     relief: raster.depths.reduce((a, b) => Math.max(a, b)) * 2 * PUFF_PAD,
     depth: -raster.depths.reduce((a, b) => (b > -Infinity ? Math.min(a, b) : a), 0) * 2 * PUFF_PAD,
   };
+}
+
+/** Directions in which supports are measured; a multiple of four. */
+const SUPPORTS = 16;
+/** Largest distance from the silhouette of the cells that can be farthest in a direction, in cells. */
+const BORDER = 2;
+
+/** Extends supports to a point. */
+function support(supports: Float32Array, x: number, y: number): void {
+  for (let direction = 0; direction < SUPPORTS; direction++) {
+    const angle = (2 * Math.PI * direction) / SUPPORTS;
+    supports[direction] = Math.max(supports[direction], x * Math.cos(angle) + y * Math.sin(angle));
+  }
 }
 
 /** A texture sample of a puff, linearly filtered, with a normalised normal as in the shaders. */

@@ -3,7 +3,7 @@ import { finished, type Work } from '../../../base/work.ts';
 import { discsInside } from '../billboards/inscribedDiscs.ts';
 import type { PuffShape } from '../shapes.ts';
 import { readDrawings, writeDrawing, type PuffDrawing } from './drawing.ts';
-import { painting, placementOf } from './relief.ts';
+import { coverageOf, painting, placementOf } from './relief.ts';
 
 /** Cells along each side of the grid on which discs are chosen. */
 const CELLS = 128;
@@ -27,8 +27,7 @@ export function* makingShapes(text: string): Work<PuffShape[]> {
   const shapes: PuffShape[] = [];
   for (const [index, drawing] of readDrawings(text).entries()) {
     const paint = yield* painting(drawing.areas, placementOf(drawing, CELLS), CELLS);
-    const coverage = Uint8Array.from(paint, (area) => (area < 0 ? 0 : 1));
-    const lobes = yield* discsInside(coverage, CELLS);
+    const lobes = yield* discsInside(coverageOf(paint), CELLS);
     shapes.push({ name: `drawing ${index + 1}`, lobes, drawing: text.split(';')[index] });
     yield;
   }

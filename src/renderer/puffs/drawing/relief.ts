@@ -21,6 +21,7 @@ const MIN_WAY = 0.05;
 const ROUNDS = 240;
 const ROUNDS_A_SLICE = 8;
 const ROWS_A_SLICE = 32;
+const TEXELS_A_SLICE = 1_000;
 
 /** Replaces a drawing that covers nothing. */
 const DOT: PuffDrawing = {
@@ -33,7 +34,7 @@ export function* rasterisingDrawing(drawing: PuffDrawing, size: number): Work<Pu
   const cells = size * SUPERSAMPLE;
   const toCells = placementOf(drawing, cells);
   const paint = yield* painting(drawing.areas, toCells, cells);
-  const coverage = Uint8Array.from(paint, (area) => (area < 0 ? 0 : 1));
+  const coverage = coverageOf(paint);
   yield;
   const distance = yield* measuringDistance(coverage, cells);
   const inside = inTexels(distance, size);
@@ -86,6 +87,14 @@ function crossingsOf(rings: readonly (readonly (readonly [number, number])[])[],
     }
   }
   return crossings.sort((a, b) => a - b);
+}
+
+/** 1 where an area is, else 0. */
+export function coverageOf(paint: Int8Array): Uint8Array {
+  // TypedArray.from takes 20 times as long.
+  const coverage = new Uint8Array(paint.length);
+  for (let cell = 0; cell < paint.length; cell++) coverage[cell] = paint[cell] < 0 ? 0 : 1;
+  return coverage;
 }
 
 /** The signed distance at the centres of texels, in texels; negative inside. */
@@ -197,7 +206,7 @@ function* meanColors(areas: readonly DrawnArea[], paint: Int8Array, size: number
       for (let channel = 0; channel < 3; channel++) colors[3 * texel + channel] += shares[area][channel];
     }
     for (let channel = 0; channel < 3; channel++) colors[3 * texel + channel] /= Math.max(1, covered);
-    if (texel % (ROWS_A_SLICE * size) === 0) yield;
+    if (texel % TEXELS_A_SLICE === 0) yield;
   }
   return colors;
 }

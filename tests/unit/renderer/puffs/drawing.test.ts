@@ -138,6 +138,15 @@ describe('the relief of a drawing', () => {
     expect(colorAt(0.6, 0)).toEqual([255, 255, 255]);
   });
 
+  it('has supports: how far its silhouette extends in each direction', () => {
+    const [{ supports }] = bake(drawingOf(circle(0.3, [0.4, -0.2]))).figures;
+    expect(supports).toHaveLength(16);
+    for (const [direction, extent] of supports.entries()) {
+      const angle = (2 * Math.PI * direction) / 16;
+      expect(Math.abs(extent - (0.3 + 0.4 * Math.cos(angle) - 0.2 * Math.sin(angle)))).toBeLessThan(0.01);
+    }
+  });
+
   it('shrinks to the unit circle, and is a dot where nothing is drawn', () => {
     const [wide] = bake(drawingOf([[0, 0], [255, 0], [255, 255], [0, 255]])).figures; // prettier-ignore
     expect(wide.outerRadius).toBeLessThan(1.01);

@@ -24,7 +24,7 @@ for (const [what, light, trials, options, isLong] of [
     expect(report.layers).toBe('sides' in options ? 24 : 3);
     expect(report.expected).toBeGreaterThan(4000 * trials);
     expect(report.backlit).toBeGreaterThan(trials / 5);
-    expect(report.differing / report.expected).toBeLessThan(0.005);
+    expect(report.differing / report.expected).toBeLessThan(0.0015);
     expect(report.worst).toBeLessThan(0.03);
   });
 }
