@@ -9,9 +9,11 @@ import { loadSimulators } from '../../src/simulator/load.ts';
 import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
 import type { Simulator } from '../../src/simulator/simulator.ts';
 import { deviationFor, drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
+import { fetchExtras } from '../../src/renderer/extraPasses.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/renderer/frameInput.ts';
 import { lightOf, type AdditionalLight } from '../../src/renderer/light.ts';
+import { LivePuffs } from '../../src/renderer/livePuffs.ts';
 import { SmokeRenderer } from '../../src/renderer/smoke.ts';
 import type { SmokePasses } from '../../src/renderer/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/renderer/style.ts';
@@ -34,6 +36,8 @@ export interface SceneChoice {
   holdsRotations?: boolean;
   /** Whether the preset draws as on the page. The default is a plain drawing with few particles. */
   ownLook?: boolean;
+  /** Whether the puffs are those of the values. The default is the built-in ones. */
+  ownPuffs?: boolean;
   /** Draws with the edge filter. */
   smoothEdges?: boolean;
   /** Lights besides the key light. */
@@ -90,7 +94,8 @@ export class SceneLab {
     [this.width, this.height] = [width, height];
     const capacity = values['simulation.maxParticles'] as number;
     const surfaces = drawnSurfaces(scene.surfaces);
-    this.smoke = new SmokeRenderer(this.device, { capacity, backdrop: scene.backdrop, surfaces });
+    const puffs = choice.ownPuffs ? new LivePuffs(values).finish() : undefined;
+    this.smoke = new SmokeRenderer(this.device, { capacity, backdrop: scene.backdrop, surfaces, puffs });
     this.smoke.passes.resolve.smoothEdges = smoothEdges;
   }
 
@@ -98,7 +103,11 @@ export class SceneLab {
   static async create(preset: string, choice: SceneChoice): Promise<SceneLab> {
     const values = { ...presetValues(findPreset(preset)!), ...(choice.ownLook ? {} : SMALL), ...choice.values };
     const { load, hasRigids } = sceneNamed(values.scene as string);
-    const [loaded, factory] = await Promise.all([load(), loadSimulators({ physics: hasRigids })]);
+    const [loaded, factory] = await Promise.all([
+      load(),
+      loadSimulators({ physics: hasRigids }),
+      choice.ownPuffs && fetchExtras(styleOf(values)),
+    ]);
     const held = choice.holdsRotations ? withHeldRotations(loaded) : loaded;
     const scene = choice.surfaces ? { ...held, surfaces: choice.surfaces(held.surfaces) } : held;
     return new SceneLab(scene, new Simulation(factory, scene, values, 0), values, choice);

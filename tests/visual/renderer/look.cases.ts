@@ -55,6 +55,7 @@ export async function sheets(preset: string): Promise<{ sheet: string; strip: st
     height: HEIGHT,
     smoothEdges: true,
     ownLook: true,
+    ownPuffs: true,
     values: FULL,
   });
   const sheet = new Sheet(AZIMUTHS.length, MOMENTS.length);
