@@ -1,6 +1,7 @@
 /** The counters of the render benchmark, compared with known values. */
 import { OrthographicCamera } from 'three';
 import type { PuffForm } from '../../../src/renderer/gpu/puffTextures.ts';
+import { bakedPuffs } from '../../../src/renderer/bakedPuffs.ts';
 import { createDevice } from '../../../src/renderer/gpu/device.ts';
 import { LOBE_SHAPES } from '../../../src/renderer/puffs/lobeShapes.ts';
 import { countFragments, type Fragments } from '../../bench/render/fragments.ts';
@@ -35,14 +36,16 @@ export function bodies(form: PuffForm, count: number): Fragments & { pixels: num
   return { ...fragments, pixels: pixels.filter((value, index) => index % 4 === 3 && value > 0).length };
 }
 
-/**
- * Pixel centres inside the quad of one such puff: around the bound of all puffs, or around the silhouette of its lobes.
- */
+/** Pixel centres inside the quad of one such puff: around the silhouette of its lobes, or a texel around that of its layer. */
 export function quadPixels(form: PuffForm): number {
   const { lobes } = LOBE_SHAPES[0];
+  const layers = form === 'billboards' ? bakedPuffs().billboards.layers : undefined;
   const across = (axis: 0 | 1): number => {
-    if (form === 'billboards') return SIZE / 2;
-    const ends = [-1, 1].map((side) => Math.max(...lobes.map(({ center, radius }) => side * center[axis] + radius)));
+    const ends = [-1, 1].map((side) => {
+      if (!layers) return Math.max(...lobes.map(({ center, radius }) => side * center[axis] + radius));
+      const { supports } = layers.figures[0];
+      return supports[(supports.length / 4) * (1 + axis - side)] + (2 * layers.pad) / layers.size;
+    });
     const [low, high] = [SIZE / 2 - (SIZE / 4) * ends[0], SIZE / 2 + (SIZE / 4) * ends[1]];
     return Math.ceil(high - 0.5) - Math.ceil(low - 0.5);
   };
