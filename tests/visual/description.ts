@@ -66,10 +66,10 @@ export function describe(shown: Shown): string {
 }
 
 /** A view without culling. */
-function viewOf({ blend }: FrameInput, purpose: View['purpose']): View {
-  const everywhere = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
+function viewOf({ blend, style: { upright } }: FrameInput, purpose: View['purpose']): View {
+  const receivers = { min: [-1e3, -1e3, -1e3], max: [1e3, 1e3, 1e3] };
   const clipFromWorld = new Float32Array(16);
-  return { purpose, blend, cull: false, pad: 0, clipFromWorld, direction: [0, -1, 0], reach: 1, receivers: everywhere };
+  return { purpose, blend, upright, cull: false, pad: 0, clipFromWorld, direction: [0, -1, 0], reach: 1, receivers };
 }
 
 function backdropOf({ backdropColors = [] }: Style, { top, bottom }: { top: Color; bottom: Color }): readonly Tone[] {

@@ -232,15 +232,19 @@ function cube(center: [number, number, number], half: [number, number, number]):
 }
 
 /**
- * A preset after a simulated time, drawn without the edge filter, and its number of bodies and casters. The reference has no
- * lamps at smoke that glows: the picture is drawn without them.
+ * A preset after a simulated time, drawn without the edge filter, and its number of bodies and casters. Its puffs are the
+ * built-in ones. The reference has no lamps at smoke that glows: the picture is drawn without them.
  */
 export async function drawnPreset(
   preset: string,
   form: PuffForm,
   seconds: number,
 ): Promise<Drawn & { bodies: number; casters: number }> {
-  const lab = await SceneLab.create(preset, { width: WIDTH, height: HEIGHT, values: { 'puff.form': form } });
+  const lab = await SceneLab.create(preset, {
+    width: WIDTH,
+    height: HEIGHT,
+    values: { 'puff.form': form, 'puff.drawing': '' },
+  });
   lab.step(60 * seconds);
   // The bounds are those of the previous frame.
   lab.draw();

@@ -41,8 +41,8 @@ const SECONDS = 4;
  * its shadow is within the rounding of depth behind its lit side, and the count there is undecided, but not the colour.
  */
 const OTHER_SECONDS: Readonly<Record<string, number>> = { campfire: 3, dust: 2, 'train-rubber-hose': 5 };
-/** Smallest number of particles in a picture: train-rubber-hose has the fewest, 48 large puffs. */
-const FEWEST = 40;
+/** Smallest number of particles in a picture: wisp-hearts has the fewest, 12 large puffs. */
+const FEWEST = 10;
 /**
  * SwiftShader clips triangles at the border of the picture, where their shared edges then separate. Pixels of the
  * meadow show through these cracks in shadow volumes that cross the lower border: 13 to 17 of 76,800.
@@ -51,6 +51,7 @@ const MAX_WITHIN: Readonly<Record<string, number>> = {
   cloudscape: 0.0003,
   'cloudscape-gouache': 0.0003,
   'cloudscape-night': 0.0003,
+  'cloudscape-woodcut': 0.0003,
 };
 /** Pictures per transfer: a description with all triangles has about one megabyte. */
 const BATCH = 12;
