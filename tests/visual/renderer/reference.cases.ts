@@ -73,26 +73,11 @@ const SCENES = {
   lampAmongPuffs: () =>
     cluster(looking(perspective(), [0.1, -0.55, 1.2], [0, -0.9, -0.5]), { lamp: [0.3, 0.55, -0.2] }),
   besideEye: () => beside(looking(perspective(), [0, -0.2, 0.6], [0, -0.4, 0])),
-  meshes: async () => ({
-    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
-    shapes: await meshShapes(),
-  }),
-  meshesByLamp: async () => ({
-    ...cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, -0.9] }),
-    shapes: await meshShapes(),
-  }),
-  drawings: () => ({
-    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
-    shapes: drawnShapes(),
-  }),
-  drawingsByLamp: () => ({
-    ...cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, -0.9] }),
-    shapes: drawnShapes(),
-  }),
-  sheet: async () => ({
-    ...cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
-    shapes: await readPuffSheet(await writePuffSheet(await meshShapes())),
-  }),
+  meshes: async () => shaped(await meshShapes()),
+  meshesByLamp: async () => shaped(await meshShapes(), true),
+  drawings: () => shaped(drawnShapes()),
+  drawingsByLamp: () => shaped(drawnShapes(), true),
+  sheet: async () => shaped(await readPuffSheet(await writePuffSheet(await meshShapes()))),
   coincident: () => coincident(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   underParts: () => underParts(looking(perspective(), [0.5, 1.6, 5], [0, -0.4, 0])),
   lampRising: () => lampAfter(90),
@@ -145,6 +130,12 @@ function cluster(
   const surfaces = [ground(-1, 3), ball([-1.1, -0.5, 0.5], 0.35), cube([0.92, -0.6, 0.6], [0.25, 0.4, 0.2])];
   const input = inputOf({ width: WIDTH, height: HEIGHT, puffs, surfaces, camera, ...light });
   return { input, surfaces, backdrop: BACKDROP };
+}
+
+/** The cluster of puffs of these shapes, in the sun or by a lamp behind it. */
+function shaped(shapes: readonly PuffShape[], byLamp = false): Shown {
+  const [height, light] = byLamp ? [1.6, { lamp: [-0.6, 1.5, -0.9] as const }] : [1.3, SUN];
+  return { ...cluster(looking(perspective(), [0.5, height, byLamp ? 5 : 4.6], [0, -0.1, 0]), light), shapes };
 }
 
 /** A heart with a dark belly, popcorn, a painted face and a torus. */
