@@ -36,7 +36,7 @@ export interface FormTextures extends PuffExtents {
    * Makes the volumes of a material those of silhouettes. Each lobe that casts shadow contains one. Absent if the whole lobes cast
    * shadow.
    */
-  readonly silhouettes?: (material: RawShaderMaterial) => void;
+  readonly silhouettes?: ((material: RawShaderMaterial) => void) | undefined;
 }
 
 /** Billboards as plain data: the layers to draw and the tables of their shadow volumes. */

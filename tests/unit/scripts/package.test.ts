@@ -88,7 +88,9 @@ export const rejected: SmokeAttributes[] = [
 `,
   );
   const options = { strict: true, noEmit: true, moduleResolution: 'bundler', module: 'ESNext', target: 'ES2023' };
-  const config = { compilerOptions: { ...options, skipLibCheck: true, types: [] }, include: ['.'] };
+  // Projects with these options also check the declarations of packages.
+  const strictest = { exactOptionalPropertyTypes: true, skipLibCheck: false };
+  const config = { compilerOptions: { ...options, ...strictest, types: [] }, include: ['.'] };
   writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(config));
   const { stdout } = spawnSync(process.execPath, [join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', folder]);
   expect(String(stdout)).toBe('');
