@@ -8,7 +8,7 @@ for (const [what, names, light, trials] of [
   ['meshes', ['rings', 'heart', 'torus', 'popcorn', 'sheet'], 'sun', 150],
   ['meshes', ['rings', 'heart', 'torus', 'popcorn', 'sheet'], 'lamp', 150],
   ['cards', ['heartCard', 'letterO', 'leaf'], 'sun', 200],
-  ['cards', ['heartCard', 'letterO', 'leaf'], 'lamp', 200],
+  ['cards', ['heartCard', 'letterO', 'leaf'], 'lamp', 230],
 ] as const) {
   test(`lone ${what} under a ${light} mask none of their own lit pixels${longIf(light === 'lamp')}`, async ({
     load,
