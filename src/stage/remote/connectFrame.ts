@@ -3,6 +3,9 @@ import type { RemoteStage } from './contract.ts';
 import { isHandshake, handshake } from './protocol.ts';
 import { PortStage } from './portStage.ts';
 
+/** Time in which a stage responds after a load event of its iframe. A machine that draws on the CPU may be slow. */
+const RESPONSE_MS = 10_000;
+
 export interface ConnectOptions {
   /** Required origin of the iframe. Default: any. Omit it for a sandbox without `allow-same-origin`. */
   origin?: string;
@@ -42,6 +45,7 @@ export async function connectFrame(iframe: HTMLIFrameElement, options: ConnectOp
     };
     whenHeard(iframe, hearing.signal, () => fail('was reloaded'));
     whenRemoved(iframe, hearing.signal, () => fail('was removed'));
+    whenReplaced(iframe, hearing.signal, stage.stage, () => fail('was unloaded'));
     return stage.stage;
   } catch (error) {
     for (const one of tries) one.abandon();
@@ -115,6 +119,21 @@ function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => 
   });
   for (const root of rootsAround(iframe)) observer.observe(root, { childList: true, subtree: true });
   signal.addEventListener('abort', () => observer.disconnect());
+}
+
+/**
+ * Calls back when another page is loaded in the iframe and the stage no longer responds. A page that is busy when it
+ * navigates ends without the pagehide event in which it reports its end.
+ */
+function whenReplaced(iframe: HTMLIFrameElement, signal: AbortSignal, stage: RemoteStage, act: () => void): void {
+  const check = () => {
+    const timer = setTimeout(act, RESPONSE_MS);
+    const end = () => clearTimeout(timer);
+    signal.addEventListener('abort', end);
+    // The load event of the stage's own page can come after the stage is open.
+    stage.stats().then(end, end);
+  };
+  iframe.addEventListener('load', check, { signal });
 }
 
 /** The document and each shadow root around the iframe: a MutationObserver does not see into shadow roots. */

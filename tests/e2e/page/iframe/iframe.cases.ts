@@ -53,6 +53,11 @@ const ENDINGS: Readonly<Record<string, (frame: HTMLIFrameElement) => void>> = {
   moved: (element) => document.body.prepend(element),
   'removed with what is around it': (element) => (element.getRootNode() as ShadowRoot).host.remove(),
   'sent elsewhere': (element) => (element.src = 'about:blank'),
+  // Browsers end a page that is busy for longer than about a second without a pagehide event.
+  'sent elsewhere while busy': (element) => {
+    element.contentWindow?.postMessage({ busyFor: 4_000 }, '*');
+    setTimeout(() => (element.src = 'about:blank'), 200);
+  },
 };
 
 /** Errors of calls that were pending when the iframe ended, and of later calls; and the remaining observers. */

@@ -102,13 +102,21 @@ test('restarts on reconnect after dispose, and notifies the other connections', 
 
 test('pending and later calls end with an error when the frame is removed, moved or shows another page', async ({
   load,
+  blank,
   baseURL,
 }) => {
+  await blank.addInitScript(() =>
+    addEventListener('message', ({ data }) => {
+      const busyFor = (data as { busyFor?: number } | undefined | null)?.busyFor;
+      if (typeof busyFor === 'number') for (const end = performance.now() + busyFor; performance.now() < end; );
+    }),
+  );
   const frames = await load<FrameCases>(FRAMES);
   for (const [how, reason] of [
     ['removed', 'was removed'],
     ['moved', 'was removed'],
     ['sent elsewhere', 'was unloaded'],
+    ['sent elsewhere while busy', 'was unloaded'],
   ] as const) {
     const report = await frames.evaluate((module, given) => module.endFrame(...given), [
       `${baseURL}/embed.html${WISP}`,
