@@ -108,7 +108,7 @@ test('pending and later calls end with an error when the frame is removed, moved
   await blank.addInitScript(() =>
     addEventListener('message', ({ data }) => {
       const busyFor = (data as { busyFor?: number } | undefined | null)?.busyFor;
-      if (typeof busyFor === 'number') for (const end = performance.now() + busyFor; performance.now() < end; );
+      if (typeof busyFor === 'number') for (const end = performance.now() + busyFor; performance.now() < end;);
     }),
   );
   const frames = await load<FrameCases>(FRAMES);
