@@ -1,4 +1,5 @@
 import { ParameterError, requireOptions, SimulatorError } from '../../base/errors.ts';
+import { afterRunning } from '../../base/timeout.ts';
 import type { RemoteStage } from './contract.ts';
 import { isHandshake, handshake } from './protocol.ts';
 import { PortStage } from './portStage.ts';
@@ -127,8 +128,7 @@ function whenRemoved(iframe: HTMLIFrameElement, signal: AbortSignal, act: () => 
  */
 function whenReplaced(iframe: HTMLIFrameElement, signal: AbortSignal, stage: RemoteStage, act: () => void): void {
   const check = () => {
-    const timer = setTimeout(act, RESPONSE_MS);
-    const end = () => clearTimeout(timer);
+    const end = afterRunning(RESPONSE_MS, act);
     signal.addEventListener('abort', end);
     // The load event of the stage's own page can come after the stage is open.
     stage.stats().then(end, end);
