@@ -41,6 +41,7 @@ export default defineConfig({
       ...['DRACO', 'GLTF', 'OBJ'].map((name) => `three/examples/jsm/loaders/${name}Loader.js`),
       '@pmndrs/assets/models/suzi.glb',
       '@react-three/fiber',
+      'culori/fn',
       'react',
       'react/jsx-dev-runtime',
       'react-dom/client',

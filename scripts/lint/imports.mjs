@@ -34,7 +34,7 @@ export const ARROWS = {
   'page/puff': `base parameters simulator ${RENDERER} stage stage/remote page`,
   'page/element': `base parameters simulator ${RENDERER} stage stage/remote page`,
   'page/iframe': 'base parameters simulator stage/remote page page/element',
-  demo: 'index.ts preset.ts puff.ts internal.ts npm:three npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
+  demo: 'index.ts preset.ts puff.ts internal.ts npm:three npm:culori npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
 };
 
 /**
