@@ -4,7 +4,7 @@ import { createDebugPanel, Views, createStatistics } from './panel/debugPanel.ts
 import { CaptureButton } from './capture/button.ts';
 import { createDock, surprise } from './gallery/dock.ts';
 import { create, iconButton } from './ui/dom.ts';
-import { acceptDrops, SmokeFiles } from './share/files.ts';
+import { acceptDrops, createOpener, SmokeFiles } from './share/files.ts';
 import { DropThings } from './input/dropThings.ts';
 import { DrawOpener, isPicture } from './draw/opener.ts';
 import type { Editor } from './editor/editor.ts';
@@ -15,8 +15,10 @@ import { icon } from './ui/icons.ts';
 import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
+import { COLOR_TYPES, Palettes } from './palette/opener.ts';
 import { DRAW_EVENT } from './panel/control.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
+import { PALETTE_EVENT } from './panel/rampControl.ts';
 import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
 import { ShareSheet } from './share/shareSheet.ts';
@@ -75,15 +77,20 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     showPanel(!isOpen && (hadPanel || !panel.hidden));
     if (!isOpen) (hadPanel ? panel.querySelector<HTMLElement>('.drawing-buttons button')! : toggle).focus();
   });
-  acceptDrops(document.body, (dropped) => {
-    const [file] = dropped;
-    const openShape = (): void => void ownShape.open(dropped);
-    if (isJson(file)) void files.open(file);
-    else if (dropped.every(isPicture)) drawing.ask(dropped, openShape);
+  const palettes = new Palettes(parts, container);
+  const openFiles = async (opened: readonly File[]): Promise<void> => {
+    const [file] = opened;
+    const openShape = (): void => void ownShape.open(opened);
+    const openColors = (): void => void palettes.open(file);
+    if (await palettes.takes(file)) openColors();
+    else if (isJson(file)) void files.open(file);
+    else if (opened.every(isPicture)) drawing.ask(opened, openShape, openColors);
     else openShape();
-  });
+  };
+  acceptDrops(document.body, (dropped) => void openFiles(dropped));
   await nextTask();
-  const own = new OwnPresets(editor, stage, notices, files);
+  const opener = createOpener(COLOR_TYPES, (chosen) => void openFiles(chosen));
+  const own = new OwnPresets(editor, stage, notices, opener);
   const statistics = createStatistics(stage);
   const feet = { presets: own.element, puff: ownShape.element, end: createDebugPanel(stage, statistics) };
   const panel = await createPanel(editor, stage, feet, () => {
@@ -91,6 +98,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     toggle.focus();
   });
   panel.addEventListener(DRAW_EVENT, () => void drawing.open());
+  panel.addEventListener(PALETTE_EVENT, () => palettes.choose());
   const things = new DropThings(stage, parts.canvas);
   const blowing = new Blowing(stage, parts.canvas);
   const dock = createDock(editor, stage, scrubber, blowing.element, things.element);
@@ -136,7 +144,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   container.querySelector('.skeleton')?.remove();
   container.append(gizmos.element, header, dock.element);
   await nextTask();
-  container.append(panel, help.element, sheet.element, views.element, statistics.element);
+  container.append(panel, palettes.element, help.element, sheet.element, views.element, statistics.element);
   return page;
 }
 

@@ -246,10 +246,9 @@ export const strings = {
     status: (number: number, count: number, tool: string, share: number) =>
       `Puff ${number} of ${count}, ${tool.toLowerCase()}, ${Math.round(100 * share)} % of the sheet painted.`,
     rough: 'Details are left out, so that it fits into a link.',
-    tooLarge: (megabytes: number) => `The file is too large. The limit is ${megabytes} MB.`,
     tooManyPixels: (max: number) => `The picture is too large. The limit is ${max} pixels per side.`,
-    notPicture: 'It is not a valid PNG file.',
-    oneColor: (file: string) => `${file} has only one colour. A palette needs at least two.`,
+    notPng: 'It is not a valid PNG file.',
+    notPicture: 'The browser cannot read it as a picture.',
     nothing: 'There is nothing to draw: everything is transparent or outside the picture.',
   },
   purpose: {
@@ -257,7 +256,11 @@ export const strings = {
     cancel: 'Cancel',
     puff: ['Puff', 'Draws it on the sheet as the shape of the puffs.'],
     sheet: ['Puff sheet', 'Uses it as a texture of puffs with normals and depths.'],
-    palette: ['Palette', 'Makes its colours the tones of the smoke, from dark to bright.'],
+    palette: ['Palette', 'Proposes looks in its colours.'],
+  },
+  palette: {
+    open: 'From a palette or a picture\u2026',
+    reading: (file: string) => `Reading the colours of ${file}\u2026`,
   },
   ownShape: {
     choose: 'Use your own mesh or puff sheet\u2026',

@@ -1,31 +1,23 @@
 /** Turns pictures, SVG files and letters into sketches. */
 import { ShapeError } from '../../index.ts';
-import { MAX_DRAWINGS, MIN_COLORS, SIDE, writeRamp } from '../../internal.ts';
+import { MAX_DRAWINGS, SIDE } from '../../internal.ts';
 import { strings } from '../strings.ts';
 import { COLORS, emptySketch, isOnPaper, PAPER, withoutSpecks, type Sketch } from './sketch.ts';
 import { readSvg, type SvgPicture } from './svg.ts';
 
 export const PICTURE_TYPES = '.png,.svg';
-const MAX_BYTES = 16 * 1024 * 1024;
+const MAX_BYTES = 32 * 1024 * 1024;
 const MAX_PIXELS = 8192;
 
 /** Draws a picture in its own units. */
-interface Picture {
+export interface Picture {
   readonly box: readonly [x: number, y: number, width: number, height: number];
   draw(context: OffscreenCanvasRenderingContext2D): void;
 }
 
 /** @throws ShapeError if the file is no picture, too large or empty */
 export async function sketchOfFile(file: File): Promise<Sketch> {
-  return sketchOfPixels(await pixelsOfFile(file));
-}
-
-/** The colours of a picture as a ramp from dark to bright, at most eight. */
-export async function rampOfFile(file: File): Promise<string> {
-  const { colors } = quantized(await pixelsOfFile(file));
-  if (colors.length < MIN_COLORS) throw new ShapeError(strings.drawing.oneColor(file.name));
-  colors.sort((a, b) => luminanceOf(a) - luminanceOf(b));
-  return writeRamp(colors.map((color, at) => ({ at: at / colors.length, color })));
+  return naming(file, async () => sketchOfPixels(fitted(await pictureOfFile(file))));
 }
 
 /** A sketch for each of the first letters of a text, in one colour. */
@@ -38,26 +30,39 @@ export function sketchesOfText(text: string, ink: number): Sketch[] {
   });
 }
 
-async function pixelsOfFile(file: File): Promise<ImageData> {
+/** Adds the name of a file to what is wrong with it. */
+async function naming<Result>(file: File, read: () => Promise<Result>): Promise<Result> {
   try {
-    if (file.size > MAX_BYTES) throw new ShapeError(strings.drawing.tooLarge(MAX_BYTES / 1024 / 1024));
-    return fitted(/\.svg$/i.test(file.name) ? svgPicture(readSvg(await file.text())) : await bitmapOf(file));
+    return await read();
   } catch (error) {
     throw new ShapeError(strings.files.rejected(file.name, (error as Error).message), { cause: error });
   }
 }
 
+/** @throws ShapeError if the file is too large or no picture that the browser reads */
+export async function pictureOfFile(file: File): Promise<Picture> {
+  if (file.size > MAX_BYTES) throw new ShapeError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
+  return /\.svg$/i.test(file.name) ? svgPicture(readSvg(await file.text())) : bitmapOf(file);
+}
+
 async function bitmapOf(file: File): Promise<Picture> {
+  const isPng = /\.png$/i.test(file.name);
   // The size of a PNG is in its first chunk, so that a large one is not decoded.
   const head = new DataView(await file.slice(0, 24).arrayBuffer());
-  if (head.byteLength < 24 || head.getUint32(0) !== 0x89504e47) throw new ShapeError(strings.drawing.notPicture);
-  if (Math.max(head.getUint32(16), head.getUint32(20)) > MAX_PIXELS) {
-    throw new ShapeError(strings.drawing.tooManyPixels(MAX_PIXELS));
+  if (isPng && (head.byteLength < 24 || head.getUint32(0) !== 0x89504e47)) {
+    throw new ShapeError(strings.drawing.notPng);
   }
+  if (isPng) requireSize(head.getUint32(16), head.getUint32(20));
   const bitmap = await createImageBitmap(file).catch(() => {
-    throw new ShapeError(strings.drawing.notPicture);
+    throw new ShapeError(isPng ? strings.drawing.notPng : strings.drawing.notPicture);
   });
-  return { box: [0, 0, bitmap.width, bitmap.height], draw: (context) => context.drawImage(bitmap, 0, 0) };
+  const { width, height } = bitmap;
+  requireSize(width, height);
+  return { box: [0, 0, width, height], draw: (context) => context.drawImage(bitmap, 0, 0) };
+}
+
+function requireSize(width: number, height: number): void {
+  if (Math.max(width, height) > MAX_PIXELS) throw new ShapeError(strings.drawing.tooManyPixels(MAX_PIXELS));
 }
 
 function svgPicture({ box, shapes }: SvgPicture): Picture {

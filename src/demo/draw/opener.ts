@@ -41,28 +41,23 @@ export class DrawOpener {
     (await this.sheet)?.close();
   }
 
-  /** Asks what dropped pictures are for. @param openSheet uses them as the textures of puffs */
-  ask(files: readonly File[], openSheet: () => void): void {
+  /**
+   * Asks what dropped pictures are for.
+   * @param openSheet uses them as the textures of puffs
+   * @param takeColors uses the first one as a palette
+   */
+  ask(files: readonly File[], openSheet: () => void, takeColors: () => void): void {
     const { puff, sheet, palette } = strings.purpose;
     const [file] = files;
     const isSheet = files.every(({ name }) => /\.png$/i.test(name));
     const purposes: Purpose[] = [
       { words: puff, act: () => void this.open(file) },
       ...(isSheet ? [{ words: sheet, act: openSheet }] : []),
-      { words: palette, act: () => void this.takeColors(file) },
+      { words: palette, act: takeColors },
     ];
     // Only sheets have several files.
     if (isSheet && files.length > 1) openSheet();
     else askPurpose(file, purposes, this.container);
-  }
-
-  private async takeColors(file: File): Promise<void> {
-    try {
-      const { rampOfFile } = await import('./import.ts');
-      this.editor.change('style.ramp', await rampOfFile(file));
-    } catch (error) {
-      this.notices.notify((error as Error).message);
-    }
   }
 
   private async load(): Promise<DrawSheet> {

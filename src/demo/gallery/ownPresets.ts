@@ -3,7 +3,7 @@ import { MAX_NAME, nameOf } from '../../internal.ts';
 import { findPreset, readFile, writeFile, SmokeError } from '../../preset.ts';
 import { create, iconButton, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
-import { saveText, type SmokeFiles } from '../share/files.ts';
+import { saveText } from '../share/files.ts';
 import { icon } from '../ui/icons.ts';
 import type { Notices } from '../ui/notices.ts';
 import { strings } from '../strings.ts';
@@ -21,11 +21,12 @@ export class OwnPresets {
   private readonly cards = create('ul', { class: 'own-cards' });
   private readonly keepButton = textButton('quiet', words.keep, () => void this.attempt(() => this.keep()));
 
-  constructor(editor: Editor, stage: Stage, notices: Notices, files: SmokeFiles) {
+  /** @param opener the button that opens files */
+  constructor(editor: Editor, stage: Stage, notices: Notices, opener: HTMLElement) {
     this.editor = editor;
     this.stage = stage;
     this.notices = notices;
-    const buttons = create('div', { class: 'own-buttons' }, this.keepButton, files.createOpener());
+    const buttons = create('div', { class: 'own-buttons' }, this.keepButton, opener);
     const attributes = { class: 'own-presets', role: 'group', 'aria-label': words.title, 'data-text': words.text };
     this.element = create('div', attributes, create('h3', {}, words.title), this.cards, buttons);
     this.presetStorage.onChange = () => this.show();

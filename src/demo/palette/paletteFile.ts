@@ -8,7 +8,7 @@ const { faults } = words;
 
 /** Largest size of a file in bytes. */
 export const MAX_BYTES = 1024 * 1024;
-const MAX_COLORS = 4096;
+const MAX_COLORS = 1024;
 
 /**
  * Reads a palette. The content decides on its format, because several formats share an extension.

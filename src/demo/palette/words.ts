@@ -2,7 +2,7 @@
 export const words = {
   title: 'Choose a look',
   source: (file: string, colors: number) => `${file}: ${colors} colours`,
-  text: 'It changes colours and light only. Undo restores the present look.',
+  text: 'A look changes colours and light only. Undo restores the present one.',
   looks: {
     whole: ['Full range', 'All tones that fit, from shadow to light, before a quiet backdrop.'],
     poster: ['Poster', 'Two tones far apart before a flat, vivid colour, as in a print.'],

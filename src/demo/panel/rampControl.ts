@@ -27,6 +27,9 @@ const ARROWS: Readonly<Record<string, number>> = {
   ArrowUp: STEP,
 };
 
+/** Bubbles from the panel when the user wants to take all colours from a file. */
+export const PALETTE_EVENT = 'openpalette';
+
 /**
  * Ramp editor: a bar of colours. Stops are dragged or moved with the arrow keys. A press on the bar adds one; Delete or
  * the button removes the selected one. With fewer than two stops the ramp is empty. The colour of the selected stop is
@@ -41,7 +44,15 @@ export function createRamp(
 ): Control {
   const editor = new RampEditor(label, listener, () => (current()[BLENDED_BY[key]] ?? 1) === 1);
   editor.drawing.setAttribute('aria-describedby', describedBy);
+  if (key === 'style.ramp') editor.element.append(createPaletteButton());
   return { elements: [editor.element], id: editor.drawing.id, show: (text) => editor.show(String(text)) };
+}
+
+function createPaletteButton(): HTMLElement {
+  const button = textButton('quiet ramp-palette', strings.palette.open, () => {
+    button.dispatchEvent(new CustomEvent(PALETTE_EVENT, { bubbles: true }));
+  });
+  return button;
 }
 
 class RampEditor {

@@ -153,7 +153,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'style.surfaceShadowColor': 'ground floor shade',
   'style.deepShadow': 'shade dark',
   'style.tones': 'bands steps levels cel toon posterize shades',
-  'style.ramp': 'palette gradient bands shades cel toon',
+  'style.ramp': 'palette gradient bands shades cel toon import lospec image photo picture',
   'style.rampBlend': 'smooth soft gradient',
   'style.fill': 'ambient bounce',
   'style.simplify': 'detail clean smooth',

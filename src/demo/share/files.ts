@@ -57,18 +57,6 @@ export class SmokeFiles {
     }
   }
 
-  /** A button that opens the file picker. */
-  createOpener(): HTMLElement {
-    const chooser = create('input', { type: 'file', accept: '.json', hidden: true, 'aria-label': strings.files.open });
-    chooser.addEventListener('change', () => {
-      const file = chooser.files?.[0];
-      if (file) void this.open(file);
-      chooser.value = '';
-    });
-    const button = textButton('quiet', strings.files.open, () => chooser.click());
-    return create('span', {}, button, chooser);
-  }
-
   private async goTo({ take, seconds }: NonNullable<SmokeFile['moment']>, state: State): Promise<void> {
     // Edits that the stage applies later would count as input to the take.
     await this.editor.delivered();
@@ -92,6 +80,18 @@ export async function saveText(text: string, name: string): Promise<string> {
 function slug(name: string): string {
   const plain = nameOf(name).toLowerCase().normalize('NFKD');
   return plain.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'smoke';
+}
+
+/** A button that opens the file picker. @param open takes at least one file */
+export function createOpener(accept: string, open: (files: readonly File[]) => void): HTMLElement {
+  const chooser = create('input', { type: 'file', accept, hidden: true, 'aria-label': strings.files.open });
+  chooser.addEventListener('change', () => {
+    const files = [...(chooser.files ?? [])];
+    if (files.length > 0) open(files);
+    chooser.value = '';
+  });
+  const button = textButton('quiet', strings.files.open, () => chooser.click());
+  return create('span', {}, button, chooser);
 }
 
 /** Accepts files that are dropped anywhere on the page. @param open takes at least one file */

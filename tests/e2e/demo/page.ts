@@ -104,6 +104,19 @@ export async function hold(page: Page, address: string): Promise<() => void> {
   return arrive;
 }
 
+/** Drops a file on the page, as from the desktop. */
+export async function drop(page: Page, name: string, content: Uint8Array | string): Promise<void> {
+  const data = await page.evaluateHandle(
+    ([fileName, base64]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(atob(base64), (each) => each.charCodeAt(0))], fileName));
+      return transfer;
+    },
+    [name, Buffer.from(content).toString('base64')],
+  );
+  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
+}
+
 /** The row of a parameter in the panel. */
 export function row(page: Page, key: string) {
   return page.locator(`[data-key="${key}"]`);

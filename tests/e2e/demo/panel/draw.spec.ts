@@ -2,7 +2,7 @@ import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { expect, test } from '../../../support/fixtures.ts';
-import { expectValue, LIGHT, open, row, valueOf } from '../page.ts';
+import { drop, expectValue, LIGHT, open, row, valueOf } from '../page.ts';
 
 test.use({ viewport: { width: 900, height: 800 } });
 
@@ -43,18 +43,6 @@ function redSquare(): Buffer {
     png.data.set(isIn ? [220, 30, 30, 255] : [0, 0, 0, 0], 4 * at);
   }
   return PNG.sync.write(png);
-}
-
-async function drop(page: Page, name: string, content: Buffer): Promise<void> {
-  const data = await page.evaluateHandle(
-    ([fileName, base64]) => {
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([Uint8Array.from(atob(base64), (each) => each.charCodeAt(0))], fileName));
-      return transfer;
-    },
-    [name, content.toString('base64')],
-  );
-  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
 }
 
 test('strokes of pointers and keys reach the smoke, and are undone', async ({ page }) => {
@@ -150,7 +138,7 @@ test('a dropped picture asks what it is for', async ({ page }) => {
   await expectValue(page, 'puff.drawing', '');
   await drop(page, 'square.png', redSquare());
   await question.getByRole('button', { name: 'Palette' }).click();
-  await expect(page.getByText('square.png has only one colour.')).toBeVisible();
+  await expect(page.getByText('square.png could not be opened. It has only one colour, #dc1e1e.')).toBeVisible();
   await drop(page, 'square.png', redSquare());
   await question.getByRole('button', { name: /^Puff Draws/ }).click();
   await expect(sheet(page)).toBeVisible();

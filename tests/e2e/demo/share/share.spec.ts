@@ -1,24 +1,10 @@
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, closeSheet, expectValue, LAMP, LIGHT, open } from '../page.ts';
+import { ask, closeSheet, drop, expectValue, LAMP, LIGHT, open } from '../page.ts';
 
 test.use({ viewport: { width: 760, height: 540 } });
 
 const sheet = (page: Page) => page.getByRole('dialog', { name: 'Share this smoke' });
-
-/** Drops a file on the page, as from the desktop. */
-async function drop(page: Page, name: string, text: string): Promise<void> {
-  const data = await page.evaluateHandle(
-    ([fileName, content]) => {
-      const transfer = new DataTransfer();
-      transfer.items.add(new File([content], fileName, { type: 'application/json' }));
-      return transfer;
-    },
-    [name, text],
-  );
-  await page.dispatchEvent('body', 'dragover', { dataTransfer: data });
-  await page.dispatchEvent('body', 'drop', { dataTransfer: data });
-}
 
 /** The file that the page saves when a control is pressed. */
 async function saved(page: Page, press: () => Promise<void>): Promise<{ name: string; text: string }> {
