@@ -42,6 +42,7 @@ export type { Arranger, FrameInput } from './renderer/frameInput.ts';
 export type { Light } from './renderer/light.ts';
 export { glowColors } from './renderer/glow.ts';
 export { designOf, showsBillboards } from './renderer/livePuffs.ts';
+export { hasPattern } from './renderer/extraPasses.ts';
 export { formatColor, parseColor } from './renderer/palette.ts';
 export { linear, mixed, scaled, type Color } from './renderer/gpu/ramps.ts';
 export { automaticColors, inkOf, styleOf, type Style } from './renderer/style.ts';

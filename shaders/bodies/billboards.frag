@@ -40,6 +40,10 @@ layout(location = 1) out vec4 lit;
 #ifdef SHADING
 layout(location = 2) out vec4 shading;
 #endif
+#ifdef PLACES
+layout(location = 3) out vec4 surfacePlace;
+vec4 packPlace(vec3 place);
+#endif
 
 #include ../lib/depth.glsl
 #include ../lib/srgb.glsl
@@ -80,6 +84,9 @@ void main() {
   vec2 here = surfaceHere(clipFromView);
   bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
   float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
+#ifdef PLACES
+  surfacePlace = packPlace(vec3(rotated(puffPoint), (viewZ - centreZ) / radius));
+#endif
   float position = gradientAt(gradientPosition, viewZ);
   Lighting light = lightingOf(normal, towardsLight, rim);
   float material = rampIndex;

@@ -35,6 +35,10 @@ layout(location = 1) out vec4 lit;
 #ifdef SHADING
 layout(location = 2) out vec4 shading;
 #endif
+#ifdef PLACES
+layout(location = 3) out vec4 surfacePlace;
+vec4 packPlace(vec3 place);
+#endif
 
 #include ../lib/depth.glsl
 #include ../lib/light.glsl
@@ -222,6 +226,9 @@ void main() {
   normal = stretchedNormal(projection, normal);
 #endif
 
+#ifdef PLACES
+  surfacePlace = packPlace(vec3(viewPoint(point), viewHeight(height, point)));
+#endif
   float position = gradientAt(pointAndGradient.z, viewZ);
   Lighting light = lightingOf(normalize(normal), towardsLight, rim);
   float material = depthsAndRamp.w;

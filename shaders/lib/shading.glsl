@@ -14,6 +14,11 @@ const float MATERIALS_HIGH = 16.0;
 // Range of the base 2 logarithm of the radius, metres.
 const vec2 LOG_RADII = vec2(-10.0, 6.0);
 
+// The radius from its channel of a texel.
+float radiusOf(float packed) {
+  return packed > 0.0 ? exp2(mix(LOG_RADII.x, LOG_RADII.y, packed)) : 0.0;
+}
+
 // The two colours of a pixel of smoke hold what does not depend on the light instead: the unlit one the colour C of Eq. 2,
 // and the lit one the position along the gradient in two bytes of red and green, and the opacity of ink in blue. FALLOFF: the alpha of
 // the unlit one is the strength of the light, see falloff/falloff.glsl. ADDITIONAL_LIGHTS: the lowest three bits of the position

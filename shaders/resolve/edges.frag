@@ -168,8 +168,15 @@ vec4 resolved(ivec2 at, vec4 own) {
   return smoothed(at, own, around, gaps);
 }
 
+#ifdef MARKS
+vec4 withMarks(vec4 color, ivec2 at);
+#endif
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 tone = resolved(at, toneAt(at));
   pixel = vec4(tone.rgb * tone.a, tone.a);
+#ifdef MARKS
+  pixel = withMarks(pixel, at);
+#endif
 }

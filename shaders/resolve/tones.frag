@@ -8,14 +8,23 @@ uniform vec3 deepShadow;
 // Whether this is the last pass. The page expects premultiplied colours.
 uniform bool isLast;
 
-out vec4 pixel;
+layout(location = 0) out vec4 pixel;
 
 #include ../lib/mask.glsl
+
+#ifdef AMOUNTS
+// Amount of marks; opacity of ink; 1 on a surface without smoke; radius of the puff. Firefox requires outputs before main.
+layout(location = 1) out vec4 printed;
+void printSurface(vec4 shadowed, vec4 direct, float shadow);
+#endif
 
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
+#ifdef AMOUNTS
+  printSurface(shadowed, direct, float(isShadowed(direct.a)));
+#endif
   if (isDeep(direct.a)) shadowed.rgb *= deepShadow;
   vec3 tone = isShadowed(direct.a) ? shadowed.rgb : direct.rgb;
   pixel = vec4(isLast ? tone * shadowed.a : tone, shadowed.a);

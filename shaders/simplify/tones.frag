@@ -27,7 +27,7 @@ uniform vec4 lightInView;
 uniform float plumeForm;
 #endif
 
-out vec4 pixel;
+layout(location = 0) out vec4 pixel;
 
 #include unpackShading.glsl
 #define ALONG_COLUMNS
@@ -101,11 +101,20 @@ vec3 toneOf(vec4 light, float material) {
   return darkness < 0.25 ? shadow * deepShadow : shadow;
 }
 
+#ifdef AMOUNTS
+// Amount of marks; opacity of ink; 1 on a surface without smoke; radius of the puff. Firefox requires outputs before main.
+layout(location = 1) out vec4 printed;
+void print(float amount, float ink, float radius);
+void printSurface(vec4 shadowed, vec4 direct, float shadow);
+float amountOn(float lit, float facing);
+#endif
+
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vec4 shadowed = texelFetch(unlit, at, 0);
   vec4 direct = texelFetch(lit, at, 0);
-  Shading own = unpackShading(texelFetch(shading, at, 0));
+  vec4 packed = texelFetch(shading, at, 0);
+  Shading own = unpackShading(packed);
 #ifdef FALLOFF
   if (own.radius > 0.0) {
     unpackStrength(shadowed.a);
@@ -115,6 +124,10 @@ void main() {
   // A tile at the border of the picture reaches into the next one.
   if (texelFetch(flatTiles, at / FLAT_TILE, 0).g < 0.5) discard;
   vec4 light = smoothedAt(at, ivec2(0, 1), LINKED_ABOVE);
+#ifdef AMOUNTS
+  if (own.radius == 0.0) printSurface(shadowed, direct, 1.0 - light.r);
+  else print(0.0, own.isInk ? direct.b : 0.0, packed.a);
+#endif
   vec3 gradient = shadowed.rgb * mix(gradientFactor, vec3(1.0), unpackPosition(direct.rg));
   if (own.isInk) {
     float row = own.isFilled ? 2.0 : 0.0;
@@ -142,6 +155,9 @@ void main() {
   }
 #ifdef FORM
   light = leaning(light, at);
+#endif
+#ifdef AMOUNTS
+  print(amountOn(light.r, light.g / max(light.r, 0.001)), 0.0, packed.a);
 #endif
   vec3 tone = inLights(toneOf(light, own.material), own.material, at);
   pixel = vec4(min(tone * gradient, 1.0), shadowed.a);

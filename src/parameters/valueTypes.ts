@@ -13,10 +13,12 @@ export type PresetName =
   | 'lamp-candy'
   | 'lamp-papercut'
   | 'lamp-wind-waker'
+  | 'lamp-engraving'
   | 'airplane'
   | 'airplane-ukiyo-e'
   | 'airplane-air-show'
   | 'airplane-corkscrew'
+  | 'airplane-manga'
   | 'train'
   | 'train-night-mail'
   | 'train-rubber-hose'
@@ -28,6 +30,7 @@ export type PresetName =
   | 'campfire-popcorn'
   | 'rocket'
   | 'rocket-night'
+  | 'rocket-newsprint'
   | 'genie'
   | 'genie-sumi-e'
   | 'genie-potion'
@@ -39,9 +42,11 @@ export type PresetName =
   | 'cloudscape-dusk'
   | 'cloudscape-night'
   | 'cloudscape-woodcut'
+  | 'cloudscape-riso'
   | 'wisp'
   | 'wisp-matcha'
   | 'wisp-hearts'
+  | 'wisp-charcoal'
   | 'air'
   | 'air-comic-explosion'
   | 'air-leaves'
@@ -121,6 +126,18 @@ export type SingleValues = {
   /** Second colour: Second colour of the gradient. */ 'style.gradientColor': string;
   /** Gradient from: Height at which a gradient by height has the second colour. */ 'style.gradientBottom': number;
   /** Gradient to: Height at which a gradient by height has the colour of the smoke. */ 'style.gradientTop': number;
+  /** Pattern: Marks of a print that move with the puffs and keep their size on screen. */ 'style.pattern':
+    'none' | 'dots' | 'lines' | 'crosshatch' | 'grain';
+  /** Pattern on: Where the marks are: in shadow, on lit tones below the lightest, or on both. */ 'style.patternOn':
+    'shadow' | 'tones' | 'both';
+  /** Pattern coverage: Share of shadow that the marks cover. */ 'style.patternCoverage': number;
+  /** Pattern on the backdrop: Share of the backdrop that marks cover at the top of the picture, falling to 0 at its bottom. */ 'style.patternBackdrop': number;
+  /** Pattern colour: Colour of the marks. */ 'style.patternColor': string;
+  /** Pattern size: Distance between marks in CSS pixels. */ 'style.patternSize': number;
+  /** Pattern angle: Direction of lines and of rows of dots, counterclockwise in degrees. */ 'style.patternAngle': number;
+  /** Pattern softness: Width of the soft edge of marks in CSS pixels. */ 'style.patternSoftness': number;
+  /** Pattern shift X: Offset of the marks to the right in CSS pixels, as of a plate that is out of register. */ 'style.patternShiftX': number;
+  /** Pattern shift Y: Offset of the marks upwards in CSS pixels. */ 'style.patternShiftY': number;
   /** Renderer: The rendering method; selle is for comparison. */ 'style.renderer': 'nailboards' | 'selle';
   /** Light: The sun is a directional light; a lamp is a point light, and shadows spread away from it. */ 'light.kind':
     'sun' | 'lamp';

@@ -16,11 +16,11 @@ import { glowColors, glowLamps } from './glow.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, type Ramp } from './gpu/ramps.ts';
 import { homogeneous, type AdditionalLight, type Light } from './light.ts';
-import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
 import { reachOf, setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
-const ADDITIONAL_LIGHTS: LightCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
+const ADDITIONAL_LIGHTS: AddedCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
 
 /** Number of lights in the shaders. */
 const LIGHTS = 3;
@@ -31,11 +31,11 @@ const MEAN_FACING = 0.25;
 
 /** Shaders as {@link AdditionalLights} draws them. */
 export function withAdditionalLights(shaders: Shaders): Shaders {
-  return withLight(shaders, ADDITIONAL_LIGHTS);
+  return withCode(shaders, ADDITIONAL_LIGHTS);
 }
 
 /** Lights on one smoke and its surfaces: shaders/additionalLights/additionalLights.glsl and what it reads. */
-export class AdditionalLights extends LightVariant {
+export class AdditionalLights extends ShaderVariant {
   private readonly uniforms;
   /** Of each material, a texel. */
   private readonly directParts: DataTexture;

@@ -7,7 +7,7 @@ import type { DebugView } from '../parameters/quality.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
 import type { FrameExtras } from './smokePasses.ts';
-import type { Renderer, Volumes } from './style.ts';
+import type { Renderer, Style, Volumes } from './style.ts';
 
 const modules = new LazyModules({
   caps: () => import('./puffs/bake/lobeCaps.ts'),
@@ -17,6 +17,7 @@ const modules = new LazyModules({
   countedVolumes: () => import('./passes/countedVolumes.ts'),
   tiledVolumes: () => import('./passes/tiledVolumes/tiledVolumes.ts'),
   simplify: () => import('./passes/simplify/simplify.ts'),
+  patterns: () => import('./patterns.ts'),
   strokes: () => import('./passes/strokes/strokes.ts'),
   bites: () => import('./bites.ts'),
   falloff: () => import('./falloff.ts'),
@@ -39,6 +40,8 @@ export interface PictureKind {
   /** How far light follows the form of the whole smoke, 0..1. */
   readonly plumeForm: number;
   readonly outlines: boolean;
+  /** Marks of a print. */
+  readonly pattern?: Style['pattern'];
   /** Number of strokes inside the silhouette, 0..1. */
   readonly strokes: number;
   /** Whether puffs have bites. */
@@ -54,13 +57,18 @@ export interface PictureKind {
 
 /**
  * Whether tones are chosen after all puffs are drawn, because light is smoothed, follows the whole form or comes from several
- * lights. Other renderers than nailboards do not.
+ * lights, or has a pattern. Other renderers than nailboards do not.
  */
 export function isSimplified(
-  kind: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm' | 'hasAdditionalLights'>,
+  kind: Pick<PictureKind, 'renderer' | 'simplify' | 'plumeForm' | 'hasAdditionalLights' | 'pattern'>,
 ): boolean {
   const { renderer, simplify, plumeForm, hasAdditionalLights = false } = kind;
-  return renderer === 'nailboards' && (simplify + plumeForm > 0 || hasAdditionalLights);
+  return renderer === 'nailboards' && (simplify + plumeForm > 0 || hasAdditionalLights || hasPattern(kind));
+}
+
+/** Whether a style has the marks of a print. */
+export function hasPattern({ renderer, pattern = 'none' }: Pick<PictureKind, 'renderer' | 'pattern'>): boolean {
+  return renderer === 'nailboards' && pattern !== 'none';
 }
 
 /** Whether a style has strokes. They are lines, on lobes only. */
@@ -83,6 +91,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(view && { debugViews: `The view ${view}` }),
     ...(volumes === 'counted' && { countedVolumes: 'Counted volumes' }),
     ...(isSimplified(kind) && { simplify: 'Simplified light' }),
+    ...(hasPattern(kind) && { patterns: 'Patterns' }),
     ...(hasStrokes(kind) && { strokes: 'Strokes' }),
     ...(isEroded && { bites: 'Bites' }),
     ...(lampLight && { falloff: 'The decay of light' }),
@@ -159,6 +168,10 @@ export class ExtraPasses implements FrameExtras {
     return this.pass('strokes', ({ StrokesPass }, { eye, puffs }) => new StrokesPass(eye, puffs));
   }
 
+  get patterns(): FrameExtras['patterns'] {
+    return this.pass('patterns', ({ PatternPass }, { eye }) => new PatternPass(eye));
+  }
+
   get debugViews(): FrameExtras['debugViews'] {
     return this.pass('debugViews', ({ DebugViews }, { eye }) => new DebugViews(eye));
   }
@@ -172,6 +185,7 @@ export class ExtraPasses implements FrameExtras {
   releaseTargets(): void {
     this.made.simplify?.releaseTargets();
     this.made.strokes?.releaseTargets();
+    this.made.patterns?.releaseTargets();
   }
 
   /** Disposes of all passes. They allocate their resources again when they next draw. */

@@ -4,20 +4,20 @@ import code from '../../shaders/falloff/falloff.glsl';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, RampTexture, type Ramp } from './gpu/ramps.ts';
 import type { Falloff } from './light.ts';
-import { LightVariant, withLight, type LightCode } from './lightVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
 import { setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
 /** Shaders declare its functions next to each other. */
-const FALLOFF: LightCode = { define: 'FALLOFF', declared: 'FALLOFF', code };
+const FALLOFF: AddedCode = { define: 'FALLOFF', declared: 'FALLOFF', code };
 
 /** Shaders as {@link LampLight} draws them. */
 export function withFalloff(shaders: Shaders): Shaders {
-  return withLight(shaders, FALLOFF);
+  return withCode(shaders, FALLOFF);
 }
 
 /** The light of a lamp on one smoke and its surfaces: shaders/falloff/falloff.glsl and what it reads. */
-export class LampLight extends LightVariant {
+export class LampLight extends ShaderVariant {
   private readonly uniforms;
   /** Ramps in the light of the style, which the GPU decodes. */
   private readonly ramps: RampTexture;

@@ -4,7 +4,7 @@ import type { SurfaceDepth } from './passes/surfaceDepth.ts';
 import type { PuffRows } from './gpu/puffRows.ts';
 import { ALL_PARTICLES } from '../simulator/view.ts';
 import { countVolumes, limitOf, type ArrangedFrame, type SmokePasses } from './smokePasses.ts';
-import { hasStrokes, isSimplified } from './extraPasses.ts';
+import { hasPattern, hasStrokes, isSimplified } from './extraPasses.ts';
 import { homogeneous } from './light.ts';
 import type { SmokeRenderer } from './smoke.ts';
 import type { Style } from './style.ts';
@@ -35,7 +35,7 @@ export function drawFrame(smoke: SmokeRenderer, asked: FrameInput): FrameReport 
   renderer.info.reset();
   const arranged = arrangeFrame(passes, input);
 
-  targets.begin(renderer, passes.scene?.surfaces.isNumbered, isSimplified(style) && !view);
+  targets.begin(renderer, passes.scene?.surfaces.isNumbered, isSimplified(style) && !view, hasPattern(style));
   if (passes.hasBackdrop && !input.isTransparent) passes.backdrop.draw(renderer);
   passes.scene?.surfaces.draw(renderer, targets);
   passes.scene?.creases.draw(renderer);

@@ -84,6 +84,12 @@ export function litThresholdOf(toning: Toning): number {
   return lit[isBlended ? 0 : 1].from;
 }
 
+/** N.L from which smoke has its lightest tone. */
+export function fullFromOf(toning: Toning): number {
+  const { lit } = rampOf(WHITE, toning);
+  return lit[lit.length - 1].from;
+}
+
 /**
  * The toning of surfaces. Surfaces stay shaded where smoke is flat: the edge of a mesh's own shadow follows its
  * triangles and must be on its dark side.

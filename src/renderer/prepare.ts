@@ -15,7 +15,7 @@ import { lobeBodyShaders } from './passes/bodies.ts';
 import { volumeShaders } from './passes/volumes.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { coarserSurfaces, SceneSurfaces } from './sceneSurfaces.ts';
-import { codeOf, fetchExtras, hasStrokes, isSimplified } from './extraPasses.ts';
+import { codeOf, fetchExtras, hasPattern, hasStrokes, isSimplified } from './extraPasses.ts';
 import { LivePuffs } from './livePuffs.ts';
 import { formOf, styleOf, styleUniforms } from './style.ts';
 
@@ -58,10 +58,12 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   const lobes = values['puff.lobes'] as number;
   const style = styleOf(values);
   const { isDeformed, lampLight, hasAdditionalLights } = style;
-  if (lampLight || hasAdditionalLights) await fetchExtras(style);
-  const lights = [
+  const isPrinted = hasPattern(style);
+  if (lampLight || hasAdditionalLights || isPrinted) await fetchExtras(style);
+  const added: readonly ((shaders: Shaders) => Shaders)[] = [
     ...(lampLight ? [codeOf('falloff').withFalloff] : []),
     ...(hasAdditionalLights ? [codeOf('additionalLights').withAdditionalLights] : []),
+    ...(isPrinted ? [(shaders: Shaders) => codeOf('patterns').withPattern(shaders, style.pattern)] : []),
   ];
   const isShaded = isSimplified(style);
   const bodies = (isFlat: boolean) => lobeBodyShaders(lobes, { isFlat, isShaded, isDeformed });
@@ -70,7 +72,7 @@ export async function compileAhead(device: Device, values: Values): Promise<void
       if (!device.isUsable) return;
       programs.compile(
         renderer,
-        lights.reduce((added, add) => add(added), shaders),
+        added.reduce((code, add) => add(code), shaders),
       );
       await nextTask();
     }
@@ -84,6 +86,11 @@ export async function compileAhead(device: Device, values: Values): Promise<void
   if (isShaded) {
     const { SimplifyPass } = codeOf('simplify');
     await compile(...shadersOf(new SimplifyPass(eye, ramps).meshes(style.plumeForm > 0)));
+  }
+  if (isPrinted) {
+    const pass = new (codeOf('patterns').PatternPass)(eye);
+    pass.setStyle(style, 1);
+    await compile(...shadersOf(pass.meshes()));
   }
   if (hasStrokes(style)) await compile(...shadersOf(codeOf('strokes').strokeMaterials(eye, isDeformed)));
   await programs.finished(renderer);

@@ -7,7 +7,7 @@ import type { AdditionalLights } from './additionalLights.ts';
 import type { LampLight } from './falloff.ts';
 import type { FrameInput } from './frameInput.ts';
 import { plainColorOf, rampOf, surfaceToning, litThresholdOf, washed, multiply } from './palette.ts';
-import { codeOf, ExtraPasses, hasExtras, hasStrokes } from './extraPasses.ts';
+import { codeOf, ExtraPasses, hasExtras, hasPattern, hasStrokes } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
 import { setStyle, styleUniforms, type Style } from './style.ts';
 import { SmokePasses } from './smokePasses.ts';
@@ -35,6 +35,7 @@ const PLAIN_PICTURE = {
   simplify: 0,
   plumeForm: 0,
   strokes: 0,
+  pattern: 'none',
   isEroded: false,
   lampLight: undefined,
   hasAdditionalLights: false,
@@ -137,7 +138,10 @@ export class SmokeRenderer {
   private apply(style: Style, pixelRatio: number): void {
     const { eye, body, volumes, mask, resolve, extras } = this.passes;
     setStyle(eye.style, style, pixelRatio);
+    const pattern = hasPattern(style) ? extras.patterns : undefined;
+    pattern?.setStyle(style, pixelRatio);
     this.selectLights(style);
+    if (pattern) eye.variants = [...eye.variants, ...pattern.variants];
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientHeights);
@@ -153,6 +157,7 @@ export class SmokeRenderer {
     const strokes = hasStrokes(style) ? extras.strokes : undefined;
     strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
+    resolve.pattern = pattern;
     volumes.setForm(style.form, litThresholdOf(style));
     extras.countedVolumes?.setForm(style.form, litThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);

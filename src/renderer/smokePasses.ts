@@ -13,6 +13,7 @@ import { BodiesPass } from './passes/bodies.ts';
 import { MaskPass } from './passes/mask.ts';
 import type { CountedVolumesPass } from './passes/countedVolumes.ts';
 import type { SimplifyPass } from './passes/simplify/simplify.ts';
+import type { PatternPass } from './patterns.ts';
 import type { SellePass } from './passes/selle.ts';
 import type { StrokesPass } from './passes/strokes/strokes.ts';
 import type { TiledVolumesPass } from './passes/tiledVolumes/tiledVolumes.ts';
@@ -121,6 +122,8 @@ export interface FrameExtras {
   readonly simplify: SimplifyPass | undefined;
   /** Draws lines inside the silhouette; `style.strokes` decides. */
   readonly strokes: StrokesPass | undefined;
+  /** Draws the marks of a print; `style.pattern` decides. */
+  readonly patterns: PatternPass | undefined;
   /** Draws volumes close to the camera in tiles. */
   readonly tiledVolumes: TiledVolumesPass | undefined;
   /** The shaders of a puff form; undefined for lobes. */

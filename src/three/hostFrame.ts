@@ -2,7 +2,7 @@ import { Box3, Vector2, Vector4, type Object3D } from 'three';
 import { STEP_SECONDS } from '../simulator/clock.ts';
 import type { Rows } from '../simulator/rows.ts';
 import type { Simulator } from '../simulator/simulator.ts';
-import { isSimplified } from '../renderer/extraPasses.ts';
+import { hasPattern, isSimplified } from '../renderer/extraPasses.ts';
 import { arrangeFrame, drawSmoke, reportOf } from '../renderer/frame.ts';
 import type { FrameInput, FrameReport } from '../renderer/frameInput.ts';
 import { receiversIn } from './casters.ts';
@@ -71,7 +71,7 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
     eye.clip(view.planes);
     eye.uniforms.viewportOrigin.value.set(0, 0);
     picture.setSize(size.x, size.y);
-    targets.begin(renderer, false, isSimplified(style));
+    targets.begin(renderer, false, isSimplified(style), hasPattern(style));
     // The depth of an oblique projection is not that of the smoke, and a mirrored one is elsewhere.
     const touched = style.outlines && !hosts ? surface : undefined;
     drawSmoke(smoke.passes, input, arranged, touched, () => casters.draw(renderer, scene));
@@ -87,7 +87,7 @@ export function drawIntoHost(passes: HostPasses, host: Host, hosted: HostedSmoke
       if (own) own.insert(passes, { ...view, returnToTarget }, style, receivers, surface?.depth);
       else if (hasStencil) {
         returnToTarget();
-        insertShadow(passes, view, style, receivers);
+        insertShadow(passes, view, style, receivers, surface?.depth);
       }
     }
     returnToTarget();

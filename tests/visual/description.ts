@@ -15,7 +15,9 @@ import { DRAWINGS_PER_SECOND } from '../../src/renderer/frame.ts';
 import type { FrameInput } from '../../src/renderer/frameInput.ts';
 import { OUT_OF_SIGHT } from '../../src/renderer/sceneSurfaces.ts';
 import type { Light } from '../../src/renderer/light.ts';
+import { hasPattern } from '../../src/renderer/extraPasses.ts';
 import {
+  fullFromOf,
   plainColorOf,
   rampOf,
   smokeColorOf,
@@ -104,10 +106,27 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput, puffs
     litFrom: litThresholdOf(style),
     rim: style.shading ? style.rim : 0,
     volumes: style.volumes,
+    pattern: hasPattern(style) ? patternAsObject(style, pixelRatio) : undefined,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     minCap: style.isDeformed
       ? spreadOf(style.stretch) * minCapOf(litThresholdOf(style), 0)
       : minCapOf(litThresholdOf(style), latestCapOf(style, puffs)),
+  };
+}
+
+function patternAsObject(style: Style, pixelRatio: number): object {
+  return {
+    marks: style.pattern,
+    onShadow: style.patternOn !== 'tones',
+    onTones: style.patternOn !== 'shadow',
+    amount: style.patternCoverage,
+    backdrop: style.patternBackdrop,
+    color: style.patternColor,
+    pitch: style.patternSize * pixelRatio,
+    softness: style.patternSoftness * pixelRatio,
+    angle: (style.patternAngle * Math.PI) / 180,
+    shift: [style.patternShiftX, style.patternShiftY].map((shift) => Math.round(shift * pixelRatio)),
+    fullFrom: fullFromOf(style),
   };
 }
 

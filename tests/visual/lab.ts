@@ -58,6 +58,7 @@ await fetchExtras({
   isEroded: false,
   lampLight: [1, 1, 1],
   hasAdditionalLights: true,
+  pattern: 'dots',
 });
 
 /** A particle in test units: lengths in metres, roll in radians, age as a fraction of the lifetime. */
@@ -243,6 +244,11 @@ export class Lab {
   /** The WebGL error since the last call; 0 for none. */
   get error(): number {
     return this.device.renderer.getContext().getError();
+  }
+
+  /** Draw calls of the latest picture. */
+  get calls(): number {
+    return this.device.renderer.info.render.calls;
   }
 
   draw(scene: LabScene): LabPicture {

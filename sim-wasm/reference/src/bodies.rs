@@ -61,6 +61,12 @@ struct Met {
 pub struct BodyHit {
     pub depth: f64,
     pub shade: Shade,
+    /// From the centre in view space (radii).
+    pub place: DVec3,
+    /// Of the puff (m).
+    pub radius: f64,
+    /// Cosine between the normal for shading and the light.
+    pub facing: f64,
 }
 
 /// Share of its radius with which a particle with a stretch of this ratio is drawn and throws its shadow: it shrinks as
@@ -165,6 +171,9 @@ impl<'a> Body<'a> {
         let whole = self.form.map(|form| (form, form.facing(ray.at(-z))));
         let shade = self.shade(place, height, met.normal, screen, whole).graded(met.color);
         Some(BodyHit {
+            place,
+            radius: self.radius,
+            facing: met.normal.dot(self.light),
             depth: if is_ring {
                 ground.ring_depth(at, &self.ring(z, &met, width))
             } else if met.is_edge {

@@ -14,6 +14,7 @@ mod ink;
 mod light;
 mod lobes;
 mod mesh;
+mod pattern;
 mod picture;
 mod ray;
 mod scene;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 
 use crate::billboards::Billboards;
 use crate::bodies::{Body, BodyHit};
@@ -11,9 +11,10 @@ use crate::creases::ribbons_of;
 use crate::form::Form;
 use crate::hull::{Covered, Hull};
 use crate::light::Light;
+use crate::pattern::{On, Sheet, Spot, packed_radius, rounded};
 use crate::ray::Camera;
-use crate::scene::{Scene, Style, Volumes};
-use crate::shade::{Part, Shade, Shadow, ink_of};
+use crate::scene::{Pattern, Scene, Volumes};
+use crate::shade::{Part, Shade, Shadow, display, ink_of, linear};
 use crate::surfaces::Solids;
 use crate::volumes::Volume;
 
@@ -36,6 +37,10 @@ struct Nearest {
     alpha: u8,
     /// Index of the visible surface, or of the one under another's line.
     group: Option<usize>,
+    /// Of smoke, see `BodyHit`.
+    place: DVec3,
+    radius: f64,
+    facing: f64,
 }
 
 /// Pixels row by row from the bottom.
@@ -89,7 +94,7 @@ pub fn draw(scene: &Scene) -> Picture {
         .enumerate()
         .map(|(pixel, seen)| painter.shadows_over(pixel, seen))
         .collect();
-    finished(&scene.style, &seen, counts)
+    painter.finished(&seen, counts)
 }
 
 struct Painter<'a> {
@@ -142,6 +147,9 @@ impl<'a> Painter<'a> {
             what: SURFACES + index as u32,
             alpha: 255,
             group: Some(self.scene.surfaces[index].group),
+            place: DVec3::ZERO,
+            radius: 0.0,
+            facing: 0.0,
         }
     }
 
@@ -203,17 +211,102 @@ impl<'a> Painter<'a> {
     }
 
     /// At equal depth the later one wins.
-    fn put(&self, BodyHit { depth, shade }: BodyHit, what: u32, seen: &mut Nearest) {
-        let window_depth = self.camera.window_depth(depth).clamp(DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
+    fn put(&self, hit: BodyHit, what: u32, seen: &mut Nearest) {
+        let window_depth = self
+            .camera
+            .window_depth(hit.depth)
+            .clamp(DEPTH_MARGIN, 1.0 - DEPTH_MARGIN);
         if window_depth <= seen.window_depth {
             *seen = Nearest {
-                shade,
+                shade: hit.shade,
                 window_depth,
-                depth,
+                depth: hit.depth,
                 what,
                 alpha: 255,
+                place: hit.place,
+                radius: hit.radius,
+                facing: hit.facing,
                 ..*seen
             };
+        }
+    }
+
+    fn finished(&self, nearest: &[Nearest], counts: Vec<u32>) -> Picture {
+        let style = &self.scene.style;
+        let shadows: Vec<Shadow> = counts.iter().map(|&count| Shadow::of(style, count)).collect();
+        let covered = self.covered(nearest, &shadows);
+        let colors = nearest
+            .iter()
+            .zip(&shadows)
+            .zip(&covered)
+            .map(|((seen, &shadow), &covered)| {
+                let own = seen.shade.under(shadow, style);
+                let color = match &style.pattern {
+                    Some(pattern) if covered > 0.0 => {
+                        display(linear(own).lerp(linear(DVec3::from(pattern.color)), covered))
+                    }
+                    _ => own,
+                };
+                let [red, green, blue] = color.to_array().map(|channel| channel.round().clamp(0.0, 255.0) as u8);
+                [red, green, blue, seen.alpha]
+            });
+        Picture {
+            colors: colors.collect(),
+            counts: counts.iter().map(|&count| count.min(MOST) as u8).collect(),
+            regions: regions_of(nearest, &shadows, &covered),
+        }
+    }
+
+    /// Share of each pixel that marks cover.
+    fn covered(&self, nearest: &[Nearest], shadows: &[Shadow]) -> Vec<f64> {
+        let Some(pattern) = &self.scene.style.pattern else {
+            return vec![0.0; nearest.len()];
+        };
+        let seen = nearest.iter().zip(shadows).enumerate();
+        let spots = seen
+            .map(|(pixel, (seen, &shadow))| self.spot(pattern, pixel, seen, shadow))
+            .collect();
+        let turn = DMat3::from_mat4(self.camera.view_from_world);
+        let sheet = Sheet::new(pattern, self.scene.width, self.scene.height, spots, turn);
+        (0..nearest.len()).map(|pixel| sheet.covered(pixel)).collect()
+    }
+
+    /// What marks are drawn on.
+    fn spot(&self, pattern: &Pattern, pixel: usize, seen: &Nearest, shadow: Shadow) -> Spot {
+        let Shade { lit, unlit, part, ink } = seen.shade;
+        let is_shadowed = shadow != Shadow::No;
+        let (on, at, amount) = match seen.what {
+            BACKDROP => {
+                let height = self.height_of(pixel);
+                (
+                    On::Backdrop,
+                    self.camera.ray(self.middle_of(pixel)).at(1.0),
+                    pattern.on_backdrop(height),
+                )
+            }
+            SURFACES.. => {
+                let place = self.camera.ray_in_world(self.middle_of(pixel)).at(seen.depth);
+                (On::Surface, place, pattern.on_surface(!is_shadowed || lit == unlit))
+            }
+            _ => {
+                let facing = rounded(seen.facing);
+                let is_lit = !is_shadowed && facing >= self.scene.style.lit_from;
+                let amount = match part {
+                    Part::Tones { .. } if ink == 0.0 => pattern.on_smoke(is_lit, facing),
+                    _ => 0.0,
+                };
+                (On::Smoke, seen.place, amount)
+            }
+        };
+        Spot {
+            on,
+            at,
+            amount,
+            per_pixel: match on {
+                On::Smoke => self.camera.metres_per_pixel(seen.depth) / packed_radius(seen.radius),
+                _ => self.camera.metres_per_pixel(1.0),
+            },
+            ink: rounded(ink),
         }
     }
 
@@ -251,25 +344,14 @@ fn backdrop(scene: &Scene, height: f64) -> Nearest {
         what: BACKDROP,
         alpha: if scene.backdrop.is_some() { 255 } else { 0 },
         group: None,
+        place: DVec3::ZERO,
+        radius: 0.0,
+        facing: 0.0,
     }
 }
 
-fn finished(style: &Style, nearest: &[Nearest], counts: Vec<u32>) -> Picture {
-    let shadows: Vec<Shadow> = counts.iter().map(|&count| Shadow::of(style, count)).collect();
-    let colors = nearest.iter().zip(&shadows).map(|(seen, &shadow)| {
-        let color = seen.shade.under(shadow, style).to_array();
-        let [red, green, blue] = color.map(|channel| channel.round().clamp(0.0, 255.0) as u8);
-        [red, green, blue, seen.alpha]
-    });
-    Picture {
-        colors: colors.collect(),
-        counts: counts.iter().map(|&count| count.min(MOST) as u8).collect(),
-        regions: regions_of(nearest, &shadows),
-    }
-}
-
-/// Numbers the regions: part, surface and shadow of each pixel.
-fn regions_of(nearest: &[Nearest], shadows: &[Shadow]) -> Vec<u32> {
+/// Numbers the regions: part, surface, shadow and marks of each pixel.
+fn regions_of(nearest: &[Nearest], shadows: &[Shadow], covered: &[f64]) -> Vec<u32> {
     let mut numbers = HashMap::new();
     let mut number_of = |region| {
         let next = numbers.len() as u32;
@@ -278,6 +360,9 @@ fn regions_of(nearest: &[Nearest], shadows: &[Shadow]) -> Vec<u32> {
     nearest
         .iter()
         .zip(shadows)
-        .map(|(seen, &shadow)| number_of((seen.what, seen.shade.part, shadow)))
+        .zip(covered)
+        .map(|((seen, &shadow), covered)| {
+            number_of((seen.what, seen.shade.part, shadow, (255.0 * covered).round() as u8))
+        })
         .collect()
 }

@@ -91,6 +91,38 @@ pub struct Style {
     pub deep_shadow: Triple,
     /// Minimum distance from a puff's centre to the start of its volume (radii).
     pub min_cap: f64,
+    pub pattern: Option<Pattern>,
+}
+
+/// The marks of a print. Lengths in pixels.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Pattern {
+    pub marks: Marks,
+    /// True if shadow, and smoke in tones below full light, have marks.
+    pub on_shadow: bool,
+    pub on_tones: bool,
+    /// Share of shadow, and of the backdrop at the top of the picture, that marks cover.
+    pub amount: f64,
+    pub backdrop: f64,
+    pub color: Triple,
+    pub pitch: f64,
+    pub softness: f64,
+    /// Counterclockwise (radians).
+    pub angle: f64,
+    /// Of marks to the right and up.
+    pub shift: [i64; 2],
+    /// Cosine from which smoke has its lightest tone.
+    pub full_from: f64,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Marks {
+    Dots,
+    Lines,
+    Crosshatch,
+    Grain,
 }
 
 /// How the volumes that contain a point are counted.

@@ -16,6 +16,8 @@ pub struct Shade {
     pub lit: DVec3,
     pub unlit: DVec3,
     pub part: Part,
+    /// Opacity of ink.
+    pub ink: f64,
 }
 
 /// The displayed part of its colours.
@@ -45,6 +47,7 @@ impl Shade {
             lit: color,
             unlit: color,
             part,
+            ink: if part == Part::Ink { 1.0 } else { 0.0 },
         }
     }
 
@@ -70,6 +73,7 @@ impl Shade {
             lit: color(&ramp.lit),
             unlit: color(&ramp.unlit),
             part,
+            ink: 0.0,
         }
     }
 
@@ -131,6 +135,7 @@ impl Shade {
                 lit: in_light.shown(),
                 unlit: in_shadow.shown(),
             },
+            ink: 0.0,
         }
     }
 
@@ -159,6 +164,7 @@ impl Shade {
             lit: self.lit.lerp(ink, share),
             unlit: self.unlit.lerp(ink, share),
             part: if share < 1.0 { Part::FaintInk } else { Part::Ink },
+            ink: share,
         }
     }
 }
@@ -220,7 +226,7 @@ pub fn ink_of(style: &Style) -> DVec3 {
 }
 
 /// Light of display-encoded channels, as IEC 61966-2-1 defines them.
-fn linear(color: DVec3) -> DVec3 {
+pub fn linear(color: DVec3) -> DVec3 {
     let decoded = |code: f64| match code / 255.0 {
         code if code <= 0.04045 => code / 12.92,
         code => ((code + 0.055) / 1.055).powf(2.4),
@@ -229,7 +235,7 @@ fn linear(color: DVec3) -> DVec3 {
 }
 
 /// The inverse. Light below 0 and above 1 is clamped.
-fn display(light: DVec3) -> DVec3 {
+pub fn display(light: DVec3) -> DVec3 {
     let encoded = |light: f64| match light.clamp(0.0, 1.0) {
         light if light <= 0.0031308 => 255.0 * 12.92 * light,
         light => 255.0 * (1.055 * light.powf(1.0 / 2.4) - 0.055),

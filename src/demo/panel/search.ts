@@ -153,6 +153,8 @@ export const synonyms: Readonly<Record<string, string>> = {
   'style.surfaceShadowColor': 'ground floor shade',
   'style.deepShadow': 'shade dark',
   'style.tones': 'bands steps levels cel toon posterize shades',
+  'style.pattern': 'halftone screentone benday hatching hatch print comic newspaper engraving charcoal paper texture',
+  'style.patternShiftX': 'register misregistration offset riso',
   'style.ramp': 'palette gradient bands shades cel toon import lospec image photo picture',
   'style.rampBlend': 'smooth soft gradient',
   'style.fill': 'ambient bounce',

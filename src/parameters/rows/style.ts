@@ -50,6 +50,16 @@ export const styleRows = [
   color('gradientColor', '#b9a6d8'),
   quantity('style.gradientBottom', 'style', { min: -100, max: 100, default: 0.9, unit: 'm' }),
   quantity('style.gradientTop', 'style', { min: -100, max: 100, default: 3, unit: 'm' }),
+  choice('style.pattern', 'style', 'none', ['none', 'dots', 'lines', 'crosshatch', 'grain']),
+  choice('style.patternOn', 'style', 'shadow', ['shadow', 'tones', 'both']),
+  quantity('style.patternCoverage', 'style', { min: 0, max: 0.75, default: 0.35 }),
+  share('patternBackdrop', 0),
+  color('patternColor', '#1d1720'),
+  quantity('style.patternSize', 'style', { min: 2, max: 40, default: 6, unit: 'px' }),
+  quantity('style.patternAngle', 'style', { min: -180, max: 180, default: 45, unit: '°' }),
+  quantity('style.patternSoftness', 'style', { min: 0, max: 8, default: 0, unit: 'px' }),
+  quantity('style.patternShiftX', 'style', { min: -40, max: 40, default: 0, unit: 'px' }),
+  quantity('style.patternShiftY', 'style', { min: -40, max: 40, default: 0, unit: 'px' }),
   choice('style.renderer', 'style', 'nailboards', ['nailboards', 'selle']),
 ] as const satisfies readonly Parameter[];
 

@@ -147,6 +147,40 @@ export const styleWords: WordsOf<typeof styleRows> = {
     step: 0.05,
     slider: 'fine',
   },
+  'style.pattern': {
+    label: 'Pattern',
+    text: 'Marks of a print that move with the puffs and keep their size on screen.',
+    options: { none: 'None', dots: 'Dots', lines: 'Lines', crosshatch: 'Crosshatch', grain: 'Grain' },
+  },
+  'style.patternOn': {
+    label: 'Pattern on',
+    text: 'Where the marks are: in shadow, on lit tones below the lightest, or on both.',
+    options: { shadow: 'Shadow', tones: 'Tones', both: 'Both' },
+  },
+  'style.patternCoverage': { label: 'Pattern coverage', text: 'Share of shadow that the marks cover.', step: 0.05 },
+  'style.patternBackdrop': {
+    label: 'Pattern on the backdrop',
+    text: 'Share of the backdrop that marks cover at the top of the picture, falling to 0 at its bottom.',
+    step: 0.05,
+  },
+  'style.patternColor': { label: 'Pattern colour', text: 'Colour of the marks.' },
+  'style.patternSize': { label: 'Pattern size', text: 'Distance between marks in CSS pixels.', step: 0.5 },
+  'style.patternAngle': {
+    label: 'Pattern angle',
+    text: 'Direction of lines and of rows of dots, counterclockwise in degrees.',
+    step: 5,
+  },
+  'style.patternSoftness': {
+    label: 'Pattern softness',
+    text: 'Width of the soft edge of marks in CSS pixels.',
+    step: 0.25,
+  },
+  'style.patternShiftX': {
+    label: 'Pattern shift X',
+    text: 'Offset of the marks to the right in CSS pixels, as of a plate that is out of register.',
+    step: 0.5,
+  },
+  'style.patternShiftY': { label: 'Pattern shift Y', text: 'Offset of the marks upwards in CSS pixels.', step: 0.5 },
   'style.renderer': {
     label: 'Renderer',
     text: 'The rendering method; selle is for comparison.',

@@ -109,6 +109,14 @@ export class FrameView {
     return this.variants.reduce((variant, each) => each.on(variant), material);
   }
 
+  /** Draws with the variant of a pass's material. */
+  asVariant(pass: { material: RawShaderMaterial }, draw: () => void): void {
+    const { material } = pass;
+    pass.material = this.variantOf(material);
+    draw();
+    pass.material = material;
+  }
+
   /** Unit vector along which the light travels at a point, world space; downwards at the place of a lamp. */
   travelAt(place: Vector3): Vector3 {
     const { x, y, z, w } = this.uniforms.lightInWorld.value;

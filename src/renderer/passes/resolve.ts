@@ -12,11 +12,20 @@ import { pictureTarget, type Targets } from './targets.ts';
 import type { Shaders } from '../gpu/programsAhead.ts';
 
 /** The colours to resolve, and their size in pixels. */
-export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'>;
+export type ResolveSources = Pick<Targets, 'unlit' | 'lit' | 'width' | 'height'> &
+  Partial<Pick<Targets, 'places' | 'depth'>>;
 
 /** Draws ink over the bound picture. */
 export interface InkOverlay {
   compose(renderer: WebGLRenderer): void;
+}
+
+/** Draws the marks of a print. */
+export interface Marks {
+  /** @returns where tones and the amounts of marks are to be drawn */
+  begin(targets: Targets): WebGLRenderTarget;
+  /** Draws marks for the last step, after the tones are chosen. */
+  draw(renderer: WebGLRenderer): void;
 }
 
 /** Draws tones that differ from the plain ones into a target. */
@@ -38,6 +47,8 @@ export const RESOLVE_SHADERS: readonly Shaders[] = [
  */
 export class ResolvePass {
   smoothEdges = true;
+  /** Draws marks of a print beneath ink, where tones are chosen. */
+  pattern: Marks | undefined;
   /** Ink that is drawn over the picture. */
   overlay: InkOverlay | undefined;
   private readonly uniforms = {
@@ -46,6 +57,8 @@ export class ResolvePass {
     isLast: { value: false },
   };
   private readonly chosen = pictureTarget();
+  private readonly shown = { value: this.chosen.texture };
+  private readonly eye: FrameView;
   private readonly tones: FullScreen;
   private readonly marks = pictureTarget();
   private readonly tiles: FullScreen;
@@ -53,8 +66,9 @@ export class ResolvePass {
   private readonly edges: DrawnPoints;
 
   constructor(eye: FrameView) {
+    this.eye = eye;
     this.tones = new FullScreen(tonesShader, { ...eye.uniforms, ...this.uniforms });
-    const smoothing = { tones: { value: this.chosen.texture }, tiles: { value: this.marks.texture } };
+    const smoothing = { tones: this.shown, tiles: { value: this.marks.texture } };
     this.tiles = new FullScreen(tilesShader, smoothing);
     this.copy = new FullScreen(copyShader, smoothing);
     this.edges = new DrawnPoints(edgesVertexShader, edgesShader, smoothing);
@@ -81,37 +95,49 @@ export class ResolvePass {
 
   private drawPicture(
     renderer: WebGLRenderer,
-    { unlit, lit, width, height }: ResolveSources,
+    sources: ResolveSources,
     output: WebGLRenderTarget | null,
     choose?: ChooseTones,
   ): void {
-    this.uniforms.unlit.value = unlit;
-    this.uniforms.lit.value = lit;
-    this.uniforms.isLast.value = !this.smoothEdges && !choose;
-    if (this.uniforms.isLast.value) {
+    const { eye, uniforms, smoothEdges, marks } = this;
+    uniforms.unlit.value = sources.unlit;
+    uniforms.lit.value = sources.lit;
+    uniforms.isLast.value = !smoothEdges && !choose;
+    if (uniforms.isLast.value) {
       renderer.setRenderTarget(output);
       this.tones.draw(renderer);
       return;
     }
-    this.chosen.setSize(width, height);
-    renderer.setRenderTarget(this.chosen);
-    this.tones.draw(renderer);
-    choose?.(this.chosen);
-    if (!this.smoothEdges) {
+    const { width, height } = sources;
+    const pattern = choose && this.pattern;
+    const draw = (pass: FullScreen) => {
+      if (pattern) eye.asVariant(pass, () => pass.draw(renderer));
+      else pass.draw(renderer);
+    };
+    const chosen = pattern?.begin(sources as Targets) ?? this.chosen;
+    this.shown.value = chosen.texture;
+    chosen.setSize(width, height);
+    renderer.setRenderTarget(chosen);
+    draw(this.tones);
+    choose?.(chosen);
+    pattern?.draw(renderer);
+    if (!smoothEdges) {
       renderer.setRenderTarget(output);
-      this.copy.draw(renderer);
+      draw(this.copy);
       return;
     }
     const [columns, rows] = [Math.ceil(width / EDGE_TILE), Math.ceil(height / EDGE_TILE)];
-    this.marks.setSize(columns, rows);
-    renderer.setRenderTarget(this.marks);
+    marks.setSize(columns, rows);
+    renderer.setRenderTarget(marks);
     const isSmall = columns * rows <= FEW_TILES;
     if (isSmall) {
       renderer.setClearColor(MARKED, 1);
       renderer.clear(true, false, false);
     } else this.tiles.draw(renderer);
     renderer.setRenderTarget(output);
-    if (!isSmall) this.copy.draw(renderer);
-    this.edges.draw(renderer, columns * rows);
+    if (!isSmall) draw(this.copy);
+    const drawEdges = () => this.edges.draw(renderer, columns * rows);
+    if (pattern) eye.asVariant(this.edges, drawEdges);
+    else drawEdges();
   }
 }

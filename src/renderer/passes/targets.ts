@@ -27,11 +27,15 @@ export class Targets {
   private readonly numbered = target(3, this.depth);
   /** The target with a third colour of four channels: shaders/lib/shading.glsl. Allocated on first use. */
   private readonly shaded = target(3, this.depth);
+  /** The target with the shading and a fourth colour of four channels: shaders/patterns/place.glsl. Allocated on first use. */
+  private readonly placed = target(4, this.depth);
+  private isPlaced = false;
   private readonly copy = depthCopy();
 
   constructor() {
     for (const { textures } of [this.numbered, this.shaded]) textures.splice(0, 2, ...this.target.textures);
     this.numbered.textures[2].format = RedFormat;
+    this.placed.textures.splice(0, 3, ...this.shaded.textures);
   }
 
   /** The underlying render target, with colours, depth and stencil. */
@@ -67,13 +71,16 @@ export class Targets {
    * Binds the target and clears it: colours to transparent black, depth to far, stencil to zero.
    * @param isNumbered also binds the numbers of groups, until `endNumbers`
    * @param isShaded also clears the shading, for `beginShading`
+   * @param isPlaced also clears the places on puffs, if `isShaded`
    */
-  begin(renderer: WebGLRenderer, isNumbered = false, isShaded = false): void {
+  begin(renderer: WebGLRenderer, isNumbered = false, isShaded = false, isPlaced = false): void {
     // three.js reallocates the shared buffers when it first binds a target.
     if (isNumbered || isShaded) renderer.initRenderTarget(this.target);
     if (isNumbered && isShaded) renderer.initRenderTarget(this.numbered);
     renderer.setClearColor(0x000000, 0);
-    if (isShaded) this.clear(renderer, this.shaded);
+    this.isPlaced = isShaded && isPlaced;
+    if (this.isPlaced) renderer.initRenderTarget(this.shaded);
+    if (isShaded) this.clear(renderer, this.withShading);
     // The shaded target has all buffers of the other two but the numbers.
     if (isShaded && !isNumbered) renderer.setRenderTarget(this.target);
     else this.clear(renderer, isNumbered ? this.numbered : this.target);
@@ -85,9 +92,14 @@ export class Targets {
     return this.numbered.textures[2];
   }
 
+  /** The places on puffs. */
+  get places(): Texture {
+    return this.placed.textures[3];
+  }
+
   /** Binds the target with the shading of smoke, until `endShading`. */
   beginShading(renderer: WebGLRenderer): void {
-    renderer.setRenderTarget(this.shaded);
+    renderer.setRenderTarget(this.withShading);
   }
 
   /** Binds the target without the shading, and returns it. */
@@ -113,8 +125,12 @@ export class Targets {
     for (const each of [...this.all, this.copy]) each.dispose();
   }
 
+  private get withShading(): WebGLRenderTarget {
+    return this.isPlaced ? this.placed : this.shaded;
+  }
+
   private get all(): readonly WebGLRenderTarget[] {
-    return [this.shaded, this.numbered, this.target];
+    return [this.placed, this.shaded, this.numbered, this.target];
   }
 
   private clear(renderer: WebGLRenderer, cleared: WebGLRenderTarget): void {

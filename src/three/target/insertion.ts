@@ -1,5 +1,6 @@
-import type { Camera, DepthTexture, Plane, Scene, Vector2, WebGLRenderer } from 'three';
+import type { Camera, DepthTexture, Plane, Scene, Texture, Vector2, WebGLRenderer } from 'three';
 import type { InsertPass } from '../../renderer/passes/insert.ts';
+import { hasPattern } from '../../renderer/extraPasses.ts';
 import { limitOf, type SmokePasses } from '../../renderer/smokePasses.ts';
 import type { Style } from '../../renderer/style.ts';
 import type { HostCasters } from '../casters.ts';
@@ -35,12 +36,14 @@ export interface InsertionPasses {
 /**
  * Draws the shadow on the host's objects into the bound framebuffer, which has a stencil buffer and their depth.
  * @param receivers the depth of its pixels, if they have one each
+ * @param surfaceDepth depth of the host's opaque objects in the viewport of the smoke; without it they have no pattern
  */
 export function insertShadow(
   { smoke: { passes }, casters, volumes, insert }: InsertionPasses,
   { renderer, scene, camera, keyLight, onRelight }: HostView,
   style: Style,
   receivers: DepthTexture | undefined,
+  surfaceDepth: Texture | undefined,
 ): void {
   renderer.clearStencil();
   casters.draw(renderer, scene);
@@ -49,5 +52,8 @@ export function insertShadow(
   onRelight(true);
   relight(renderer, scene, camera, keyLight);
   onRelight(false);
+  if (hasPattern(style) && style.patternOn !== 'tones' && surfaceDepth) {
+    passes.extras.patterns!.drawOnHost(renderer, surfaceDepth, isLinearPicture(renderer));
+  }
   if (style.shadowSteps === 2) insert.darken(renderer, style.shadowDepth, style.deepShadow, isLinearPicture(renderer));
 }

@@ -83,7 +83,7 @@ export class OwnStencil {
   ): void {
     const { renderer, origin } = view;
     renderer.setRenderTarget(this.target);
-    insertShadow(passes, view, style, receivers);
+    insertShadow(passes, view, style, receivers, surfaceDepth);
     view.returnToTarget();
     passes.smoke.passes.eye.uniforms.viewportOrigin.value.copy(origin);
     this.surfaceDepth.value = surfaceDepth ?? null;

@@ -25,6 +25,8 @@ test.each([
   ['background', 'style.backdrop'],
   ['background colour', 'style.backdrop'],
   ['sky', 'style.backdrop'],
+  ['halftone', 'style.pattern'],
+  ['hatching', 'style.pattern'],
   ['opacity', 'emission.density'],
   ['transparency', 'emission.density'],
   ['density', 'emission.density'],

@@ -63,12 +63,8 @@ const SHEET: readonly (readonly [SceneName, readonly Mode[]])[] = [['sheet', [BI
 const PAINTED = { maxWithin: 0.0025, maxOfEdges: 0.015 };
 /** Measured: 0.02 % at tones of drawn parts, which meet at sharp borders. */
 const DRAWN = { maxWithin: 0.0004 };
-/** Limits other than the usual ones. */
-const LIMITS = new Map<typeof MESHES, { maxWithin?: number; maxOfEdges?: number }>([
-  [MESHES, PAINTED],
-  [SHEET, PAINTED],
-  [DRAWINGS, DRAWN],
-]);
+/** Measured: 0.02 % for dots, which are hidden if their centre is. */
+const PRINTED = { maxWithin: 0.0004 };
 const COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['eyeInside', [{ ...BILLBOARDS, volumes: 'counted' }]],
   ['underParts', [{ volumes: 'counted', shadowSteps: 2, shadowDepth: 2 }]],
@@ -161,6 +157,30 @@ const OTHER_LIGHT: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ],
   ['erodedByLamp', [{ ...ERODED, ...FADING, ...STRETCHED }]],
 ];
+const MARKS = { patternCoverage: 0.4, patternBackdrop: 0.3, patternSize: 7, patternOn: 'both' } as const;
+const PRINTS: readonly (readonly [SceneName, readonly Mode[]])[] = [
+  [
+    'perspective',
+    [
+      { ...MARKS, pattern: 'dots' },
+      { ...MARKS, pattern: 'lines', patternAngle: 20, tones: 3 },
+      { ...MARKS, pattern: 'crosshatch', patternOn: 'shadow' },
+      { ...MARKS, pattern: 'grain', patternSoftness: 1 },
+      { ...MARKS, ...BILLBOARDS, pattern: 'dots', patternShiftX: 3, patternShiftY: -2 },
+      { ...MARKS, ...BILLBOARDS, pattern: 'lines' },
+    ],
+  ],
+  ['orthographic', [{ ...MARKS, pattern: 'dots', patternOn: 'tones', patternAngle: 0 }]],
+  ['deformed', [{ ...MARKS, ...STRETCHED, pattern: 'lines' }]],
+  ['byLamp', [{ ...MARKS, pattern: 'crosshatch' }]],
+];
+/** Limits other than the usual ones. */
+const LIMITS = new Map<typeof MESHES, { maxWithin?: number; maxOfEdges?: number }>([
+  [MESHES, PAINTED],
+  [SHEET, PAINTED],
+  [DRAWINGS, DRAWN],
+  [PRINTS, PRINTED],
+]);
 /** Light by the form of the whole smoke. */
 const FORMS: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['perspective', [{ plumeForm: 0.6 }, { plumeForm: 1, tones: 3 }]],
@@ -191,6 +211,7 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs in tones of all kinds', TONES, false],
   ['puffs and solids in light of other colours', OTHER_LIGHT, false],
   ['puffs with the light of their whole form', FORMS, false],
+  ['puffs with the marks of a print', PRINTS, false],
   ['the lamp', LAMPS, false],
 ] as const) {
   const isRare = new Set([LAMPS, MANY, MORE_BOARDS, MORE_COUNTED]).has(scenes);

@@ -121,11 +121,10 @@ export class SimplifyPass {
       const pass = meshes[index];
       if (isSmall && index < 2) return;
       renderer.setRenderTarget(target);
-      const { material } = pass;
-      pass.material = eye.variantOf(material);
-      if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
-      else pass.draw(renderer);
-      pass.material = material;
+      eye.asVariant(pass, () => {
+        if (pass instanceof DrawnPoints) pass.draw(renderer, columns * rows);
+        else pass.draw(renderer);
+      });
     });
   }
 

@@ -68,7 +68,7 @@ test.describe('with all pixels', () => {
     });
     await ask(page, async (stage) => {
       // Optional passes load when they are first requested, all renderers together; after that each change is immediate.
-      stage.set({ 'style.simplify': 1, 'style.strokes': 1, 'style.volumes': 'counted' });
+      stage.set({ 'style.simplify': 1, 'style.strokes': 1, 'style.volumes': 'counted', 'style.pattern': 'dots' });
       await stage.complete();
       stage.set({ 'style.renderer': 'selle' });
       await stage.complete();
@@ -77,6 +77,7 @@ test.describe('with all pixels', () => {
         'style.volumes': 'receiver',
         'style.simplify': 0,
         'style.strokes': 0,
+        'style.pattern': 'none',
       });
     });
     expect(await withoutEffectOnPicture(page, singleTrials('style', 'light', 'camera'))).toEqual([]);

@@ -24,6 +24,7 @@ const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.washColor$/, { 'style.wash': 1 }],
   [/^style\.softColors$/, { 'style.ageRamp': '0:000000,1:ffffff' }],
   [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
+  [/^style\.pattern./, { 'style.pattern': 'dots' }],
   [/^light\.(distance|decay)$/, { 'light.kind': 'lamp' }],
   [/^emission\.glow$/, { 'light.intensity': 0, 'light.ambient': 0.1 }],
 ];

@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 84 },
+    { name: 'embed.coreKb', kB: core, limit: 84.8 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 125.9 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -45,7 +45,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await page.evaluate(() => document.querySelector('cartoon-smoke')!.setAttribute('style-simplify', '3'));
   await expect.poll(() => server.sent.filter(({ file }) => file.endsWith('simplify.js')).length).toBe(1);
   judge([
-    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 7.1 },
+    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 7.2 },
   ]);
 });
 
@@ -54,8 +54,8 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 22.9 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 224.4 },
+    { name: 'page', kB: fetched(server, own), limit: 23.2 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 230.8 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 261.5 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 268.3 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 

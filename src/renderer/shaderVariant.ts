@@ -1,9 +1,9 @@
-/** Materials with more code for the light, which few smokes have. */
+/** Materials with more code, for light and patterns that few smokes have. */
 import type { IUniform, RawShaderMaterial } from 'three';
 import type { Shaders } from './gpu/programsAhead.ts';
 
 /** Code that shaders with a define declare and call. */
-export interface LightCode {
+export interface AddedCode {
   /** The define; only shaders that contain its name change. */
   readonly define: string;
   /** A function of the code, which shaders that need it declare. */
@@ -11,18 +11,18 @@ export interface LightCode {
   readonly code: string;
 }
 
-/** Variants of materials with more code for the light. */
-export class LightVariant {
+/** Variants of materials with more code. */
+export class ShaderVariant {
   private readonly variants = new WeakMap<RawShaderMaterial, RawShaderMaterial>();
-  private readonly light: LightCode;
+  private readonly code: AddedCode;
   private readonly added: Record<string, IUniform>;
 
-  constructor(light: LightCode, uniforms: Record<string, IUniform>) {
-    this.light = light;
+  constructor(code: AddedCode, uniforms: Record<string, IUniform>) {
+    this.code = code;
     this.added = uniforms;
   }
 
-  /** A variant of a material, with the same uniforms; the material itself if it does not shade. */
+  /** A variant of a material, with the same uniforms; the material itself if it has no use for the code. */
   on(material: RawShaderMaterial): RawShaderMaterial {
     const variant = this.variants.get(material) ?? this.make(material);
     this.variants.set(material, variant);
@@ -30,7 +30,7 @@ export class LightVariant {
   }
 
   private make(whole: RawShaderMaterial): RawShaderMaterial {
-    const shaders = withLight(whole, this.light);
+    const shaders = withCode(whole, this.code);
     if (shaders === whole) return whole;
     const { uniforms } = whole;
     // clone() would copy them.
@@ -43,8 +43,8 @@ export class LightVariant {
   }
 }
 
-/** Shaders with the code for a light; the same object if they do not shade. */
-export function withLight(shaders: Shaders, { define, declared, code }: LightCode): Shaders {
+/** Shaders with more code; the same object if they have no use for it. */
+export function withCode(shaders: Shaders, { define, declared, code }: AddedCode): Shaders {
   const { vertexShader, fragmentShader, defines } = shaders;
   if (!fragmentShader.includes(define)) return shaders;
   // Vertex shaders of surfaces and of whole pictures have no use for it.
