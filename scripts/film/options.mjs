@@ -14,7 +14,7 @@ export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [
   --scale N              output pixels per CSS pixel, 0.5 to 4; ink is measured in CSS pixels (the smallest integer that
                          gives at most 1080 CSS pixels of height)
   --alpha                a transparent background
-  --layers               also flats, shadow, ink, surfaces and depth, each in its folder
+  --layers               also flats, shadow, ink, marks, surfaces and depth, each in its folder
   --format png|exr       exr: linear half floats, depth in metres as 32-bit floats (png)
   --supersample 1|2      draws at twice the size and averages in linear light (1)
   --camera FILE          keyframes of the camera in JSON

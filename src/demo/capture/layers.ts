@@ -1,16 +1,17 @@
-import { inkOf, styleOf, type Arranger, type Rows } from '../../internal.ts';
+import { hasPattern, inkOf, styleOf, type Arranger, type Color, type Rows } from '../../internal.ts';
 import type { Values } from '../../preset.ts';
 import { isSame, linear, PixelReader } from './pixels.ts';
 import type { Studio } from './studio.ts';
 
-export const LAYERS = ['flats', 'shadow', 'ink', 'surfaces', 'depth'] as const;
+export const LAYERS = ['flats', 'shadow', 'ink', 'marks', 'surfaces', 'depth'] as const;
 export type Layer = (typeof LAYERS)[number];
 
 const NO_ROWS: Rows = { count: 0, whole: 0, place: new Float32Array(0), attributes: new Uint32Array(0) };
 
 /**
- * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, surfaces (the
- * picture without smoke), and depth, where near is white. Flats, shadow and ink composited in this order give the frame.
+ * Splits a frame into layers: flat colours without shadow and ink, shadow (the colours that it adds), ink, the marks of a
+ * pattern if the style has one, surfaces (the picture without smoke), and depth, where near is white. Flats, shadow, ink and
+ * marks composited in this order give the frame.
  */
 export class LayerCamera {
   private readonly studio: Studio;
@@ -35,6 +36,7 @@ export class LayerCamera {
       ['flats', flats],
       ['shadow', this.shadow(flats)],
       ['ink', this.ink()],
+      ...(hasPattern(styleOf(this.style)) ? [['marks', this.marks()] as const] : []),
       ['surfaces', this.surfaces()],
       ['depth', await this.depth()],
     ];
@@ -59,14 +61,27 @@ export class LayerCamera {
     return shadowed;
   }
 
-  /**
-   * Computes the ink coverage of each pixel from the difference between a frame with white ink and one with black ink.
-   */
   private ink(): ImageData {
-    const black = this.read({ 'style.inkColor': '#000000', 'style.inkLight': 0 }).data;
-    const white = this.read({ 'style.inkColor': '#ffffff', 'style.inkLight': 0 });
-    const { data } = white;
     const color = inkOf(styleOf(this.style));
+    return this.coverage((code) => ({ 'style.inkColor': code, 'style.inkLight': 0 }), color);
+  }
+
+  private marks(): ImageData {
+    const { patternCoverage, patternBackdrop, patternColor } = styleOf(this.style);
+    const amounts = { 'style.patternCoverage': patternCoverage, 'style.patternBackdrop': patternBackdrop };
+    return this.coverage((code) => ({ ...amounts, 'style.patternColor': code }), patternColor);
+  }
+
+  /**
+   * Computes how much of each pixel has a colour, from the difference between a frame where it is white and one where it is
+   * black.
+   * @param valuesOf values with which a frame has the colour of a code
+   * @param color of the layer
+   */
+  private coverage(valuesOf: (code: string) => Values, color: Color): ImageData {
+    const black = this.read(valuesOf('#000000')).data;
+    const white = this.read(valuesOf('#ffffff'));
+    const { data } = white;
     for (let at = 0; at < data.length; at += 4) {
       const cover = linear(data[at]) - linear(black[at]);
       data.set(color, at);
@@ -99,6 +114,10 @@ export class LayerCamera {
       'style.shadows': style['style.shadows'],
       'style.inkColor': style['style.inkColor'],
       'style.inkLight': style['style.inkLight'],
+      'style.patternColor': style['style.patternColor'],
+      // Only their own layer has marks.
+      'style.patternCoverage': 0,
+      'style.patternBackdrop': 0,
       ...values,
     });
     return this.reader.read(canvas);

@@ -1,24 +1,28 @@
-import { inkOf, readRamp, styleOf, type RampStop } from '../../internal.ts';
+import { inkOf, readRamp, styleOf, type RampStop, type Style } from '../../internal.ts';
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import { isSame, NOISE, PixelReader } from './pixels.ts';
 import { type Point, simplifyArc } from './simplify.ts';
 import type { Studio } from './studio.ts';
+import { bandsOf, hasMarks, patternOf, styleOfAmounts, WITHOUT_MARKS } from './svgMarks.ts';
 
 /** Maximum deviation of outlines in pixels, too small to be visible. */
 const TOLERANCE = 0.6;
 const STOPS = 9;
 
 /**
- * Encodes a frame as SVG: backdrop, flats with their shadow, and ink, each a named group with one path for each colour.
- * Flats continue beneath ink. Gradients become discrete steps.
+ * Encodes a frame as SVG: backdrop, flats with their shadow, the marks of a pattern, and ink, each a named group with one path
+ * for each colour, or for each amount of marks. Flats and marks continue beneath ink. Gradients become discrete steps.
  */
 export async function makeSvg(studio: Studio, settings: CaptureSettings): Promise<Blob> {
   const [width, height] = pixelSize(settings);
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
-  const inkColor = pixelOf(inkOf(styleOf(stage.get())));
+  const style = styleOf(stage.get());
+  const inkColor = pixelOf(inkOf(style));
   const ramp = readRamp(stage.get()['style.backdrop'] ?? '') ?? [];
+  const marks = hasMarks(style) ? marksIn(studio, reader, style, width / settings.width) : undefined;
+  if (marks) stage.set(WITHOUT_MARKS);
   draw();
   const whole = reader.read(canvas);
   if (settings.hasBackground) stage.background = false;
@@ -29,6 +33,7 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const groups = [
     ...(settings.hasBackground ? [backdrop(ramp, whole, cut)] : []),
     group('flats', flats, flats.colors.slice(1)),
+    ...(marks ? [marks] : []),
     group(
       'ink',
       ink,
@@ -38,6 +43,26 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const size = `width="${settings.width}" height="${settings.height}" viewBox="0 0 ${width} ${height}"`;
   const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}>\n${groups.join('\n')}\n</svg>\n`;
   return new Blob([text], { type: 'image/svg+xml' });
+}
+
+/** A group of paths that patterns fill, one for each amount of marks. */
+function marksIn({ stage, canvas, draw }: Studio, reader: PixelReader, style: Style, pixelRatio: number): string {
+  const { smoke } = stage.running.picture;
+  smoke.overrideFrame((input) => ({ ...input, style: styleOfAmounts(input.style) }));
+  draw();
+  const [white, black] = ['#ffffff', '#000000'].map((code) => {
+    stage.set({ 'style.patternColor': code });
+    return reader.read(canvas);
+  });
+  smoke.overrideFrame((input) => input);
+  const labels = bandsOf(white, black, style);
+  const bands = [...new Set(labels.of)].filter((band) => band > 0).toSorted((one, other) => one - other);
+  const patterns = bands.map((band) => patternOf(band, style, pixelRatio));
+  const paths = bands.map((band) => {
+    const shape = traceRegion(labels, band, TOLERANCE).map(pathOf).join('');
+    return shape && `<path fill="url(#marks-${band})" d="${shape}"/>`;
+  });
+  return ['<g id="marks" fill-rule="evenodd">', ...patterns, ...paths.filter(Boolean), '</g>'].join('\n');
 }
 
 /** A group of paths, one for each colour. The stroke closes gaps that rounding leaves. */

@@ -29,6 +29,27 @@ const VALUES: Values = {
   'light.ambient': 0.5,
 };
 
+/** Values with light marks on smoke in dim light. */
+const PRINTED: Values = {
+  'style.tones': 3,
+  'style.pattern': 'lines',
+  'style.patternOn': 'both',
+  'style.patternCoverage': 0.6,
+  'style.patternSize': 3,
+  'style.patternColor': '#ffffff',
+};
+
+/** Runs captures of smoke with marks. */
+async function printed<Report>(work: () => Promise<Report>): Promise<Report> {
+  const stage = await lamp();
+  stage.set(PRINTED);
+  await stage.complete();
+  const report = await work();
+  stage.set({ 'style.pattern': 'none', 'style.tones': 2 });
+  await stage.complete();
+  return report;
+}
+
 /** One stage for all tests, with smoke. */
 function lamp(): Promise<Stage> {
   opened ??= createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values: VALUES }).then(async (stage) => {
@@ -164,12 +185,33 @@ function countGreen({ data }: ImageData): number {
   return data.filter((value, at) => at % 4 === 1 && value > 90 + Math.max(data[at - 1], data[at + 1])).length;
 }
 
+/** As {@link sequence} in layers, of smoke with marks; and the number of pixels with a mark. */
+export function printedLayers() {
+  return printed(async () => {
+    const settings = { inLayers: true, scale: 2, seconds: 0.04, format: 'zip', hasBackground: false } as const;
+    const entries = unzipSync(await bytesOf(await captured(settings)));
+    const names = Object.keys(entries).sort();
+    const order = ['flats', 'shadow', 'ink', 'marks'].map((layer) => pixelsOfBytes(entries[`${layer}/0001.png`]));
+    const layers = await Promise.all(order);
+    const whole = await pixelsOf(await captured({ scale: 2, hasBackground: false }));
+    return { names, error: meanDifference(await composed(layers), whole), marked: countOpaque(layers[3]) };
+  });
+}
+
+function countOpaque({ data }: ImageData): number {
+  return data.filter((value, at) => at % 4 === 3 && value > 200).length;
+}
+
 /** Composes flats, shadow and ink and compares the result with the picture: mean difference of a channel, 0 to 255. */
 async function composedError([, flats, ink, shadow]: ImageData[]): Promise<number> {
+  return meanDifference(await composed([flats, shadow, ink]), await largeCut());
+}
+
+async function composed(layers: readonly ImageData[]): Promise<ImageData> {
   const [width, height] = [2 * WIDTH, 2 * HEIGHT];
   const context = new OffscreenCanvas(width, height).getContext('2d')!;
-  for (const layer of [flats, shadow, ink]) context.drawImage(await createImageBitmap(layer), 0, 0);
-  return meanDifference(context.getImageData(0, 0, width, height), await largeCut());
+  for (const layer of layers) context.drawImage(await createImageBitmap(layer), 0, 0);
+  return context.getImageData(0, 0, width, height);
 }
 
 export function flipbook() {
@@ -229,6 +271,38 @@ export function drawing() {
       error: meanDifference(await rasterised(text, picture), picture),
     };
   });
+}
+
+/**
+ * A drawing of smoke with marks: its groups, patterns and paths that they fill, the difference to the picture, and means
+ * of the picture, of the drawing and of the drawing without marks.
+ */
+export function printedDrawing() {
+  return printed(async () => {
+    const settings = { scale: 2, hasBackground: false } as const;
+    const text = await (await captured({ ...settings, format: 'svg' })).text();
+    const root = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+    const picture = await pixelsOf(await captured(settings));
+    const marks = root.querySelector('#marks');
+    return {
+      groups: [...root.children].map(({ id }) => id),
+      patterns: [...root.querySelectorAll('pattern')].map(({ id }) => id),
+      fills: [...(marks?.querySelectorAll('path') ?? [])].map((path) => path.getAttribute('fill')),
+      bytes: text.length,
+      error: meanDifference(await rasterised(text, picture), picture),
+      // Lines of a pattern are elsewhere than those on puffs, but cover as much.
+      means: [picture, await rasterised(text, picture), await rasterised(withoutMarks(text), picture)].map(meanOf),
+    };
+  });
+}
+
+function withoutMarks(svg: string): string {
+  return svg.replace(/<g id="marks".*?<\/g>/s, '');
+}
+
+/** Mean of all channels, 0 to 255. */
+function meanOf({ data }: ImageData): number {
+  return data.reduce((sum, value) => sum + value, 0) / data.length;
 }
 
 /** Cancels a clip after its second frame. */

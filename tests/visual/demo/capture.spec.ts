@@ -55,6 +55,14 @@ test('composited layers equal the picture', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
+test('composited layers of smoke with marks equal the picture', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.printedLayers());
+  const layers = ['depth', 'flats', 'ink', 'marks', 'shadow', 'surfaces'];
+  expect(report.names).toEqual(layers.map((layer) => `${layer}/0001.png`));
+  expect(report.error).toBeLessThan(1);
+  expect(report.marked).toBeGreaterThan(300);
+});
+
 test('the layer of surfaces has everything but the smoke', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutSmoke());
   expect(report.flats).toBeGreaterThan(100);
@@ -84,6 +92,19 @@ test('a drawing has the flat colours in named groups, and looks like the picture
   expect(report.bytes).toBeLessThan(100_000);
   expect(report.error).toBeLessThan(0.02 * 255);
   expect(report.isUntouched).toBe(true);
+});
+
+test('a drawing of smoke with marks has patterns instead of marks, and is as dark as the picture', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.printedDrawing());
+  console.log(JSON.stringify(report));
+  expect(report.groups).toEqual(['flats', 'marks', 'ink']);
+  expect(report.patterns.length).toBeGreaterThan(2);
+  expect(report.fills).toEqual(report.patterns.map((id) => `url(#${id})`));
+  expect(report.bytes).toBeLessThan(140_000);
+  expect(report.error).toBeLessThan(0.03 * 255);
+  const [picture, drawing, without] = report.means;
+  expect(picture - without).toBeGreaterThan(0.5);
+  expect(Math.abs(picture - drawing)).toBeLessThan(0.25 * (picture - without));
 });
 
 test('a cancelled clip ends at once and does not change the smoke', async ({ load }) => {
