@@ -1,5 +1,6 @@
-/** Every scene looks the same in all engines, except for a few pixels. */
+/** Every scene and every pattern looks the same in all engines, except for a few pixels. */
 import { afterAll, beforeAll, expect, inject, test } from 'vitest';
+import type { PresetName } from '../../src/parameters/valueTypes.ts';
 import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { compare } from '../support/goldens.ts';
 import type { Driver } from './drivers/driver.ts';
@@ -17,6 +18,9 @@ const [SECONDS, WIDTH, HEIGHT] = [3, 720, 480] as const;
 const [MAX_SHARE, TOLERANCE] = [0.005, 16];
 
 const engines = inject('engines');
+/** Looks with dots, lines and grain. */
+const PRINTS: readonly PresetName[] = ['rocket-newsprint', 'lamp-engraving', 'wisp-charcoal'];
+
 const browsers: Driver[] = [];
 const pages: InPage<Page>[] = [];
 
@@ -33,12 +37,12 @@ afterAll(async () => {
   for (const browser of browsers) await browser.close();
 });
 
-test.for(Object.keys(sceneEntries))('%s looks the same as in Chromium', async (scene, { task }) => {
-  const drawn = await Promise.all(pages.map((page) => page.pictureOf(scene, SECONDS, WIDTH, HEIGHT)));
+test.for([...Object.keys(sceneEntries), ...PRINTS])('%s looks the same as in Chromium', async (preset, { task }) => {
+  const drawn = await Promise.all(pages.map((page) => page.pictureOf(preset, SECONDS, WIDTH, HEIGHT)));
   const [wanted, ...others] = drawn.map(pictureIn);
   expect(colorsIn(wanted)).toBeGreaterThan(20);
   const shares = others.map((picture) => compare(picture, wanted, TOLERANCE).outliers / (WIDTH * HEIGHT));
   const notified = shares.map((share, at) => `${(100 * share).toFixed(2)} % in ${engines[at + 1].title}`);
-  task.meta.note = `picture  ${scene}  differs from Chromium's in ${notified.join(', ')}`;
+  task.meta.note = `picture  ${preset}  differs from Chromium's in ${notified.join(', ')}`;
   expect(Math.max(...shares)).toBeLessThanOrEqual(MAX_SHARE);
 });

@@ -160,7 +160,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'style.fill': 'ambient bounce',
   'style.simplify': 'detail clean smooth',
   'style.form': 'volume shape depth',
-  'style.strokes': 'hatching brush sketch pencil lines',
+  'style.strokes': 'brush sketch pencil lines',
   'style.rim': 'glow halo backlight highlight edge shine',
   'style.rimColor': 'glow halo backlight highlight',
   'style.smokeColor': 'white grey gray black hue paint',

@@ -217,4 +217,23 @@ export const lampPresets: readonly Preset[] = [
       'light.elevation': 48,
     },
   },
+  {
+    name: 'lamp-engraving',
+    values: {
+      ...curl,
+      'style.ramp': '0:f2ead6,.35:f2ead7,1:f7f1e2',
+      'style.pattern': 'lines',
+      'style.patternOn': 'both',
+      'style.patternCoverage': 0.45,
+      'style.patternSize': 5,
+      'style.patternAngle': 18,
+      'style.patternColor': '#2b2a33',
+      'style.inkColor': '#2b2a33',
+      'style.outlineWidth': 1.8,
+      'style.strokes': 0.3,
+      'style.backdrop': '0:efe6cf,1:f2ebd8',
+      'style.wash': 1,
+      'style.washColor': '#f0e7d0',
+    },
+  },
 ];

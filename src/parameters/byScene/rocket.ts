@@ -72,4 +72,23 @@ export const rocketPresets: readonly Preset[] = [
       'light.ambient': 0.32,
     },
   },
+  {
+    name: 'rocket-newsprint',
+    values: {
+      ...day,
+      'style.heatRamp': '',
+      'style.ramp': '0:efe4cb,.35:efe4cc,1:f6eedb',
+      'style.pattern': 'dots',
+      'style.patternCoverage': 0.42,
+      'style.patternSize': 5,
+      'style.patternColor': '#23201f',
+      'style.surfaceShadowColor': '#d8ccb4',
+      'style.inkColor': '#1d1a18',
+      'style.outlineWidth': 2.4,
+      'style.inkSwell': 0.6,
+      'style.backdrop': '0:e8dcc0,1:efe6d0',
+      'style.wash': 1,
+      'style.washColor': '#efe5cd',
+    },
+  },
 ];
