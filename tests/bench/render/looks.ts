@@ -1,12 +1,13 @@
 /**
  * render.look: a frame of a preset as the page draws it, compared with blended quads of three.quarks and with the same frame
- * in the plain look, in turns. render.lights: the same frame with lights besides the key light.
+ * in the plain look, in turns. render.lights and render.patterns: a frame with lights besides the key light, and with the marks
+ * of a print, over that without.
  */
 import { Matrix4, Vector3, type PerspectiveCamera } from 'three';
 import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
 import type { AdditionalLight } from '../../../src/renderer/light.ts';
 import { PLAIN_LOOK } from '../../support/plainLook.ts';
-import { SceneLab } from '../../visual/sceneLab.ts';
+import { SceneLab, type SceneChoice } from '../../visual/sceneLab.ts';
 import { demand, figure, say, timeDrawing, type Figure } from '../support/figures.ts';
 import { QuarksScene } from './quarks.ts';
 
@@ -17,6 +18,7 @@ const SIZES = [
 ];
 const STEPS = 360;
 const LIT_PRESETS = ['lamp', 'cloudscape', 'campfire'];
+const PRINTED_PRESETS = ['rocket-newsprint', 'lamp-engraving', 'airplane-manga', 'cloudscape-riso', 'wisp-charcoal'];
 /** A lantern, a moon and a lamp behind the smoke. */
 const LIGHTS: readonly AdditionalLight[] = [
   { light: { kind: 'lamp', place: new Vector3(1.5, 0.5, 1.5), falloff: { decay: 2 } }, color: [2, 0.8, 0.2] },
@@ -93,38 +95,59 @@ export async function measureLook(
   ];
 }
 
-/** The frame of presets with one and with three lights besides the key light over that without, in turns. */
+/** The frame of presets with one and with three lights besides the key light over that without. */
 export async function measureLights(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
-  const [{ width, height }] = SIZES;
   for (const preset of LIT_PRESETS) {
-    const choice = { width, height, smoothEdges: true, ownLook: true };
-    const labs: SceneLab[] = [];
-    for (const count of [0, 1, LIGHTS.length]) {
-      labs.push(await prepared(preset, { ...choice, lights: LIGHTS.slice(0, count) }));
-    }
-    for (const lab of labs) lab.redraw();
-    const bodies = labs.map(({ report }) => report!.bodiesDrawn);
-    demand(bodies[0] > 20 && new Set(bodies).size === 1, `${bodies.join()} bodies`);
-    const times: number[][] = labs.map(() => []);
-    const rounds = quick ? 3 : 9;
-    for (let round = 0; round < rounds; round++) {
-      await say(`render.lights.${preset}, round ${round + 1} of ${rounds}`);
-      const order = round % 2 === 0 ? labs : labs.toReversed();
-      for (const lab of order) times[labs.indexOf(lab)].push(timeDrawing(lab.context, () => lab.redraw()));
-    }
-    for (const lab of labs) lab.dispose();
-    const note = `the frame / that without further lights, ${bodies[0]} bodies, ${width} x ${height}`;
-    const over = (lab: number) => times[lab].map((milliseconds, round) => milliseconds / times[0][round]);
-    figures.push(
-      figure(`render.lights.${preset}.1`, 'x', over(1), note),
-      figure(`render.lights.${preset}.3`, 'x', over(2), note),
-    );
+    const name = `render.lights.${preset}`;
+    const choices = [0, 1, LIGHTS.length].map((count) => ({ lights: LIGHTS.slice(0, count) }));
+    const { ratios, size } = await measureRatios(name, preset, choices, quick);
+    const note = `the frame / that without further lights, ${size}`;
+    figures.push(figure(`${name}.1`, 'x', ratios[1], note), figure(`${name}.3`, 'x', ratios[2], note));
   }
   return figures;
 }
 
-async function prepared(preset: string, choice: Parameters<typeof SceneLab.create>[1]): Promise<SceneLab> {
+/** The frame of presets with the marks of a print over that without. */
+export async function measurePatterns(quick: boolean): Promise<Figure[]> {
+  const figures: Figure[] = [];
+  for (const preset of PRINTED_PRESETS) {
+    const name = `render.patterns.${preset}`;
+    const choices: Partial<SceneChoice>[] = [{ values: { 'style.pattern': 'none' } }, {}];
+    const { ratios, size } = await measureRatios(name, preset, choices, quick);
+    figures.push(figure(name, 'x', ratios[1], `the frame / that without marks, ${size}; at most 1.1`));
+  }
+  return figures;
+}
+
+/** Frames of a preset over that of the first choice, in turns. */
+async function measureRatios(
+  name: string,
+  preset: string,
+  choices: readonly Partial<SceneChoice>[],
+  quick: boolean,
+): Promise<{ ratios: number[][]; size: string }> {
+  const [{ width, height }] = SIZES;
+  const labs: SceneLab[] = [];
+  for (const choice of choices) {
+    labs.push(await prepared(preset, { width, height, smoothEdges: true, ownLook: true, ...choice }));
+  }
+  for (const lab of labs) lab.redraw();
+  const bodies = labs.map(({ report }) => report!.bodiesDrawn);
+  demand(bodies[0] > 20 && new Set(bodies).size === 1, `${bodies.join()} bodies`);
+  const times: number[][] = labs.map(() => []);
+  const rounds = quick ? 3 : 9;
+  for (let round = 0; round < rounds; round++) {
+    await say(`${name}, round ${round + 1} of ${rounds}`);
+    const order = round % 2 === 0 ? labs : labs.toReversed();
+    for (const lab of order) times[labs.indexOf(lab)].push(timeDrawing(lab.context, () => lab.redraw()));
+  }
+  for (const lab of labs) lab.dispose();
+  const ratios = times.map((own) => own.map((milliseconds, round) => milliseconds / times[0][round]));
+  return { ratios, size: `${bodies[0]} bodies, ${width} x ${height}` };
+}
+
+async function prepared(preset: string, choice: SceneChoice): Promise<SceneLab> {
   const lab = await SceneLab.create(preset, choice);
   await fetchExtras({ ...lab.style, isTiled: true });
   lab.step(STEPS);

@@ -3,7 +3,7 @@ import type { Figure } from '../support/figures.ts';
 import { measureMemory } from './memory.ts';
 import { measureDrawings } from './drawings.ts';
 import { measureForms } from './forms.ts';
-import { measureLights, measureLooks } from './looks.ts';
+import { measureLights, measureLooks, measurePatterns } from './looks.ts';
 import { measureHost } from './host.ts';
 import { measurePasses } from './passes.ts';
 import { measureInside } from './inside.ts';
@@ -23,6 +23,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureAgainstQuarks(quick)),
     ...(await measureLooks(quick)),
     ...(await measureLights(quick)),
+    ...(await measurePatterns(quick)),
     ...(await measureAgainstSelle(quick)),
     ...(await measureInside(quick)),
     ...(await measureVisible(quick)),
