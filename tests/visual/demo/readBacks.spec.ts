@@ -21,6 +21,7 @@ const OTHERS = [
   'demo/draw/import',
   'demo/film/film',
   'demo/gallery/ownShape',
+  'demo/palette/picture',
 ];
 
 test('no other file decides by pixels that it reads', () => {
