@@ -1,4 +1,4 @@
-// Added to the shaders that choose tones, after their `printed`: how much of a pixel the marks of the pattern cover.
+// Added to the shaders that choose tones: how much of a pixel the marks of the pattern cover.
 uniform float patternCoverage;
 uniform float patternBackdrop;
 // Whether shadow and tones below full light have marks.
@@ -8,6 +8,9 @@ uniform float fullFrom;
 #if !defined(FORM) && !defined(ADDITIONAL_LIGHTS)
 uniform highp sampler2D depth;
 #endif
+
+// Amount of marks; opacity of ink; 1 on a surface without smoke; radius of the puff.
+layout(location = 1) out vec4 printed;
 
 // Shares of shadow between which marks grow, so that they do not appear at once.
 const vec2 GROWING = vec2(0.5, 0.8);

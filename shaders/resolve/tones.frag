@@ -13,8 +13,6 @@ layout(location = 0) out vec4 pixel;
 #include ../lib/mask.glsl
 
 #ifdef AMOUNTS
-// Amount of marks; opacity of ink; 1 on a surface without smoke; radius of the puff. Firefox requires outputs before main.
-layout(location = 1) out vec4 printed;
 void printSurface(vec4 shadowed, vec4 direct, float shadow);
 #endif
 

@@ -102,8 +102,6 @@ vec3 toneOf(vec4 light, float material) {
 }
 
 #ifdef AMOUNTS
-// Amount of marks; opacity of ink; 1 on a surface without smoke; radius of the puff. Firefox requires outputs before main.
-layout(location = 1) out vec4 printed;
 void print(float amount, float ink, float radius);
 void printSurface(vec4 shadowed, vec4 direct, float shadow);
 float amountOn(float lit, float facing);

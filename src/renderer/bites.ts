@@ -6,7 +6,7 @@ import volumesFragment from '../../shaders/bites/volumesFragment.glsl';
 import volumeVertex from '../../shaders/bites/volumeVertex.glsl';
 import { RowGeometry, type BiteDrawing } from './gpu/drawnRows.ts';
 import type { FormTextures } from './gpu/formTextures.ts';
-import { withLobes, type Shaders } from './gpu/programsAhead.ts';
+import { withCodeBeforeMain, withLobes, type Shaders } from './gpu/programsAhead.ts';
 import type { Bites, PuffTextures } from './gpu/puffTextures.ts';
 
 /** Functions that the shaders of bodies and of volumes declare for CUT. */
@@ -76,7 +76,7 @@ function copied(whole: RawShaderMaterial, code: Shaders, lobes: number): RawShad
 
 /** Counted volumes have a fragment shader without bites. */
 function added(shader: string, code: string, lobes: number): string {
-  return shader.includes('CUT') ? `${shader}\n${withLobes(code, lobes)}` : shader;
+  return shader.includes('CUT') ? withCodeBeforeMain(shader, withLobes(code, lobes)) : shader;
 }
 
 /** Puffs with bites, whose walls are visible, and lit, up to the far end of the puff. */

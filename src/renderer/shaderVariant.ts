@@ -1,6 +1,6 @@
 /** Materials with more code, for light and patterns that few smokes have. */
 import type { IUniform, RawShaderMaterial } from 'three';
-import type { Shaders } from './gpu/programsAhead.ts';
+import { withCodeBeforeMain, type Shaders } from './gpu/programsAhead.ts';
 
 /** Code that shaders with a define declare and call. */
 export interface AddedCode {
@@ -48,7 +48,7 @@ export function withCode(shaders: Shaders, { define, declared, code }: AddedCode
   const { vertexShader, fragmentShader, defines } = shaders;
   if (!fragmentShader.includes(define)) return shaders;
   // Vertex shaders of surfaces and of whole pictures have no use for it.
-  const added = (shader: string) => (shader.includes(declared) ? `${shader}\n${code}` : shader);
+  const added = (shader: string) => (shader.includes(declared) ? withCodeBeforeMain(shader, code) : shader);
   return {
     vertexShader: added(vertexShader),
     fragmentShader: added(fragmentShader),

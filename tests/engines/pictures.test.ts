@@ -1,7 +1,7 @@
-/** Every scene and every pattern looks the same in all engines, except for a few pixels. */
+/** Every preset looks the same in all engines, except for a few pixels. */
 import { afterAll, beforeAll, expect, inject, test } from 'vitest';
+import { presets } from '../../src/parameters/presets.ts';
 import type { PresetName } from '../../src/parameters/valueTypes.ts';
-import { sceneEntries } from '../../src/scenes/scenes.ts';
 import { compare } from '../support/goldens.ts';
 import type { Driver } from './drivers/driver.ts';
 import { start } from './engines.ts';
@@ -16,11 +16,15 @@ const [SECONDS, WIDTH, HEIGHT] = [3, 720, 480] as const;
  * a pixel, and edges are a larger share of a smaller picture.
  */
 const [MAX_SHARE, TOLERANCE] = [0.005, 16];
+/** Dots, letters and cuts have more edges. */
+const MORE_EDGES: Partial<Record<PresetName, number>> = {
+  'airplane-manga': 0.03,
+  'cloudscape-riso': 0.03,
+  'cloudscape-woodcut': 0.01,
+  'air-pow': 0.015,
+};
 
 const engines = inject('engines');
-/** Looks with dots, lines and grain. */
-const PRINTS: readonly PresetName[] = ['rocket-newsprint', 'lamp-engraving', 'wisp-charcoal'];
-
 const browsers: Driver[] = [];
 const pages: InPage<Page>[] = [];
 
@@ -37,12 +41,12 @@ afterAll(async () => {
   for (const browser of browsers) await browser.close();
 });
 
-test.for([...Object.keys(sceneEntries), ...PRINTS])('%s looks the same as in Chromium', async (preset, { task }) => {
+test.for(presets.map(({ name }) => name))('%s looks the same as in Chromium', async (preset, { task }) => {
   const drawn = await Promise.all(pages.map((page) => page.pictureOf(preset, SECONDS, WIDTH, HEIGHT)));
   const [wanted, ...others] = drawn.map(pictureIn);
   expect(colorsIn(wanted)).toBeGreaterThan(20);
   const shares = others.map((picture) => compare(picture, wanted, TOLERANCE).outliers / (WIDTH * HEIGHT));
   const notified = shares.map((share, at) => `${(100 * share).toFixed(2)} % in ${engines[at + 1].title}`);
   task.meta.note = `picture  ${preset}  differs from Chromium's in ${notified.join(', ')}`;
-  expect(Math.max(...shares)).toBeLessThanOrEqual(MAX_SHARE);
+  expect(Math.max(...shares)).toBeLessThanOrEqual(MORE_EDGES[preset] ?? MAX_SHARE);
 });

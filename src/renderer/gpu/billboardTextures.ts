@@ -18,6 +18,7 @@ import type { PuffLayers } from '../puffs/billboards/layers.ts';
 import type { PuffSolids } from '../puffs/bake/solids.ts';
 import type { StartCaps } from '../puffs/bake/startCaps.ts';
 import { capRange, capTexture, type BillboardData, type FormTextures } from './formTextures.ts';
+import { withCodeBeforeMain } from './programsAhead.ts';
 
 /** Baked billboards as array textures, with a layer for each side of each variation. */
 export class BillboardTextures implements FormTextures {
@@ -93,8 +94,9 @@ export class BillboardTextures implements FormTextures {
     if ('SILHOUETTE' in material.defines) return;
     const isCounted = material.fragmentShader.includes('SILHOUETTE');
     Object.assign(material.defines, { CUT: '', SILHOUETTE: '' });
-    material.vertexShader += `\n${volumeVertex}`;
-    material.fragmentShader += `\n${isCounted ? countedFragment : volumesFragment}`;
+    material.vertexShader = withCodeBeforeMain(material.vertexShader, volumeVertex);
+    const code = isCounted ? countedFragment : volumesFragment;
+    material.fragmentShader = withCodeBeforeMain(material.fragmentShader, code);
   }
 }
 

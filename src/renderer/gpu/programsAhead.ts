@@ -19,6 +19,11 @@ export function withLobes(shader: string, lobes: number): string {
   return shader.replaceAll(/\bLOBES\b/g, String(lobes));
 }
 
+/** Adds code to a shader. Firefox requires outputs to be declared before main. */
+export function withCodeBeforeMain(shader: string, code: string): string {
+  return shader.replace('void main(', (main) => `\n${code}\n${main}`);
+}
+
 /** Defines of programs whose puffs turn, stretch or unfold; see shaders/lib/orientation.glsl. */
 export const DEFORMED = { DEFORMED: '' };
 
