@@ -18,7 +18,7 @@ uniform float patternBackdrop;
 uniform vec2 tilt;
 // By which dots roll over puffs with the camera, in radii.
 uniform vec2 rolled;
-// That for a full turn, if their angle is 0.
+// Roll of a full turn of the camera at angle 0, in radii.
 uniform float fullTurn;
 // Of marks in the picture, pixels.
 uniform ivec2 shift;
