@@ -21,16 +21,21 @@ const smoke: Values = {
   'light.elevation': 40,
 };
 
+/** A vortex beside the cup, around which the smoke winds. */
+const curl: Values = {
+  'vortices.0.circulation': -1.6,
+  'vortices.0.coreRadius': 0.4,
+  'vortices.0.reach': 1.6,
+  'vortices.0.position.x': -0.25,
+  'vortices.0.position.y': 2.1,
+};
+
 export const wispPresets: readonly Preset[] = [
   {
     name: 'wisp',
     values: {
       ...smoke,
-      'vortices.0.circulation': -1.6,
-      'vortices.0.coreRadius': 0.4,
-      'vortices.0.reach': 1.6,
-      'vortices.0.position.x': -0.25,
-      'vortices.0.position.y': 2.1,
+      ...curl,
       'style.smokeColor': '#fffaf0',
     },
   },
@@ -73,11 +78,7 @@ export const wispPresets: readonly Preset[] = [
     name: 'wisp-charcoal',
     values: {
       ...smoke,
-      'vortices.0.circulation': -1.6,
-      'vortices.0.coreRadius': 0.4,
-      'vortices.0.reach': 1.6,
-      'vortices.0.position.x': -0.25,
-      'vortices.0.position.y': 2.1,
+      ...curl,
       'style.ramp': '0:c9c3ba,.3:e2dcd2,.6:f4efe7',
       'style.pattern': 'grain',
       'style.patternOn': 'both',
