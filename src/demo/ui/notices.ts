@@ -1,9 +1,11 @@
+import { afterRunning } from '../../base/timeout.ts';
 import type { Decoded } from '../../preset.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
-// Display time in milliseconds: long enough to read a sentence twice.
+// Display time in milliseconds: long enough to read a sentence twice. A page that is busy or hidden does not show
+// notices, so only running time counts.
 const TRANSIENT_MS = 6000;
 
 /** Shows all notices of something that was read. */
@@ -29,14 +31,14 @@ export class Notices {
   /** A notice without need for action, which disappears after a timeout. */
   mention(message: string): void {
     const notice = this.add(message, 'notice is-transient');
-    setTimeout(() => notice.remove(), TRANSIENT_MS);
+    afterRunning(TRANSIENT_MS, () => notice.remove());
   }
 
   /** A passing notice. It does not block pointer input and disappears after a timeout. */
   whisper(message: string): void {
     const text = create('p', { class: 'whisper' }, message);
     this.element.append(text);
-    setTimeout(() => text.remove(), TRANSIENT_MS);
+    afterRunning(TRANSIENT_MS, () => text.remove());
   }
 
   /** A notice with an action. It stays until the action is taken or the notice is dismissed. */

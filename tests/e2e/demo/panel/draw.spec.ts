@@ -93,8 +93,13 @@ test('letters, pictures and SVG files become puffs, and hostile ones request not
   await openSheet(page);
   await sheet(page).getByRole('textbox', { name: 'Text' }).fill('POWER');
   await tool(page, 'Letters').click();
-  // The notice is visible for some seconds only.
+  await page.evaluate(() => {
+    const end = performance.now() + 7000;
+    while (performance.now() < end);
+  });
+  // The notice disappears after some seconds, in which a busy page does not count.
   await expect(page.getByText('Only the first 4 letters become puffs.')).toBeVisible();
+  await expect(page.getByText('Only the first 4 letters become puffs.')).toBeHidden();
   await expect.poll(async () => (await drawing(page)).split(';')).toHaveLength(4);
   await tool(page, 'Puff 2').click();
   await expect(sheet(page).getByRole('status')).toHaveText(/^Puff 2 of 4/);
