@@ -1,4 +1,5 @@
 /** The page with the examples, with the sources of their projects. */
+import { afterRunning } from '../../base/timeout.ts';
 import { copyText, create, textButton, uniqueId } from '../ui/dom.ts';
 
 interface Example {
@@ -67,13 +68,13 @@ const observer = new IntersectionObserver(
   },
   { rootMargin: MIDDLE },
 );
-let clearing: ReturnType<typeof setTimeout> | undefined;
+let stopClearing: (() => void) | undefined;
 
 async function copyCode(text: string): Promise<void> {
   const isCopied = await copyText(text);
   status.textContent = isCopied ? 'Copied.' : 'The browser does not allow copying. Select the code and copy it.';
-  clearTimeout(clearing);
-  clearing = setTimeout(() => (status.textContent = ''), STATUS_MS);
+  stopClearing?.();
+  stopClearing = afterRunning(STATUS_MS, () => (status.textContent = ''));
 }
 
 /** An example that plays, beside its code. */
