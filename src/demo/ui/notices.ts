@@ -4,8 +4,8 @@ import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
 import { strings } from '../strings.ts';
 
-// Display time in milliseconds: long enough to read a sentence twice. A page that is busy or hidden does not show
-// notices, so only running time counts.
+// Display time in milliseconds: long enough to read a sentence twice. A busy page does not draw new notices, so only
+// running time counts.
 const TRANSIENT_MS = 6000;
 
 /** Shows all notices of something that was read. */

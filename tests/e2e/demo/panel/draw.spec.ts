@@ -97,7 +97,7 @@ test('letters, pictures and SVG files become puffs, and hostile ones request not
     const end = performance.now() + 7000;
     while (performance.now() < end);
   });
-  // The notice disappears after some seconds, in which a busy page does not count.
+  // The notice disappears after 6 s of running time. A busy page is not running time.
   await expect(page.getByText('Only the first 4 letters become puffs.')).toBeVisible();
   await expect(page.getByText('Only the first 4 letters become puffs.')).toBeHidden();
   await expect.poll(async () => (await drawing(page)).split(';')).toHaveLength(4);
