@@ -68,7 +68,7 @@ export default defineConfig({
           groups: [
             { name: 'poster', test: /\/src\/demo\/(poster|mediaQueries)\.ts$/, priority: 2 },
             { name: 'preload', test: /vite\/(preload-helper|modulepreload-polyfill)/, priority: 2 },
-            { name: 'dom', test: /\/src\/demo\/ui\/dom\.ts$/, priority: 2 },
+            { name: 'dom', test: /\/src\/(demo\/ui\/dom|base\/(errors|timeout))\.ts$/, priority: 3 },
             { name: 'presets', test: /\/src\/parameters\/byScene\/.+\.ts$/, priority: 2 },
             {
               name: together('preset', ['parameters/codec', 'parameters/environment'].map(source), EXPORTING),

@@ -32,6 +32,7 @@ export {
 export { painting } from './renderer/puffs/drawing/relief.ts';
 export { DRAWING_LIMIT, MAX_DRAWINGS } from './base/drawingText.ts';
 export { billboardShapes } from './renderer/puffs/billboards/sides.ts';
+export { afterRunning } from './base/timeout.ts';
 export { finished, inPieces, nextTask, unlessAborted, type Work } from './base/work.ts';
 export { STEP_SECONDS } from './simulator/clock.ts';
 export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, LAMP_FLOATS, NO_END, PLACE_FLOATS } from './simulator/layout.ts';

@@ -1,5 +1,5 @@
 /** The page with the examples, with the sources of their projects. */
-import { afterRunning } from '../../base/timeout.ts';
+import { afterRunning } from '../../internal.ts';
 import { copyText, create, textButton, uniqueId } from '../ui/dom.ts';
 
 interface Example {

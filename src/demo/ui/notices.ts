@@ -1,4 +1,4 @@
-import { afterRunning } from '../../base/timeout.ts';
+import { afterRunning } from '../../internal.ts';
 import type { Decoded } from '../../preset.ts';
 import { create, iconButton, textButton } from './dom.ts';
 import { icon } from './icons.ts';
