@@ -50,6 +50,8 @@ export const ATTRIBUTE_BITS = {
   seed: { word: 1, shift: 8, max: 0xff },
   temperature: { word: 1, shift: 16, max: 0xff },
   tint: { word: 1, shift: 24, max: 0xff },
+  look: { word: 1, shift: 24, max: 0xf },
+  lookTint: { word: 1, shift: 28, max: 0xf },
   casterAge: { word: 1, shift: 16, max: 0xffff },
   quaternionX: { word: 2, shift: 0, max: 0x3ff },
   quaternionY: { word: 2, shift: 10, max: 0x3ff },

@@ -88,6 +88,26 @@ impl Simulator {
         self.simulator.glow(blend, colors)
     }
 
+    /// True if emitters have or had looks: then rows have `look` and `lookTint` instead of `tint`.
+    #[wasm_bindgen(getter = hasLooks)]
+    pub fn has_looks(&self) -> bool {
+        self.simulator.has_looks()
+    }
+
+    /// Style and tint of each look from 1 to 15, two numbers each; 0 and 0 for those that no puff has had. See
+    /// `sim::particles::looks`.
+    #[wasm_bindgen(js_name = lookStyles)]
+    pub fn look_styles(&self) -> Vec<f64> {
+        self.simulator.look_styles()
+    }
+
+    /// Number of steps at which the last puff of the latest burst of an emitter ends, known from the step of its births
+    /// on; -1 before, and without a burst. See `sim::emission::Births::burst_end`.
+    #[wasm_bindgen(js_name = burstEnd)]
+    pub fn burst_end(&self, index: u32) -> f64 {
+        self.simulator.burst_end(index).map_or(-1.0, |step| step as f64)
+    }
+
     /// One more than the highest variation of a living particle; 0 without particles.
     #[wasm_bindgen(getter = variationsAlive)]
     pub fn variations_alive(&self) -> u32 {

@@ -7,11 +7,18 @@ use crate::math::scalar::greater;
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
 
-/// Packed turn and stretch of particle `i`, `back` seconds before the current state, by its
-/// [`dissolution`](crate::particles::radius::RadiusLaw::dissolution).
+/// Packed turn and stretch of particle `i`, `back` seconds before the current state, by its `dissolution` and
+/// `strand` as in [`RadiusLaw`](crate::particles::radius::RadiusLaw).
 // Called from several loops; inlining would repeat it in each.
 #[inline(never)]
-pub(super) fn packed(law: &FlowLaw, particles: &Particles, i: usize, back: f32, dissolution: f32) -> [u32; 2] {
+pub(super) fn packed(
+    law: &FlowLaw,
+    particles: &Particles,
+    i: usize,
+    back: f32,
+    dissolution: f32,
+    strand: f32,
+) -> [u32; 2] {
     let Some(flow) = &particles.flow else {
         return [0; 2];
     };
@@ -22,8 +29,8 @@ pub(super) fn packed(law: &FlowLaw, particles: &Particles, i: usize, back: f32, 
         packed_stretch(
             velocity,
             speed,
-            law.ratio(particles, i, speed, dissolution),
-            law.strand > 1.0,
+            law.ratio(particles, i, speed, dissolution, strand),
+            strand > 1.0,
         ),
     ]
 }

@@ -22,6 +22,8 @@ pub const LAMPS: usize = 3;
 pub const LAMP_FLOATS: usize = 8;
 /// Intervals of temperature from 0 to 1.
 pub const HEATS: usize = 64;
+/// Numbers of the colours of smoke, or of a look.
+const COLOR_FLOATS: usize = 4 * (HEATS + 1);
 
 const PASSES: usize = 13;
 /// Steps from the mean to where lamps start (m). Their sum is 0.
@@ -41,19 +43,19 @@ type Light = [f32x4; 2];
 type Lamp = [f32x4; 5];
 
 /// The lamps of the particles as they are drawn. `colors`: linear red, green and blue light and its luminance for each of
-/// [`HEATS`] + 1 temperatures from 0 to 1, of a puff of radius 1 m. [`LAMP_FLOATS`] numbers of
-/// each lamp; the light is 0 where nothing glows.
+/// [`HEATS`] + 1 temperatures from 0 to 1, of a puff of radius 1 m. The same of each look from 1 on may follow; puffs of
+/// other looks have the first colours. [`LAMP_FLOATS`] numbers of each lamp; the light is 0 where nothing glows.
 pub fn lamps(particles: &Particles, sampler: &RowSampler, colors: &[f32]) -> Vec<f32> {
     let mut lights: Vec<Light> = Vec::new();
     // Sums of coordinates far from the origin would lose precision.
     let origin = f32x4::new(sampler.place(particles, 0));
-    let heats = particles.temperature.iter().zip(&particles.attributes);
-    for (i, (heat, attributes)) in heats.take(particles.alive()).enumerate() {
+    for (i, heat) in particles.temperature.iter().enumerate().take(particles.alive()) {
         let place = f32x4::new(sampler.place(particles, i));
         let radius = last(place);
-        let light = color_at(*heat, colors) * f32x4::splat(radius * radius);
+        let own = colors.chunks_exact(COLOR_FLOATS).nth(particles.look(i) as usize);
+        let light = color_at(*heat, own.unwrap_or(colors)) * f32x4::splat(radius * radius);
         // Particles with a tint have its colour instead of that of heat.
-        if last(light) > 0.0 && attributes >> 28 == 0 {
+        if last(light) > 0.0 && particles.tint(i) == 0 {
             lights.push([place - origin, light]);
         }
     }

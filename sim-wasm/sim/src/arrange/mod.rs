@@ -127,11 +127,8 @@ impl Arranger {
         };
         self.write(particles, view, sampler, count);
         self.count = count;
-        self.whole = if sampler.radii.erodes() {
-            self.move_eroded_back()
-        } else {
-            count
-        };
+        let erode = sampler.radii.erodes() || particles.looks.as_ref().is_some_and(|looks| looks.erode());
+        self.whole = if erode { self.move_eroded_back() } else { count };
         count
     }
 
@@ -224,7 +221,10 @@ fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (V
         let place = Vector4::load(column(&held.x), column(&held.y), column(&held.z), block);
         let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
         let age = lanes(&held.age);
-        let radius = sampler.radii.radii(lanes(&held.size), age, lanes(&particles.lifetime));
+        let lifetime = lanes(&particles.lifetime);
+        let radius = sampler
+            .radii
+            .block_radii(particles, block, lanes(&held.size), age, lifetime);
         return (place, age.simd_ge(f32x4::ZERO) & radius);
     }
     let before = Vector4::load(
@@ -237,9 +237,10 @@ fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (V
     let place = before * f32x4::splat(1.0 - sampler.blend) + now * f32x4::splat(sampler.blend);
     let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
     let age = lanes(&particles.age) - f32x4::splat((1.0 - sampler.blend) * sampler.dt);
+    let lifetime = lanes(&particles.lifetime);
     let radius = sampler
         .radii
-        .radii(lanes(&particles.size), age, lanes(&particles.lifetime));
+        .block_radii(particles, block, lanes(&particles.size), age, lifetime);
     (place, age.simd_ge(f32x4::ZERO) & radius)
 }
 

@@ -55,8 +55,11 @@ pub const VARIATION: Bits = Bits::new(1, 0, 8);
 pub const SEED: Bits = Bits::new(1, 8, 8);
 /// Temperature in 255ths of [`MAX_TEMPERATURE`].
 pub const TEMPERATURE: Bits = Bits::new(1, 16, 8);
-/// Tint, 0 for none.
+/// Tint, 0 for none, while there are no looks.
 pub const TINT: Bits = Bits::new(1, 24, 8);
+/// In the place of the tint while there are looks: the look, 0 for none, and the tint.
+pub const LOOK: Bits = Bits::new(1, 24, 4);
+pub const LOOK_TINT: Bits = Bits::new(1, 28, 4);
 
 /// In rows for the light, in the place of temperature and tint: the age as in [`AGE`].
 pub const CASTER_AGE: Bits = Bits::new(1, 16, 16);
@@ -89,6 +92,8 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("seed", SEED),
     ("temperature", TEMPERATURE),
     ("tint", TINT),
+    ("look", LOOK),
+    ("lookTint", LOOK_TINT),
     ("casterAge", CASTER_AGE),
     ("quaternionX", TURN[0]),
     ("quaternionY", TURN[1]),

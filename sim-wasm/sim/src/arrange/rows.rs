@@ -2,8 +2,8 @@
 
 use crate::arrange::deformation;
 use crate::arrange::row_layout::{
-    AGE, Attributes, Bits, CASTER_AGE, END, EROSION, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE, TINT,
-    VARIATION,
+    AGE, Attributes, Bits, CASTER_AGE, END, EROSION, LOOK, LOOK_TINT, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED,
+    TEMPERATURE, TINT, VARIATION,
 };
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
@@ -52,23 +52,18 @@ impl RowSampler {
     #[inline(never)]
     pub fn place(&self, particles: &Particles, i: usize) -> [f32; PLACE_FLOATS] {
         if let Some(held) = &particles.held {
-            return self.held_place(held, particles.lifetime[i], i);
+            return held_place(held, self.radii.of(particles, i), particles.lifetime[i], i);
         }
         let mix = |before: f32, now: f32| before * (1.0 - self.blend) + now * self.blend;
         let age = self.age(particles, i);
-        let radius = self.radii.radius(particles.size[i], age, particles.lifetime[i]);
+        let law = self.radii.of(particles, i);
+        let radius = law.radius(particles.size[i], age, particles.lifetime[i]);
         [
             mix(particles.px[i], particles.x[i]),
             mix(particles.py[i], particles.y[i]),
             mix(particles.pz[i], particles.z[i]),
             if age < 0.0 { 0.0 } else { radius },
         ]
-    }
-
-    fn held_place(&self, held: &Held, lifetime: f32, i: usize) -> [f32; PLACE_FLOATS] {
-        let radius = self.radii.radius(held.size[i], held.age[i], lifetime);
-        let is_born = held.age[i] >= 0.0;
-        [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
     }
 
     /// The part of the packed attributes that determines the shape of particle `i`: roll, age, variation, seed, turn,
@@ -79,9 +74,10 @@ impl RowSampler {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);
         let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
-        let dissolution = self.radii.dissolution(age, particles.lifetime[i]);
-        let [turn, stretch] = self.flow(particles, i, dissolution);
-        let erosion = fraction(self.radii.erosion(dissolution), EROSION);
+        let law = self.radii.of(particles, i);
+        let dissolution = law.dissolution(age, particles.lifetime[i]);
+        let [turn, stretch] = self.flow(particles, i, dissolution, law.strand);
+        let erosion = fraction(law.erosion(dissolution), EROSION);
         [
             ROLL.packed(self.roll(attributes, age)) | worn,
             constant(attributes, self.sides),
@@ -101,18 +97,28 @@ impl RowSampler {
         (roll as f32 * (1.0 - self.upright)) as i32 as u32
     }
 
-    fn flow(&self, particles: &Particles, i: usize, dissolution: f32) -> [u32; 2] {
+    fn flow(&self, particles: &Particles, i: usize, dissolution: f32, strand: f32) -> [u32; 2] {
         let back = (1.0 - self.blend) * self.dt;
-        self.flow
-            .map_or([0; 2], |law| deformation::packed(&law, particles, i, back, dissolution))
+        self.flow.map_or([0; 2], |law| {
+            deformation::packed(&law, particles, i, back, dissolution, strand)
+        })
     }
 
     /// The packed attributes of particle `i` for the eye, by its [`RowSampler::shape`].
     pub fn body(&self, particles: &Particles, i: usize, [shape, constant, turn, stretch]: Attributes) -> Attributes {
         let heat = TEMPERATURE.packed(fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE));
-        let tint = TINT.packed(particles.attributes[i] >> 28);
+        let tint = match particles.looks {
+            None => TINT.packed(particles.tint(i)),
+            Some(_) => LOOK.packed(particles.look(i)) | LOOK_TINT.packed(particles.tint(i)),
+        };
         [shape, constant | heat | tint, turn, stretch]
     }
+}
+
+fn held_place(held: &Held, law: &RadiusLaw, lifetime: f32, i: usize) -> [f32; PLACE_FLOATS] {
+    let radius = law.radius(held.size[i], held.age[i], lifetime);
+    let is_born = held.age[i] >= 0.0;
+    [held.x[i], held.y[i], held.z[i], if is_born { radius } else { 0.0 }]
 }
 
 /// The packed attributes for the light, by the [`RowSampler::shape`] of a particle and the end of its shadow.

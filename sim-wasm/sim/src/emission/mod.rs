@@ -2,7 +2,8 @@
 //!
 //! An emitter owes rate * share / (sum of shares) * level particles per second, with the level of its envelope in the
 //! middle of the step. The fraction of a particle is carried over, so counts are exact over any time. Each birth has
-//! its own time within the step. The emitter stands at its pose of that time, and the particle moves from then on (see
+//! its own time within the step. The path of the emitter adds `perMetre` particles for each metre, as a rate for the
+//! step; a path that would take more than [`TOP_SPEED`](crate::layout::limits::TOP_SPEED) is a jump and adds none. The emitter stands at its pose of that time, and the particle moves from then on (see
 //! `ParticleMotion::launch`), so fast jets, wind and fast emitters leave no gaps.
 //!
 //! A burst is owed when the envelope starts, or when the caller asks for it, and is spread evenly over that step. Births
@@ -20,8 +21,10 @@ use crate::layout::limits::POOL_LIMIT;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::scope::envelope;
+use crate::math::hash::Hash;
 use crate::math::random::Random;
 use crate::math::scalar::clamped;
+use crate::math::vector::Vector;
 use crate::particles::Particles;
 
 /// What an emitter owes between steps.
@@ -31,6 +34,20 @@ pub struct Debt {
     pub owed: f64,
     /// The number of births that wait for capacity.
     pub waiting: u64,
+    /// The place (m) of an emitter in world space at the end of the last step, if it emits by its path.
+    place: Option<[f32; 3]>,
+    /// The step at which the latest burst ends, as far as its births were made; 0 without births.
+    end: u64,
+}
+
+impl Debt {
+    /// Adds births at once.
+    fn wait(&mut self, count: u64) {
+        if count > 0 && self.waiting == 0 {
+            self.end = 0;
+        }
+        self.waiting = self.waiting.saturating_add(count);
+    }
 }
 
 /// State of the emitters between steps.
@@ -62,9 +79,26 @@ impl Births {
         self.debts.iter().fold(0, |sum, debt| sum.saturating_add(debt.waiting))
     }
 
-    /// Drops the births that wait for capacity.
+    /// Drops the births that wait for capacity, and the ends of bursts.
     pub(crate) fn forget_waiting(&mut self) {
-        self.debts.iter_mut().for_each(|debt| debt.waiting = 0);
+        self.debts.iter_mut().for_each(|debt| (debt.waiting, debt.end) = (0, 0));
+    }
+
+    /// The number of steps at which the last particle of the latest burst of an emitter ends: at the end of the longest
+    /// lifetime, as of its birth. None without such an emitter or burst, and while births of it wait. Not saved.
+    pub fn burst_end(&self, index: usize) -> Option<u64> {
+        let debt = self.debts.get(index)?;
+        (debt.end > 0 && debt.waiting == 0).then_some(debt.end)
+    }
+
+    /// Adds the places of emitters that emit by their paths to `hash`.
+    pub(crate) fn hash_places_into(&self, hash: &mut Hash) {
+        for (index, debt) in self.debts.iter().enumerate() {
+            if let Some(place) = &debt.place {
+                hash.word(index as u32);
+                hash.floats(place);
+            }
+        }
     }
 
     /// Makes the births of one step.
@@ -72,7 +106,7 @@ impl Births {
         let emitters = around.parameters.emitters.items();
         let (table, pool) = self.debts.split_at_mut(LIST_LIMIT);
         for (emitter, debt) in emitters.iter().zip(table).chain(self.pool.iter().zip(pool)) {
-            debt.waiting = debt.waiting.saturating_add(burst(emitter, around));
+            debt.wait(burst(emitter, around));
         }
         self.make_up(around, random, particles);
         let shares: f64 = emitters.iter().map(|emitter| emitter.share).sum();
@@ -83,12 +117,20 @@ impl Births {
             } else {
                 emitter.share
             };
+            let (mut rate, mut way) = (rate, Vector::ZERO);
+            if emitter.per_metre > 0.0 {
+                let (length, vector) = around.path(emitter, &mut debt.place);
+                rate += emitter.per_metre * length / around.dt;
+                way = vector;
+            } else {
+                debt.place = None;
+            }
             let rate = rate * envelope::level(&emitter.scope, around.time);
             if rate > 0.0 {
                 emit(
                     debt,
                     rate,
-                    &mut EmitterSource::new((number, emitter), around, random, particles),
+                    &mut EmitterSource::new((number, emitter), way, around, random, particles),
                 );
             }
         }
@@ -116,12 +158,14 @@ impl Births {
             if waiting == 0 {
                 continue;
             }
-            let mut source = EmitterSource::new((number, emitter), around, random, particles);
+            let mut source = EmitterSource::new((number, emitter), Vector::ZERO, around, random, particles);
             // Rounded up: the first emitter gets at least one, and every emitter is first in some steps.
             let part = libm::ceil(source.room() as f64 * (waiting as f64 / left));
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
-                source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
+                let seconds = source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
+                let end = around.step + libm::ceil(seconds / around.dt) as u64;
+                debt.end = debt.end.max(end);
             }
             debt.waiting -= count;
             left -= waiting as f64;

@@ -4,18 +4,23 @@
 //! slots, or starts emissions: each takes a slot until it is over. The first one allocates the memory of all. A free slot
 //! has an emitter of size 0 and rate 0. Slots are saved; as of all emitters, only what they owe is part of the hash.
 
+use std::ops::Range;
+
 use crate::emission::{Births, Debt};
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::layout::limits::{POOL_LIMIT, STEP};
 use crate::layout::parameters::accept;
-use crate::layout::parameters::emitter::Emitter;
+use crate::layout::parameters::emitter::{Emitter, Look};
 use crate::layout::parameters::field::Meta;
 use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
 use crate::layout::quantise::within;
+use crate::particles::looks::Entry;
 
 /// Numbers of an emitter: its parameters in the order of the table, three for a vector.
-pub const EMITTER_NUMBERS: usize = 30;
+pub const EMITTER_NUMBERS: usize = 54;
+/// The first of them, which all versions have; the others have defaults without effect.
+pub(crate) const FIRST_NUMBERS: usize = 30;
 /// Largest share, which is a rate here (particles/s): the range of `emission.rate`.
 const MAX_RATE: f64 = 20_000.0;
 /// Latest start of an emitter (s): no simulation lasts as long.
@@ -34,14 +39,28 @@ impl Emission {
         step_of(&self.emitter) * POOL_LIMIT as u64 + u64::from(self.slot)
     }
 
-    pub(crate) fn write(&self, body: &mut Writer) {
-        body.short(self.slot);
-        write_emitter(body, &self.emitter);
+    /// The emitter that it sets.
+    pub(crate) fn emitter(&self) -> (usize, &Emitter) {
+        (usize::from(self.slot), &self.emitter)
     }
 
-    pub(crate) fn read(reader: &mut Reader) -> Result<Self, RestoreError> {
+    /// Whether it has more than the first numbers.
+    pub(crate) fn is_long(&self) -> bool {
+        has_later(&self.emitter)
+    }
+
+    pub(crate) fn write(&self, body: &mut Writer) {
+        body.short(self.slot);
+        let end = if self.is_long() { EMITTER_NUMBERS } else { FIRST_NUMBERS };
+        write_emitter(body, &self.emitter, 0..end);
+    }
+
+    pub(crate) fn read(reader: &mut Reader, is_long: bool) -> Result<Self, RestoreError> {
         let slot = within(reader.short()?, 0, POOL_LIMIT as u16 - 1)?;
-        let emitter = emitter_from(&read_numbers(reader)?, &Emitter::default())?;
+        let end = if is_long { EMITTER_NUMBERS } else { FIRST_NUMBERS };
+        let mut numbers = [0.0; EMITTER_NUMBERS];
+        read_numbers(reader, &mut numbers[..end])?;
+        let emitter = emitter_from(&numbers[..end], &Emitter::default())?;
         Ok(Self { slot, emitter })
     }
 }
@@ -51,15 +70,23 @@ impl Births {
     ///
     /// # Arguments
     /// * `index` - 0..=7 in the table, 8 plus the slot in the pool.
-    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter of the pool; none leave it as it is.
+    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter of the pool, or the first 30; none leave it as it is.
     /// * `count` - The number of births. With `numbers` they replace those that wait, unless it is 0. With 0 and no `numbers`
     ///   a slot becomes free and owes nothing.
     /// * `table` - The number of emitters in the table.
+    /// * `check` - Takes all emitters of the pool, and the slot and the emitter that changes one.
     ///
     /// # Errors
-    /// There is no such emitter, or a number is out of range; nothing changes.
+    /// There is no such emitter, a number is out of range, or `check` fails; nothing changes.
     #[cold]
-    pub fn put(&mut self, index: usize, numbers: &[f64], count: u32, table: usize) -> Result<(), ParameterError> {
+    pub fn put(
+        &mut self,
+        index: usize,
+        numbers: &[f64],
+        count: u32,
+        table: usize,
+        check: &dyn Fn(&Self, (usize, &Emitter)) -> Result<(), ParameterError>,
+    ) -> Result<(), ParameterError> {
         if index >= table {
             let slot = index.wrapping_sub(LIST_LIMIT);
             if slot >= POOL_LIMIT {
@@ -68,21 +95,76 @@ impl Births {
             if self.pool.is_empty() && numbers.is_empty() && count == 0 {
                 return Ok(());
             }
-            let emitter = &mut self.allocated()[slot];
+            let mut emitter = self.pool.get(slot).copied().unwrap_or_default();
             if !numbers.is_empty() {
-                *emitter = emitter_from(numbers, &Emitter::default())?;
-                if count > 0 {
-                    self.debts[index].waiting = 0;
-                }
+                emitter = emitter_from(numbers, &Emitter::default())?;
             } else if count == 0 {
-                *emitter = Emitter::default();
+                emitter = Emitter::default();
                 self.debts[index] = Debt::default();
             } else if emitter.size <= 0.0 {
                 return Err(error_of(index));
             }
+            check(self, (slot, &emitter))?;
+            self.allocated()[slot] = emitter;
+            if !numbers.is_empty() && count > 0 {
+                self.debts[index].waiting = 0;
+            }
         }
-        let Debt { waiting, .. } = &mut self.debts[index];
-        *waiting = waiting.saturating_add(u64::from(count));
+        self.debts[index].wait(u64::from(count));
+        Ok(())
+    }
+
+    /// The emitters of the pool that may emit in step `step` or later.
+    pub(crate) fn active(&self, step: u64) -> impl Iterator<Item = (usize, &Emitter)> {
+        let slots = self.pool.iter().enumerate();
+        slots.filter(move |(slot, emitter)| {
+            let is_idle = [emitter.share, emitter.per_metre, emitter.burst_count] == [0.0; 3];
+            let waits = self.debts[LIST_LIMIT + slot].waiting > 0;
+            (waits || !is_idle) && !self.is_over(*slot, step)
+        })
+    }
+
+    /// Writes what [`Births::write`] leaves out, which older states do not have: the later numbers of emitters of the
+    /// pool, and places. Nothing without either.
+    #[cold]
+    pub(crate) fn write_later(&self, body: &mut Writer) {
+        for (index, debt) in self.debts.iter().enumerate() {
+            let slot = index.checked_sub(LIST_LIMIT);
+            let emitter = slot.and_then(|slot| self.pool.get(slot)).copied().unwrap_or_default();
+            if debt.place.is_some() || has_later(&emitter) {
+                body.short(index as u16);
+                write_emitter(body, &emitter, FIRST_NUMBERS..EMITTER_NUMBERS);
+                body.byte(u8::from(debt.place.is_some()));
+                debt.place.iter().flatten().for_each(|part| body.word(part.to_bits()));
+            }
+        }
+    }
+
+    /// Whether there is anything that [`Births::write_later`] writes.
+    pub(crate) fn has_later(&self) -> bool {
+        self.pool.iter().any(has_later) || self.debts.iter().any(|debt| debt.place.is_some())
+    }
+
+    /// Reads what [`Births::write_later`] wrote.
+    #[cold]
+    pub(crate) fn read_later(&mut self, reader: &mut Reader) -> Result<(), RestoreError> {
+        while reader.end().is_err() {
+            let index = within(usize::from(reader.short()?), 0, LIST_LIMIT + POOL_LIMIT - 1)?;
+            let mut numbers = [f64::NAN; EMITTER_NUMBERS];
+            read_numbers(reader, &mut numbers[FIRST_NUMBERS..])?;
+            if let Some(emitter) = index.checked_sub(LIST_LIMIT).and_then(|slot| self.pool.get_mut(slot))
+                && emitter.size > 0.0
+            {
+                *emitter = emitter_from(&numbers, emitter)?;
+            }
+            if reader.byte()? != 0 {
+                let mut place = [0.0; 3];
+                for part in &mut place {
+                    *part = reader.float()?;
+                }
+                self.debts[index].place = Some(place);
+            }
+        }
         Ok(())
     }
 
@@ -90,7 +172,7 @@ impl Births {
     /// if the emission `changed` is over.
     ///
     /// # Arguments
-    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter. Its envelope starts that long after the step. NaN leaves a
+    /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter, or the first 30. Its envelope starts that long after the step. NaN leaves a
     ///   number of a changed emission as it is.
     /// * `changed` - The number of an emission.
     ///
@@ -154,7 +236,7 @@ impl SnapshotSection for Births {
         table.iter().for_each(|debt| body.number(debt.owed));
         table.iter().for_each(|debt| body.long(debt.waiting));
         for (emitter, debt) in self.pool.iter().zip(pool) {
-            write_emitter(body, emitter);
+            write_emitter(body, emitter, 0..FIRST_NUMBERS);
             body.number(debt.owed);
             body.long(debt.waiting);
         }
@@ -172,10 +254,11 @@ impl SnapshotSection for Births {
         // States without a pool end here, others have all of its slots.
         let mut index = LIST_LIMIT;
         while reader.end().is_err() {
-            let numbers = read_numbers(reader)?;
+            let mut numbers = [0.0; FIRST_NUMBERS];
+            read_numbers(reader, &mut numbers)?;
             // A free slot is out of the ranges of an emitter.
-            let is_free = numbers == [0.0; EMITTER_NUMBERS];
-            births.put(index, if is_free { &[] } else { &numbers }, 0, 0)?;
+            let is_free = numbers == [0.0; FIRST_NUMBERS];
+            births.put(index, if is_free { &[] } else { &numbers }, 0, 0, &|_, _| Ok(()))?;
             births.debts[index].owed = read_owed(reader)?;
             births.debts[index].waiting = reader.long()?;
             index += 1;
@@ -191,30 +274,71 @@ fn read_owed(reader: &mut Reader) -> Result<f64, RestoreError> {
 }
 
 #[cold]
-fn write_emitter(body: &mut Writer, emitter: &Emitter) {
+#[inline(never)]
+fn write_emitter(body: &mut Writer, emitter: &Emitter, numbers: Range<usize>) {
     let mut emitter = *emitter;
-    for number in 0..EMITTER_NUMBERS {
+    for number in numbers {
         body.number(*value(&mut emitter, place_of(number).1));
     }
 }
 
 #[cold]
-fn read_numbers(reader: &mut Reader) -> Result<[f64; EMITTER_NUMBERS], RestoreError> {
-    let mut numbers = [0.0; EMITTER_NUMBERS];
-    for number in &mut numbers {
+#[inline(never)]
+fn read_numbers(reader: &mut Reader, numbers: &mut [f64]) -> Result<(), RestoreError> {
+    for number in numbers {
         *number = reader.number()?;
     }
-    Ok(numbers)
+    Ok(())
 }
 
-/// An emitter with these numbers. NaN keeps that of `before`, unless that is a free slot: then NaN is an error.
+/// Whether an emitter differs from those of older states.
+fn has_later(emitter: &Emitter) -> bool {
+    emitter.per_metre > 0.0 || emitter.look != Look::NONE
+}
+
+/// Number of a tint, and of the first number of a look.
+const TINT: usize = 22;
+const LOOK: usize = FIRST_NUMBERS + 1;
+
+/// Writes a look and the tint of its emitter.
+#[cold]
+pub(crate) fn write_look(body: &mut Writer, (look, tint): &Entry) {
+    let emitter = Emitter {
+        look: *look,
+        tint: *tint,
+        ..Emitter::default()
+    };
+    write_emitter(body, &emitter, TINT..TINT + 1);
+    write_emitter(body, &emitter, LOOK..EMITTER_NUMBERS);
+}
+
+/// Reads what [`write_look`] wrote.
+#[cold]
+pub(crate) fn read_look(reader: &mut Reader) -> Result<Entry, RestoreError> {
+    let mut numbers = [f64::NAN; EMITTER_NUMBERS];
+    read_numbers(reader, &mut numbers[TINT..=TINT])?;
+    read_numbers(reader, &mut numbers[LOOK..])?;
+    let before = Emitter {
+        size: 1.0,
+        ..Emitter::default()
+    };
+    let emitter = emitter_from(&numbers, &before)?;
+    Ok((emitter.look, emitter.tint))
+}
+
+/// An emitter with these numbers, of which the later ones may be missing. NaN keeps that of `before`, unless that is a
+/// free slot: then NaN is an error.
 #[cold]
 fn emitter_from(numbers: &[f64], before: &Emitter) -> Result<Emitter, ParameterError> {
     let mut emitter = *before;
     let is_changed = before.size > 0.0;
     for number in 0..EMITTER_NUMBERS {
         let (meta, at) = place_of(number);
-        let given = numbers.get(number).copied().unwrap_or(f64::NAN);
+        let given = match numbers.get(number) {
+            Some(given) => *given,
+            None if number < FIRST_NUMBERS || is_changed => f64::NAN,
+            None => meta.default(at.part),
+        };
         let max = match meta.key {
             "share" => MAX_RATE,
             "envelope.start" => LATEST,

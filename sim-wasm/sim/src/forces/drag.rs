@@ -125,7 +125,8 @@ pub fn rate(parameters: &Parameters) -> f64 {
     parameters.drag.rate * parameters.forces.drag
 }
 
-fn factors(rate: f64, dt: f64) -> [f64; 3] {
+/// The numbers of [`Factors`] of a step of `dt` seconds at a rate of drag (1/s).
+pub(crate) fn factors(rate: f64, dt: f64) -> [f64; 3] {
     let x = rate * dt;
     if x < 1e-3 {
         // The closed forms lose digits here. The omitted terms of the series are below 1e-13.

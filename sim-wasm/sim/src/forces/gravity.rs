@@ -46,11 +46,19 @@ impl Force for Gravity {
 
     fn act(kernels: &[Kernel], tile: &mut Tile) {
         tile.is_pushed = true;
+        let has_looks = tile.has_looks;
         let Columns {
-            ahead, push, weight, ..
+            ahead,
+            push,
+            gravity,
+            weight,
+            ..
         } = tile.columns();
         for kernel in kernels {
             kernel.reach.weigh(ahead, weight);
+            if has_looks {
+                weight.iter_mut().zip(gravity).for_each(|(weight, own)| *weight *= *own);
+            }
             for (push, weight) in push.iter_mut().zip(&*weight) {
                 *push += kernel.acceleration * *weight;
             }

@@ -23,6 +23,7 @@ use crate::math::simd::{LANES, Vector4, blocks, blocks_mut, positive_part, small
 use crate::particles::Particles;
 use crate::particles::entrainment::Entrainment;
 use crate::particles::following::{self, FlowLaw};
+use crate::particles::looks::Laws;
 use crate::particles::tile::{Columns, Tile, tiles};
 
 /// The motion of particles in one step.
@@ -30,7 +31,7 @@ pub struct ParticleMotion {
     pub integrator: Integrator,
     forces: Forces,
     entrainment: Option<Entrainment>,
-    flow: Option<FlowLaw>,
+    flow: FlowLaw,
     lift: Lift,
     /// Factors of the global drag, and its rate (1/s).
     drag: Factors,
@@ -52,6 +53,12 @@ impl Lift {
     #[inline(always)]
     fn acceleration(&self, temperature: f32x4) -> f32x4 {
         self.buoyancy * temperature - self.gravity
+    }
+
+    /// The same with a factor on gravity.
+    #[inline(always)]
+    fn acceleration_by(&self, temperature: f32x4, gravity: f32x4) -> f32x4 {
+        self.buoyancy * temperature - self.gravity * gravity
     }
 }
 
@@ -90,11 +97,15 @@ impl ParticleMotion {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
         for (first, len) in tiles(particles, 0).rev() {
             tile.load(particles, first, len);
+            let looks = particles.looks.as_deref();
+            let laws = looks.and_then(|looks| looks.load(&mut tile, &particles.attributes, first));
             self.air(&mut tile, vortex_particles);
             self.forces.act(Phase::Push, &mut tile);
-            match self.integrator {
-                Integrator::AirAndSlip => self.air_and_slip(&mut tile),
-                Integrator::Paper => self.paper(&mut tile),
+            match (self.integrator, laws) {
+                (Integrator::AirAndSlip, None) => self.air_and_slip(&mut tile),
+                (Integrator::AirAndSlip, Some(laws)) => self.air_and_slip_by_looks(&mut tile, laws),
+                (Integrator::Paper, None) => self.paper(&mut tile, |_| (f32x4::ONE, f32x4::ONE)),
+                (Integrator::Paper, Some(laws)) => self.paper_by_looks(&mut tile, laws),
             }
             if let Some(entrainment) = &self.entrainment {
                 entrainment.act(tile.columns().slipped, particles, first);
@@ -111,10 +122,10 @@ impl ParticleMotion {
         vortex_particles: Option<&VortexParticles>,
         (first, len): (usize, usize),
     ) {
-        if let Some(law) = &self.flow {
+        if particles.flow.is_some() {
             let air = |tile: &mut Tile| self.blow(tile, vortex_particles);
             let winds = |tile: &mut Tile| self.forces.wind(tile);
-            following::follow(law, particles, (first, len), self.step, air, winds);
+            following::follow(&self.flow, particles, (first, len), self.step, air, winds);
         }
     }
 
@@ -181,13 +192,38 @@ impl ParticleMotion {
 
     #[inline(always)]
     fn air_and_slip(&self, tile: &mut Tile) {
+        let lift = |_, heat| self.lift.acceleration(heat);
         if tile.is_dragged {
-            self.push(tile, |resistance| Factors::of_rates(self.rate + resistance, self.dt));
+            let factors = |_, resistance| Factors::of_rates(self.rate + resistance, self.dt);
+            self.push(tile, factors, lift);
         } else if tile.is_pushed {
-            self.push(tile, |_| self.drag);
+            self.push(tile, |_, _| self.drag, lift);
         } else {
             self.glide(tile);
         }
+        self.move_on(tile);
+    }
+
+    /// Same for a tile of which particles have looks that move otherwise.
+    #[inline(never)]
+    fn air_and_slip_by_looks(&self, tile: &mut Tile, laws: &Laws) {
+        let (is_dragged, looks, gravity) = (tile.is_dragged, tile.looks, tile.gravity);
+        let factors = |block: usize, resistance| {
+            let [kept, first, second, factor] = laws.drag(&looks[block]);
+            if is_dragged {
+                Factors::of_rates((self.rate + resistance) * factor, self.dt)
+            } else {
+                Factors { kept, first, second }
+            }
+        };
+        let lift = |block: usize, heat| self.lift.acceleration_by(heat, gravity[block]);
+        self.push(tile, factors, lift);
+        self.move_on(tile);
+    }
+
+    /// Moves particles by the air and by the slip, which is known.
+    #[inline(always)]
+    fn move_on(&self, tile: &mut Tile) {
         self.forces.act(Phase::Swirl, tile);
         self.forces.act(Phase::Limit, tile);
         let dt = f32x4::splat(self.dt);
@@ -219,9 +255,13 @@ impl ParticleMotion {
         }
     }
 
-    /// Integrates slip with an acceleration per particle. `factors` maps a particle's rate of drag to its factors.
+    /// Integrates slip with an acceleration per particle.
+    ///
+    /// # Arguments
+    /// * `factors` - The factors by the block and the rate of drag of particles, without the global one.
+    /// * `lift` - The global acceleration along y by the block and the temperature.
     #[inline(always)]
-    fn push(&self, tile: &mut Tile, factors: impl Fn(f32x4) -> Factors) {
+    fn push(&self, tile: &mut Tile, factors: impl Fn(usize, f32x4) -> Factors, lift: impl Fn(usize, f32x4) -> f32x4) {
         let Columns {
             slip,
             slipped,
@@ -231,17 +271,28 @@ impl ParticleMotion {
             ..
         } = tile.columns();
         for (block, slip) in slip.iter_mut().enumerate() {
-            let Factors { kept, first, second } = factors(resistance[block]);
+            let Factors { kept, first, second } = factors(block, resistance[block]);
             let mut push = push[block];
-            push.y += self.lift.acceleration(heat[block]);
+            push.y += lift(block, heat[block]);
             slipped[block] = *slip * first + push * second;
             *slip = *slip * kept + push * first;
         }
     }
 
-    /// Explicit Euler oscillates for k h above 1: the product is limited to 1.
+    /// Same as `paper` for a tile of which particles have looks that move otherwise.
+    #[inline(never)]
+    fn paper_by_looks(&self, tile: &mut Tile, laws: &Laws) {
+        let (looks, gravity) = (tile.looks, tile.gravity);
+        self.paper(tile, |block| {
+            let [.., drag] = laws.drag(&looks[block]);
+            (drag, gravity[block])
+        });
+    }
+
+    /// Explicit Euler oscillates for k h above 1: the product is limited to 1. `looks` returns the factors on drag and on
+    /// gravity of a block.
     #[inline(always)]
-    fn paper(&self, tile: &mut Tile) {
+    fn paper(&self, tile: &mut Tile, looks: impl Fn(usize) -> (f32x4, f32x4)) {
         self.forces.act(Phase::Swirl, tile);
         let dt = f32x4::splat(self.dt);
         let Columns {
@@ -256,11 +307,12 @@ impl ParticleMotion {
             ..
         } = tile.columns();
         for (block, velocity) in slip.iter_mut().enumerate() {
-            let share = smaller((self.rate + resistance[block]) * dt, f32x4::ONE);
+            let (drag, gravity) = looks(block);
+            let share = smaller((self.rate + resistance[block]) * drag * dt, f32x4::ONE);
             ahead[block] = place[block] + *velocity * dt;
             slipped[block] = (*velocity - flow[block]) * dt;
             let mut push = push[block];
-            push.y += self.lift.acceleration(heat[block]);
+            push.y += self.lift.acceleration_by(heat[block], gravity);
             *velocity += (flow[block] - *velocity) * share + push * dt;
         }
         self.forces.act(Phase::Limit, tile);

@@ -207,6 +207,11 @@ impl<'b> Reader<'b> {
         std::mem::take(&mut self.0)
     }
 
+    /// Returns true if the next section has this name.
+    pub fn is_at(&self, name: &[u8; 4]) -> bool {
+        self.0.starts_with(name)
+    }
+
     /// Reads the next section with `read`. The section must have this name and be read to its end.
     pub fn section<T>(
         &mut self,

@@ -44,6 +44,19 @@ impl ParameterError {
         }
     }
 
+    /// More looks than puffs can have at a time.
+    #[cold]
+    pub fn too_many_looks() -> Self {
+        let message = "there would be 16 looks at once; at most 15 different ones are possible, of emitters and of puffs in the air";
+        Self {
+            key: "look".to_owned(),
+            value: 16.0,
+            min: 0.0,
+            max: 15.0,
+            message: message.to_owned(),
+        }
+    }
+
     /// An unknown key.
     pub fn unknown_key(key: &str, value: f64) -> Self {
         let message = format!("there is no parameter named {key}");

@@ -79,6 +79,7 @@ pub fn update(particles: &mut Particles, parameters: &Parameters) {
 
 /// What the update reads of particles, in blocks.
 struct Blocks<'p> {
+    particles: &'p Particles,
     places: [&'p [[f32; LANES]]; 3],
     life: [&'p [[f32; LANES]]; 3],
     radii: RadiusLaw,
@@ -89,6 +90,7 @@ impl<'p> Blocks<'p> {
     fn new(particles: &'p Particles, radii: RadiusLaw, length: f32) -> Self {
         let column = |column: &'p Vec<f32>| blocks(column, particles.padded_alive() / LANES);
         Self {
+            particles,
             places: [&particles.x, &particles.y, &particles.z].map(column),
             life: [&particles.size, &particles.age, &particles.lifetime].map(column),
             radii,
@@ -114,7 +116,7 @@ impl<'p> Blocks<'p> {
     #[inline(always)]
     fn volumes(&self, block: usize) -> [f32; LANES] {
         let [size, age, lifetime] = self.life.map(|column| f32x4::new(column[block]));
-        let radius = self.radii.radii(size, age, lifetime);
+        let radius = self.radii.block_radii(self.particles, block, size, age, lifetime);
         (radius * radius * radius).to_array()
     }
 

@@ -5,10 +5,13 @@
 //! apart to the right, so that the curve never jumps; stops moved beyond the end of life are ignored. Over the last 5 %
 //! of life the density is at most 20 (1 - t), so every particle dies at density 0.
 
+use arrayvec::ArrayVec;
 use wide::f32x4;
 
 use crate::layout::parameters::density_stop::Stop;
+use crate::layout::parameters::field::{STOP_STEPS, STOP_VALUE, Stops};
 use crate::layout::parameters::item::LIST_LIMIT;
+use crate::math::scalar::clamped;
 use crate::math::simd::{positive_part, smaller};
 
 /// Minimum distance between stops, as a share of life.
@@ -41,9 +44,14 @@ struct Rise {
 impl Curve {
     /// The curve through `stops`; none if there are none or they describe the law of the paper.
     pub fn new(stops: &[Stop]) -> Option<Self> {
-        if stops.is_empty() || is_law_of_paper(stops) {
+        if is_law_of_paper(stops) {
             return None;
         }
+        Self::through(stops)
+    }
+
+    /// The curve through `stops`, at most [`LIST_LIMIT`]; none if there are none.
+    pub fn through(stops: &[Stop]) -> Option<Self> {
         let mut sorted = [Stop::default(); LIST_LIMIT];
         let sorted = &mut sorted[..stops.len()];
         sorted.copy_from_slice(stops);
@@ -57,32 +65,56 @@ impl Curve {
             *rise = Rise { from, width, slope };
             from += width;
         }
-        let count = stops.len() - 1;
+        let count = sorted.len() - 1;
         Some(Self { first, rises, count })
     }
 
     /// The density, 0..=1, at the share `worn` of life, 0 or more.
-    #[inline(never)]
     pub fn density(&self, worn: f32) -> f32 {
-        let mut density = self.first;
-        for rise in &self.rises[..self.count] {
-            density += (worn - rise.from).max(0.0).min(rise.width) * rise.slope;
-        }
         let end = ((1.0 - worn) * FALL).max(0.0);
-        density.max(0.0).min(end.min(1.0))
+        self.value(worn).min(end)
+    }
+
+    /// Same for four particles, bit for bit.
+    pub fn densities(&self, worn: f32x4) -> f32x4 {
+        let end = positive_part((f32x4::ONE - worn) * f32x4::splat(FALL));
+        smaller(self.values(worn), end)
+    }
+
+    /// The curve, 0..=1, without the limit at the end of life.
+    #[inline(never)]
+    pub fn value(&self, worn: f32) -> f32 {
+        let mut value = self.first;
+        for rise in &self.rises[..self.count] {
+            value += (worn - rise.from).max(0.0).min(rise.width) * rise.slope;
+        }
+        value.max(0.0).min(1.0)
     }
 
     /// Same for four particles, bit for bit.
     #[inline(never)]
-    pub fn densities(&self, worn: f32x4) -> f32x4 {
-        let mut density = f32x4::splat(self.first);
+    pub fn values(&self, worn: f32x4) -> f32x4 {
+        let mut value = f32x4::splat(self.first);
         for rise in &self.rises[..self.count] {
             let way = smaller(positive_part(worn - f32x4::splat(rise.from)), f32x4::splat(rise.width));
-            density += way * f32x4::splat(rise.slope);
+            value += way * f32x4::splat(rise.slope);
         }
-        let end = positive_part((f32x4::ONE - worn) * f32x4::splat(FALL));
-        smaller(smaller(positive_part(density), f32x4::ONE), end)
+        smaller(positive_part(value), f32x4::ONE)
     }
+}
+
+/// The stops of a curve that is packed, see [`crate::layout::parameters::field::stops`].
+pub fn unpacked(packed: &Stops) -> ArrayVec<Stop, LIST_LIMIT> {
+    let stop = |packed: &f64| {
+        let rest = packed - 1.0;
+        let value = libm::floor(rest / STOP_VALUE);
+        let age = (rest - value * STOP_VALUE) / STOP_STEPS;
+        Stop {
+            age: clamped(age, 0.0, 1.0),
+            value: value / STOP_STEPS,
+        }
+    };
+    packed.iter().filter(|packed| **packed > 0.0).map(stop).collect()
 }
 
 /// Stable insertion sort by age: enough for eight stops, and far smaller code than the library's sort.

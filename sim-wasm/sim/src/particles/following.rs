@@ -8,21 +8,19 @@
 
 use wide::f32x4;
 
-use crate::layout::limits::{MAX_STRETCH, STEP};
-use crate::layout::parameters::settings::Dissolve;
+use crate::layout::limits::STEP;
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{LANES, Vector4, blocks, larger};
 use crate::particles::Particles;
 use crate::particles::flow::{Flow, Motion};
+use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
 /// Time constant (s) of the velocity that stretches a puff.
 pub const SMOOTHING_TIME: f32 = 0.15;
 /// A puff that travels its radius in this time (s) has half of its greatest stretch.
 pub const STRETCH_TIME: f32 = 0.4;
-/// Ratio of the axes of a torn puff at its end. A puff that thins ends with [`MAX_STRETCH`].
-const TORN_STRETCH: f32 = 2.4;
 /// A puff has the whole stretch of its end from this pace on, in radii per [`STRETCH_TIME`]. One that rests stays round, because
 /// its motion has no direction.
 const STRAND_PACE: f32 = 0.25;
@@ -47,26 +45,24 @@ pub struct FlowLaw {
     pub turn: f32,
     /// Greatest ratio of the axes, at least 1.
     pub stretch: f32,
-    /// Ratio of the axes of a puff at its end; 1 if puffs keep their stretch.
-    pub strand: f32,
     /// Factor on sizes.
     puff_size: f32,
 }
 
 impl FlowLaw {
-    /// The law that `parameters` set; none if particles neither turn nor stretch.
-    pub fn new(parameters: &Parameters) -> Option<Self> {
-        let law = Self {
+    /// The law that `parameters` set.
+    pub fn new(parameters: &Parameters) -> Self {
+        Self {
             turn: parameters.puff.turn as f32,
             stretch: parameters.puff.stretch as f32,
-            strand: match Dissolve::from_parameter(parameters.emission.dissolve) {
-                Dissolve::Shrink | Dissolve::Erode => 1.0,
-                Dissolve::Tear => TORN_STRETCH,
-                Dissolve::Thin => MAX_STRETCH,
-            },
             puff_size: parameters.puff.size as f32,
-        };
-        (law.turn > 0.0 || law.stretch > 1.0 || law.strand > 1.0).then_some(law)
+        }
+    }
+
+    /// Whether any particles turn or stretch.
+    pub fn is_needed(&self, particles: &Particles, radii: &RadiusLaw) -> bool {
+        let thin = particles.looks.as_ref().is_some_and(|looks| looks.thin());
+        self.turn > 0.0 || self.stretch > 1.0 || radii.strand > 1.0 || thin
     }
 
     /// Turn as a unit quaternion x, y, z, w and relative velocity (m/s) with which particle `i` is shown, `back` seconds before the
@@ -82,16 +78,15 @@ impl FlowLaw {
         (turn, velocity)
     }
 
-    /// Ratio of the axes of particle `i` at a speed (m/s), by its
-    /// [`dissolution`](crate::particles::radius::RadiusLaw::dissolution).
-    pub fn ratio(&self, particles: &Particles, i: usize, speed: f32, dissolution: f32) -> f32 {
+    /// Ratio of the axes of particle `i` at a speed (m/s), by its [`RadiusLaw::dissolution`] and [`RadiusLaw::strand`].
+    pub fn ratio(&self, particles: &Particles, i: usize, speed: f32, dissolution: f32, strand: f32) -> f32 {
         let size = particles.held.as_ref().map_or(&particles.size, |held| &held.size)[i];
         let pace = speed * STRETCH_TIME / greater(size * self.puff_size, 1e-6);
         let ratio = 1.0 + (self.stretch - 1.0) * pace / (1.0 + pace);
         let ending = dissolution.clamp(0.0, 1.0);
         // Squared, so that only small puffs are long.
         let share = ending * ending * lesser(pace / STRAND_PACE, 1.0);
-        ratio + greater(self.strand - ratio, 0.0) * share
+        ratio + greater(strand - ratio, 0.0) * share
     }
 }
 

@@ -3,7 +3,7 @@
 //! Each column has the length of the capacity, rounded up to whole SIMD blocks, and never grows. Particles `0..alive`
 //! are alive. The rest holds finite values, so that kernels may process the last, partly filled block. Removing a
 //! particle moves the last one into the gap, so the order is not kept. 56 bytes per particle, 24 more while puffs
-//! turn or stretch with the air, 4 more while they age by company.
+//! turn or stretch with the air, 4 more while they age by company, 1 more from the first look of an emitter on.
 
 pub mod company;
 pub mod density;
@@ -11,6 +11,7 @@ pub mod entrainment;
 pub mod flow;
 pub mod following;
 pub mod held;
+pub mod looks;
 pub mod radius;
 pub mod tile;
 
@@ -19,6 +20,7 @@ use crate::math::simd::LANES;
 use crate::particles::company::Company;
 use crate::particles::flow::Flow;
 use crate::particles::held::Held;
+use crate::particles::looks::Looks;
 
 /// Columns of particle state: positions in metres, velocities in metres per second, times in seconds.
 #[derive(Clone, Debug)]
@@ -43,8 +45,8 @@ pub struct Particles {
     pub size: Vec<f32>,
     /// Temperature above the air's, 0 or more; drives buoyancy.
     pub temperature: Vec<f32>,
-    /// Packed: variation (bits 0-7), seed byte (8-15), roll at birth in 4,096ths of a turn (16-27), tint (28-31, 0:
-    /// none).
+    /// Packed: variation (bits 0-7), seed byte (8-15), roll at birth in 4,096ths of a turn (16-27). Then
+    /// the tint (28-31, 0: none), or, with looks, the look (0: none).
     pub attributes: Vec<u32>,
     /// Shown instead of the current state; none while drawing on ones.
     pub held: Option<Box<Held>>,
@@ -52,6 +54,8 @@ pub struct Particles {
     pub flow: Option<Box<Flow>>,
     /// Ageing by company; none without it.
     pub company: Option<Box<Company>>,
+    /// Looks and tints; none before the first look.
+    pub looks: Option<Box<Looks>>,
     alive: usize,
     capacity: usize,
 }
@@ -92,6 +96,7 @@ impl Particles {
             held: None,
             flow: None,
             company: None,
+            looks: None,
             alive: 0,
             capacity,
         }
@@ -135,6 +140,9 @@ impl Particles {
         if let Some(company) = &mut self.company {
             company.extra_ageing[i] = 0.0;
         }
+        if let Some(looks) = &mut self.looks {
+            looks.tints[i] = 0;
+        }
         self.alive += 1;
         true
     }
@@ -155,6 +163,9 @@ impl Particles {
         }
         if let Some(company) = &mut self.company {
             company.extra_ageing.swap(i, last);
+        }
+        if let Some(looks) = &mut self.looks {
+            looks.tints.swap(i, last);
         }
         self.alive = last;
     }
@@ -253,6 +264,14 @@ impl Particles {
                 .for_each(|(i, extra_ageing)| *extra_ageing = company.extra_ageing[*i]);
             resized.company = Some(copy);
         }
+        if let Some(looks) = &self.looks {
+            let mut copy = looks.clone();
+            copy.tints = vec![0; resized.x.len()];
+            kept.iter()
+                .zip(&mut copy.tints)
+                .for_each(|(i, tint)| *tint = looks.tints[*i]);
+            resized.looks = Some(copy);
+        }
         resized
     }
 
@@ -298,9 +317,4 @@ impl Particles {
     pub(crate) fn held_columns_mut(&mut self) -> Vec<&mut [f32]> {
         self.held.iter_mut().flat_map(|held| held.columns_mut()).collect()
     }
-}
-
-/// Sets the tint, 0..=15, in packed attributes.
-pub(crate) fn set_tint(attributes: &mut u32, tint: u8) {
-    *attributes = *attributes & 0x0fff_ffff | u32::from(tint & 15) << 28;
 }

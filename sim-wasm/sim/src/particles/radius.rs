@@ -5,7 +5,8 @@
 //! instead of a string of specks. Growth times below [`MIN_GROWTH_TIME`] are raised to it, except for the integrator
 //! `paper`, where 0 means growth 1. density(t) is 1 - t, the linear law of the paper, or the curve of `density.#`. With
 //! `emission.dissolve` `erode` or `tear`, a puff keeps its radius and is eroded instead, until the density is [`ERODED_DENSITY`]; the
-//! factor is then density / [`ERODED_DENSITY`].
+//! factor is then density / [`ERODED_DENSITY`]. A look replaces growthTime, which is at most a quarter of its lifetime,
+//! density and dissolve, and may have a curve of size over life as another factor.
 //!
 //! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
 //! slope / lifetime), the first term only for growthTime above 0. The slope is 1 for the linear law and the steepest
@@ -13,11 +14,14 @@
 
 use wide::f32x4;
 
+use crate::layout::limits::MAX_STRETCH;
+use crate::layout::parameters::emitter::Look;
 use crate::layout::parameters::settings::{Dissolve, Integrator};
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{positive_part, smaller};
-use crate::particles::density::Curve;
+use crate::particles::Particles;
+use crate::particles::density::{Curve, unpacked};
 
 /// Minimum growth time (s), so that no particle appears at full size from one step to the next. Does not apply to the
 /// integrator `paper`, which keeps the law of the paper.
@@ -28,6 +32,11 @@ pub const ERODED_DENSITY: f32 = 0.25;
 /// Density at which a puff begins to dissolve; this is complete at [`ERODED_DENSITY`].
 pub const DISSOLVING_DENSITY: f32 = 0.75;
 
+/// Ratio of the axes of a torn puff at its end. A puff that thins ends with [`MAX_STRETCH`].
+const TORN_STRETCH: f32 = 2.4;
+/// Maximum growth time of a look with a lifetime, as a share of it.
+pub const GROWING_SHARE: f32 = 0.25;
+
 /// The radius of a particle as a function of size and age.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RadiusLaw {
@@ -37,6 +46,10 @@ pub struct RadiusLaw {
     pub growth_time: f32,
     /// Density over life; none: linear.
     curve: Option<Curve>,
+    /// Factor on the size over life; none: 1.
+    size: Option<Curve>,
+    /// Ratio of the axes of a puff at its end; 1 if puffs keep their stretch.
+    pub strand: f32,
     /// Whether puffs do more than shrink as their density falls.
     dissolves: bool,
     /// Factor on the density, which is at most 1 after it; more than 1 if puffs are eroded before they shrink.
@@ -46,17 +59,37 @@ pub struct RadiusLaw {
 impl RadiusLaw {
     /// The law that `parameters` set.
     pub fn new(parameters: &Parameters) -> Self {
-        let growth_time = parameters.emission.growth_time as f32;
-        let dissolve = Dissolve::from_parameter(parameters.emission.dissolve);
+        Self::of_look(parameters, &Look::NONE)
+    }
+
+    /// The law of a look.
+    pub fn of_look(parameters: &Parameters, look: &Look) -> Self {
+        let or = |own: f64, common: f64| if own > 0.0 { own } else { common };
+        let growth_time = or(look.growth_time, parameters.emission.growth_time) as f32;
+        let dissolve = Dissolve::from_parameter(or(look.dissolve, parameters.emission.dissolve + 1.0) - 1.0);
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
+        let growth_time = if is_paper {
+            growth_time
+        } else {
+            growth_time.max(MIN_GROWTH_TIME)
+        };
         Self {
             puff_size: parameters.puff.size as f32,
-            growth_time: if is_paper {
-                growth_time
+            growth_time: if look.lifetime > 0.0 {
+                growth_time.min(look.lifetime as f32 * GROWING_SHARE)
             } else {
-                growth_time.max(MIN_GROWTH_TIME)
+                growth_time
             },
-            curve: Curve::new(parameters.density.items()),
+            curve: match unpacked(&look.density_curve).as_slice() {
+                [] => Curve::new(parameters.density.items()),
+                own => Curve::new(own),
+            },
+            size: Curve::through(&unpacked(&look.size_curve)),
+            strand: match dissolve {
+                Dissolve::Shrink | Dissolve::Erode => 1.0,
+                Dissolve::Tear => TORN_STRETCH,
+                Dissolve::Thin => MAX_STRETCH,
+            },
             dissolves: dissolve != Dissolve::Shrink,
             gain: if dissolve.erodes() { 1.0 / ERODED_DENSITY } else { 1.0 },
         }
@@ -68,8 +101,19 @@ impl RadiusLaw {
             puff_size,
             growth_time,
             curve: None,
+            size: None,
+            strand: 1.0,
             dissolves: false,
             gain: 1.0,
+        }
+    }
+
+    /// The law of particle `i`: this one, unless it has a look.
+    #[inline]
+    pub fn of<'l>(&'l self, particles: &'l Particles, i: usize) -> &'l Self {
+        match &particles.looks {
+            None => self,
+            Some(looks) => looks.radius_law(particles.attributes[i]),
         }
     }
 
@@ -78,7 +122,7 @@ impl RadiusLaw {
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let age = greater(age, 0.0);
         let share = lesser(self.density(age / lifetime) * self.gain, 1.0);
-        self.undiminished(size, age) * share
+        self.undiminished(size, age, lifetime) * share
     }
 
     /// Whether puffs are eroded before they shrink.
@@ -111,8 +155,12 @@ impl RadiusLaw {
     }
 
     /// Radius (m) at density 1; `age` is 0 or more.
-    pub fn undiminished(&self, size: f32, age: f32) -> f32 {
-        size * self.puff_size * self.growth(age)
+    pub fn undiminished(&self, size: f32, age: f32, lifetime: f32) -> f32 {
+        let full = size * self.puff_size * self.growth(age);
+        match &self.size {
+            None => full,
+            Some(curve) => full * curve.value(age / lifetime),
+        }
     }
 
     /// Same for four particles, bit for bit.
@@ -125,12 +173,27 @@ impl RadiusLaw {
             Some(curve) => curve.densities(worn),
         };
         let density = smaller(density * f32x4::splat(self.gain), f32x4::ONE);
-        let full = size * f32x4::splat(self.puff_size);
-        if self.growth_time <= 0.0 {
-            return full * density;
+        let mut full = size * f32x4::splat(self.puff_size);
+        if self.growth_time > 0.0 {
+            let t = smaller(age / f32x4::splat(self.growth_time), f32x4::ONE);
+            full *= t * (f32x4::splat(2.0) - t);
         }
-        let t = smaller(age / f32x4::splat(self.growth_time), f32x4::ONE);
-        full * (t * (f32x4::splat(2.0) - t)) * density
+        if let Some(curve) = &self.size {
+            full *= curve.values(worn);
+        }
+        full * density
+    }
+
+    /// Same for four particles with these packed attributes, which may have looks.
+    #[inline(always)]
+    pub fn block_radii(&self, particles: &Particles, block: usize, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
+        match &particles.looks {
+            None => self.radii(size, age, lifetime),
+            Some(looks) => {
+                let attributes = &particles.attributes.as_chunks().0[block];
+                looks.radii(attributes, size, age, lifetime)
+            }
+        }
     }
 
     fn growth(&self, age: f32) -> f32 {

@@ -20,6 +20,11 @@ pub struct Tile {
     pub is_pushed: bool,
     /// True after a force wrote to `resistance`, which is zero otherwise.
     pub is_dragged: bool,
+    /// True if particles have looks that move otherwise. Then `looks` holds their indices, `gravity` their factors on
+    /// gravity, and `heat` their temperatures with their factors on buoyancy.
+    pub(crate) has_looks: bool,
+    pub(crate) looks: [[u8; LANES]; TILE_BLOCKS],
+    pub(crate) gravity: [f32x4; TILE_BLOCKS],
     place: [Vector4; TILE_BLOCKS],
     ahead: [Vector4; TILE_BLOCKS],
     flow: [Vector4; TILE_BLOCKS],
@@ -27,7 +32,7 @@ pub struct Tile {
     slipped: [Vector4; TILE_BLOCKS],
     push: [Vector4; TILE_BLOCKS],
     resistance: [f32x4; TILE_BLOCKS],
-    heat: [f32x4; TILE_BLOCKS],
+    pub(crate) heat: [f32x4; TILE_BLOCKS],
     weight: [f32x4; TILE_BLOCKS],
 }
 
@@ -47,6 +52,8 @@ pub struct Columns<'t> {
     pub push: &'t mut [Vector4],
     /// Rate of drag (1/s), without the global drag.
     pub resistance: &'t mut [f32x4],
+    /// Factor on gravity, if the tile has looks.
+    pub gravity: &'t [f32x4],
     /// Temperature.
     pub heat: &'t [f32x4],
     /// Strength of the current force, 0..=1.
@@ -64,6 +71,9 @@ impl Tile {
             is_instant,
             is_pushed: false,
             is_dragged: false,
+            has_looks: false,
+            looks: [[0; LANES]; TILE_BLOCKS],
+            gravity: numbers,
             place: vectors,
             ahead: vectors,
             flow: vectors,
@@ -109,10 +119,16 @@ impl Tile {
         }
     }
 
+    /// Number of blocks.
+    pub(crate) fn len(&self) -> usize {
+        self.len
+    }
+
     /// Resets the tile to `len` blocks, with still air and without pushes.
     #[inline(always)]
     fn clear(&mut self, len: usize) {
         self.len = len;
+        self.has_looks = false;
         if self.is_pushed {
             self.push = [Vector4::zero(); TILE_BLOCKS];
             self.is_pushed = false;
@@ -146,6 +162,7 @@ impl Tile {
             slipped: &mut self.slipped[..len],
             push: &mut self.push[..len],
             resistance: &mut self.resistance[..len],
+            gravity: &self.gravity[..len],
             heat: &self.heat[..len],
             weight: &mut self.weight[..len],
         }

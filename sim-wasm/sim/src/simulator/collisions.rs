@@ -6,8 +6,8 @@ use crate::collide::contact::{Action, Obstacle, Pass, Traveller};
 use crate::collide::swept_particle::{self, SweptParticle};
 use crate::math::bounds::WideBounds;
 use crate::math::scalar::greater;
+use crate::particles::Particles;
 use crate::particles::radius::RadiusLaw;
-use crate::particles::{Particles, set_tint};
 #[cfg(feature = "meshes")]
 use crate::rigids::set::Rigids;
 
@@ -115,6 +115,7 @@ fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles
 /// into a wall.
 fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
     let (from, to) = swept_particle::way(particles, i);
+    let radii = radii.of(particles, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
     let began = (-age / dt).clamp(0.0, 1.0);
     let span = dt * greater(1.0 - began, MIN_STEP_FRACTION);
@@ -123,7 +124,7 @@ fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Tra
         radii.radius(size, age + dt, lifetime),
     );
     // The radius that a particle has lost may become distance, which keeps its reach that of a full one.
-    let full = radii.undiminished(size, greater(age, 0.0));
+    let full = radii.undiminished(size, greater(age, 0.0), lifetime);
     Traveller {
         from,
         to,
@@ -214,7 +215,7 @@ impl Obstacles<'_> {
                 continue;
             }
             match action {
-                Action::Tint(tint) => set_tint(&mut particles.attributes[i], tint),
+                Action::Tint(tint) => particles.set_tint(i, tint),
                 // Ageing removes particles past their lifetime.
                 _ => particles.age[i] = particles.lifetime[i],
             }

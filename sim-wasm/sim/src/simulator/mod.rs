@@ -19,6 +19,7 @@ use crate::collide::analytic;
 use crate::collide::pool::ColliderPool;
 use crate::emission::Births;
 use crate::emission::birth::EmissionContext;
+use crate::emission::pool::{Emission, FIRST_NUMBERS};
 use crate::emission::surface::{Surface, Surfaces};
 use crate::forces::force::{ForceContext, TurbulenceState};
 use crate::forces::particle_motion::ParticleMotion;
@@ -27,6 +28,7 @@ use crate::forces::vortex_particles::VortexParticles;
 use crate::forces::vortex_particles::swarm::VortexParticle;
 use crate::layout::error::ParameterError;
 use crate::layout::limits::{STEP, check_capacity};
+use crate::layout::parameters::emitter::{Emitter, Look};
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::settings::Integrator;
 use crate::layout::parameters::table::Parameters;
@@ -39,6 +41,7 @@ use crate::math::random::Random;
 #[cfg(feature = "rigids")]
 use crate::math::vector::Vector;
 use crate::particles::following::FlowLaw;
+use crate::particles::looks::{self, OTHER_BITS};
 use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::tiles;
 use crate::particles::{Newborn, Particles};
@@ -119,8 +122,24 @@ impl Simulator {
 
     /// Sets all `entries`, or none of them if one is invalid.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
+        let mut changed = self.parameters;
+        changed.set_all(entries)?;
+        self.check_looks(&changed)?;
+        self.put_parameters(&changed);
+        Ok(())
+    }
+
+    /// Checks that there are not too many looks with these parameters.
+    pub(crate) fn check_looks(&self, parameters: &Parameters) -> Result<(), ParameterError> {
+        looks::check(
+            looks::of_emitters(parameters, &self.births, self.steps, None),
+            &self.particles,
+        )
+    }
+
+    pub(crate) fn put_parameters(&mut self, changed: &Parameters) {
         let before = self.integrator();
-        self.parameters.set_all(entries)?;
+        self.parameters = *changed;
         if self.integrator() != before {
             let vortex_particles = self.vortex_particles.as_deref();
             self.motion().take_over(&mut self.particles, vortex_particles);
@@ -128,10 +147,38 @@ impl Simulator {
         if !self.parameters.shedders.items().is_empty() {
             self.vortex_particles_mut();
         }
-        self.particles.hold(self.parameters.style.hold > 1.0);
-        self.particles.follow(FlowLaw::new(&self.parameters).is_some());
-        self.particles.keep_company(self.parameters.emission.company > 0.0);
-        Ok(())
+        self.take_over_parameters();
+    }
+
+    /// Allocates or drops what parameters need, and prepares the laws of looks.
+    pub(crate) fn take_over_parameters(&mut self) {
+        let Self {
+            parameters, particles, ..
+        } = self;
+        particles.hold(parameters.style.hold > 1.0);
+        particles.keep_company(parameters.emission.company > 0.0);
+        if let Some(looks) = &mut particles.looks {
+            looks.prepare(parameters);
+        }
+        self.allow_looks();
+        let radii = RadiusLaw::new(&self.parameters);
+        let needed = FlowLaw::new(&self.parameters).is_needed(&self.particles, &radii);
+        self.particles.follow(needed || self.looks().any(Look::thins));
+    }
+
+    /// The looks of emitters.
+    fn looks(&self) -> impl Iterator<Item = &Look> {
+        looks::of_emitters(&self.parameters, &self.births, self.steps, None).map(|(look, _)| look)
+    }
+
+    /// Allocates what the looks of emitters need.
+    fn allow_looks(&mut self) {
+        if self.looks().next().is_some() {
+            self.particles.allow_looks(&self.parameters);
+        }
+        if self.looks().any(Look::thins) {
+            self.particles.follow(true);
+        }
     }
 
     /// The current parameters.
@@ -158,7 +205,38 @@ impl Simulator {
     /// There is no such emitter, or a number is out of range; nothing changes.
     pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> Result<(), ParameterError> {
         let table = self.parameters.emitters.items().len();
-        self.births.put(index as usize, numbers, count, table)
+        let check = |births: &Births, changed: (usize, &Emitter)| {
+            let looks = looks::of_emitters(&self.parameters, births, self.steps, Some(changed));
+            looks::check(looks, &self.particles)
+        };
+        self.births.put(index as usize, numbers, count, table, &check)?;
+        if numbers.len() > FIRST_NUMBERS {
+            self.allow_looks();
+        }
+        Ok(())
+    }
+
+    /// See [`Births::burst_end`].
+    pub fn burst_end(&self, index: u32) -> Option<u64> {
+        self.births.burst_end(index as usize)
+    }
+
+    /// Returns true if emitters have or had looks.
+    pub fn has_looks(&self) -> bool {
+        self.particles.looks.is_some()
+    }
+
+    /// See [`Looks::styles`]; none without looks.
+    pub fn look_styles(&self) -> Vec<f64> {
+        self.particles.looks.as_ref().map_or(Vec::new(), |looks| looks.styles())
+    }
+
+    /// Starts or changes an emission.
+    pub(crate) fn put_emission(&mut self, emission: &Emission) {
+        self.births.emit(emission);
+        if emission.is_long() {
+            self.allow_looks();
+        }
     }
 
     /// Sets, moves or removes a collider of the pool. See [`ColliderPool::put`].
@@ -258,7 +336,7 @@ impl Simulator {
     fn sampler(&self, blend: f32) -> RowSampler {
         RowSampler {
             radii: RadiusLaw::new(&self.parameters),
-            flow: FlowLaw::new(&self.parameters),
+            flow: self.particles.flow.as_ref().map(|_| FlowLaw::new(&self.parameters)),
             billow: self.parameters.puff.billow as f32,
             // Held particles do not move between steps.
             blend: if self.particles.held.is_some() { 1.0 } else { blend },
@@ -387,9 +465,13 @@ impl Simulator {
         for column in self.particles.float_columns() {
             hash.floats(&column[..self.particles.alive()]);
         }
-        self.particles.attributes[..self.particles.alive()]
-            .iter()
-            .for_each(|attributes| hash.word(*attributes));
+        // As without looks, which only add to the hash.
+        for i in 0..self.particles.alive() {
+            hash.word(self.particles.attributes[i] & OTHER_BITS | self.particles.tint(i) << 28);
+        }
+        if let Some(looks) = &self.particles.looks {
+            looks.hash_into(&self.particles.attributes[..self.particles.alive()], &mut hash);
+        }
         if let Some(company) = &self.particles.company {
             hash.floats(&company.extra_ageing[..self.particles.alive()]);
         }
@@ -402,6 +484,7 @@ impl Simulator {
                 .for_each(|number| hash.long(number.to_bits()));
         }
         debts.iter().for_each(|debt| hash.long(debt.waiting));
+        self.births.hash_places_into(&mut hash);
         self.active_inputs.hash_into(&mut hash);
         if let Some(all) = &self.vortex_particles {
             all.hash_into(&mut hash);

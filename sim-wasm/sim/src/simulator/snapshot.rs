@@ -15,7 +15,7 @@ use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::table::Parameters;
 use crate::math::random::Random;
 use crate::particles::Particles;
-use crate::particles::following::FlowLaw;
+use crate::particles::looks::Looks;
 use crate::simulator::Simulator;
 use crate::simulator::take::active_inputs::ActiveInputs;
 
@@ -27,6 +27,7 @@ const NAME: &str = "saved simulation";
 const HOLDS: u32 = 1;
 const FOLLOWS: u32 = 2;
 const AGES_BY_COMPANY: u32 = 4;
+const HAS_LOOKS: u32 = 8;
 
 /// Declares the saved sections besides particles and rigids: section name, field of the simulator, type.
 macro_rules! sections {
@@ -100,6 +101,9 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
     body.section(b"rigi", |body| body.raw(&rigids_bytes(simulator)));
     body.section(b"room", |body| body.word(simulator.capacity() as u32));
     body.section(b"part", |body| write_particles(body, &simulator.particles));
+    if simulator.births.has_later() {
+        body.section(b"more", |body| simulator.births.write_later(body));
+    }
     simulator.colliders.write(&mut body);
     body.seal(KIND, VERSION)
 }
@@ -112,7 +116,7 @@ pub fn restore(
     obstacles: bool,
 ) -> Result<(), RestoreError> {
     let mut reader = Reader::open(bytes, KIND, VERSION, NAME)?;
-    let saved_state = SavedState::read(&mut reader)?;
+    let mut saved_state = SavedState::read(&mut reader)?;
     let rigids = reader.section(b"rigi", |reader| Ok(reader.rest()))?;
     let saved = reader.section(b"room", read_capacity)?;
     let capacity = if room == RestoredCapacity::Saved {
@@ -121,6 +125,9 @@ pub fn restore(
         simulator.capacity()
     };
     let particles = reader.section(b"part", |reader| read_particles(reader, capacity))?;
+    if reader.is_at(b"more") {
+        reader.section(b"more", |reader| saved_state.births.read_later(reader))?;
+    }
     // States without colliders of the pool end here.
     let colliders = ColliderPool::read(&mut reader)?;
     // Rigids are restored first: they are the last step that can fail.
@@ -128,13 +135,7 @@ pub fn restore(
     saved_state.put_into(simulator);
     simulator.colliders = if obstacles { colliders } else { ColliderPool::default() };
     simulator.put_particles(particles);
-    simulator.particles.hold(simulator.parameters.style.hold > 1.0);
-    simulator
-        .particles
-        .follow(FlowLaw::new(&simulator.parameters).is_some());
-    simulator
-        .particles
-        .keep_company(simulator.parameters.emission.company > 0.0);
+    simulator.take_over_parameters();
     Ok(())
 }
 
@@ -223,6 +224,7 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         (particles.held.is_some(), HOLDS),
         (particles.flow.is_some(), FOLLOWS),
         (particles.company.is_some(), AGES_BY_COMPANY),
+        (particles.looks.is_some(), HAS_LOOKS),
     ];
     body.word(optional.iter().map(|(is_there, bit)| u32::from(*is_there) * bit).sum());
     for column in particles.held.iter().flat_map(|held| held.columns()) {
@@ -233,6 +235,9 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
     }
     if let Some(company) = &particles.company {
         write_column(body, &company.extra_ageing[..alive]);
+    }
+    if let Some(looks) = &particles.looks {
+        looks.write(body, alive);
     }
 }
 
@@ -264,6 +269,11 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     }
     if let Some(company) = &mut particles.company {
         read_column(reader, &mut company.extra_ageing[..alive])?;
+    }
+    if columns & HAS_LOOKS != 0 {
+        let mut looks = Box::new(Looks::new(particles.x.len()));
+        looks.read(reader, alive)?;
+        particles.looks = Some(looks);
     }
     particles.set_alive(alive);
     Ok(particles)

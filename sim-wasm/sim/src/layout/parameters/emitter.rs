@@ -1,6 +1,6 @@
 //! Parameters of `emitters.#`.
 
-use crate::layout::parameters::field::{DIRECTION, Field, PLACE, SHARE, number, vector};
+use crate::layout::parameters::field::{DIRECTION, Field, MAX_STOPS, PLACE, SHARE, Stops, number, stops, vector};
 use crate::layout::parameters::item::{Item, Scope, WHEN_AND_ON_WHAT};
 
 /// Maximum number of surfaces.
@@ -29,7 +29,57 @@ pub struct Emitter {
     pub share: f64,
     pub burst_count: f64,
     pub scope: Scope,
+    pub per_metre: f64,
+    pub look: Look,
 }
+
+/// `emitters.#.look.*`: how its puffs differ from the rest of the smoke. By default they do not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// 0: that of the smoke, as all zeros here.
+    pub lifetime: f64,
+    pub growth_time: f64,
+    pub size_curve: Stops,
+    pub density_curve: Stops,
+    /// One more than the value of `emission.dissolve`.
+    pub dissolve: f64,
+    pub drag: f64,
+    pub buoyancy: f64,
+    pub gravity: f64,
+    /// Number of its colours and its ink, which only the page knows.
+    pub style: f64,
+}
+
+impl Look {
+    /// No difference.
+    pub const NONE: Self = Self {
+        lifetime: 0.0,
+        growth_time: 0.0,
+        size_curve: [0.0; MAX_STOPS],
+        density_curve: [0.0; MAX_STOPS],
+        dissolve: 0.0,
+        drag: 1.0,
+        buoyancy: 1.0,
+        gravity: 1.0,
+        style: 0.0,
+    };
+
+    /// Whether its puffs end as strands.
+    pub fn thins(&self) -> bool {
+        self.dissolve > 2.0
+    }
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+/// Range of a factor on a force.
+const FACTOR: [f64; 2] = [0.0, 10.0];
+/// Greatest number of a style.
+const MAX_STYLE: f64 = u32::MAX as f64;
 
 impl Item for Emitter {
     const LABEL: &'static str = "Emitter";
@@ -106,6 +156,64 @@ impl Item for Emitter {
     ];
 
     const SCOPE: &'static [Field<Scope>] = WHEN_AND_ON_WHAT;
+
+    const LATER: &'static [Field<Self>] = &[
+        number("perMetre", "1/m", [0.0, 1000.0], 0.0, |e: &mut Self| &mut e.per_metre)
+            .rare()
+            .says(
+                "Puffs per metre",
+                "Number of puffs for each metre that the emitter travels, besides the emission rate.",
+            ),
+        number("look.lifetime", "s", [0.0, 600.0], 0.0, |e: &mut Self| {
+            &mut e.look.lifetime
+        })
+        .rare()
+        .says(
+            "Own lifetime",
+            "Lifetime of its puffs, which grow within a quarter of it; 0 is that of the smoke.",
+        ),
+        number("look.growthTime", "s", [0.0, 20.0], 0.0, |e: &mut Self| {
+            &mut e.look.growth_time
+        })
+        .rare()
+        .says(
+            "Own growth time",
+            "Time in which its puffs reach their size; 0 is that of the smoke.",
+        ),
+        stops("look.sizeCurve", |e: &mut Self| &mut e.look.size_curve)
+            .says("Size over life", "Fraction of its size that a puff has at each age."),
+        stops("look.densityCurve", |e: &mut Self| &mut e.look.density_curve).says(
+            "Own density over life",
+            "How dense its puffs are at each age, instead of the density of the smoke.",
+        ),
+        number("look.dissolve", "1", [0.0, 4.0], 0.0, |e: &mut Self| {
+            &mut e.look.dissolve
+        })
+        .named(&["smoke", "shrink", "erode", "tear", "thin"])
+        .rare()
+        .says(
+            "Own dissolution",
+            "How its puffs end: as the rest of the smoke, or in another way.",
+        ),
+        number("look.drag", "1", FACTOR, 1.0, |e: &mut Self| &mut e.look.drag)
+            .rare()
+            .says("Drag", "Factor on the drag of its puffs."),
+        number("look.buoyancy", "1", FACTOR, 1.0, |e: &mut Self| &mut e.look.buoyancy)
+            .rare()
+            .says("Buoyancy", "Factor on the buoyancy of its puffs."),
+        number("look.gravity", "1", FACTOR, 1.0, |e: &mut Self| &mut e.look.gravity)
+            .rare()
+            .says("Gravity", "Factor on the gravity of its puffs."),
+        number("look.style", "1", [0.0, MAX_STYLE], 0.0, |e: &mut Self| {
+            &mut e.look.style
+        })
+        .whole()
+        .rare()
+        .says(
+            "Style",
+            "Number of the colours and the ink of its puffs; 0 is those of the smoke.",
+        ),
+    ];
 
     fn scope(&mut self) -> Option<&mut Scope> {
         Some(&mut self.scope)

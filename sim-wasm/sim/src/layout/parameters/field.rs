@@ -9,10 +9,12 @@ pub struct Meta {
     pub unit: &'static str,
     pub min: f64,
     pub max: f64,
-    /// Default value. A single number uses the first element.
+    /// Default value. A single number uses the first element; stops have the same one.
     pub default: [f64; 3],
     /// Accepts whole numbers only.
     pub whole: bool,
+    /// Left out of saved parameters while it has its default.
+    pub rare: bool,
     /// Names of the values 0, 1, ...; empty for a count. Native builds only, as all text.
     #[cfg(not(target_family = "wasm"))]
     pub names: &'static [&'static str],
@@ -36,10 +38,24 @@ pub struct Field<Item> {
 enum Accessor<Item> {
     Number(fn(&mut Item) -> &mut f64),
     Vector(fn(&mut Item) -> &mut [f64; 3]),
+    Stops(fn(&mut Item) -> &mut Stops),
 }
 
-/// Key suffixes of the numbers of a vector.
+/// Maximum number of stops of a curve.
+pub const MAX_STOPS: usize = 8;
+/// The packed stops of a curve; see [`stops`].
+pub type Stops = [f64; MAX_STOPS];
+
+/// Key suffixes of the numbers of a vector, and of stops.
 const PARTS: [&str; 3] = [".x", ".y", ".z"];
+const STOPS: [&str; MAX_STOPS] = [".0", ".1", ".2", ".3", ".4", ".5", ".6", ".7"];
+
+impl Meta {
+    /// Default value of number `part`.
+    pub fn default(&self, part: usize) -> f64 {
+        self.default[part.min(2)]
+    }
+}
 
 impl<Item> Field<Item> {
     const fn new(
@@ -56,6 +72,7 @@ impl<Item> Field<Item> {
             max: range[1],
             default,
             whole: false,
+            rare: false,
             #[cfg(not(target_family = "wasm"))]
             names: &[],
             #[cfg(not(target_family = "wasm"))]
@@ -71,6 +88,12 @@ impl<Item> Field<Item> {
     /// Accepts whole numbers only.
     pub const fn whole(mut self) -> Self {
         self.meta.whole = true;
+        self
+    }
+
+    /// Left out of saved parameters while it has its default.
+    pub const fn rare(mut self) -> Self {
+        self.meta.rare = true;
         self
     }
 
@@ -120,6 +143,7 @@ impl<Item> Field<Item> {
         match self.accessor {
             Accessor::Number(_) => &[""],
             Accessor::Vector(_) => &PARTS,
+            Accessor::Stops(_) => &STOPS,
         }
     }
 
@@ -128,6 +152,7 @@ impl<Item> Field<Item> {
         match self.accessor {
             Accessor::Number(of) => of(item),
             Accessor::Vector(of) => &mut of(item)[part],
+            Accessor::Stops(of) => &mut of(item)[part],
         }
     }
 }
@@ -152,6 +177,20 @@ pub const fn vector<Item>(
     of: fn(&mut Item) -> &mut [f64; 3],
 ) -> Field<Item> {
     Field::new(key, unit, range, default, Accessor::Vector(of))
+}
+
+/// Steps of the age and of the value of a packed stop.
+pub const STOP_STEPS: f64 = 65_535.0;
+/// Factor on the value of a packed stop.
+pub const STOP_VALUE: f64 = 131_072.0;
+
+/// The packed stops of a curve over life. 0 is no stop; others are 1 + age + [`STOP_VALUE`] * value, both in
+/// [`STOP_STEPS`].
+pub const fn stops<Item>(key: &'static str, of: fn(&mut Item) -> &mut Stops) -> Field<Item> {
+    let range = [0.0, 1.0 + STOP_STEPS + STOP_VALUE * STOP_STEPS];
+    Field::new(key, "1", range, [0.0; 3], Accessor::Stops(of))
+        .whole()
+        .rare()
 }
 
 /// Range of a world position (m), the same as for objects of a three.js scene.

@@ -32,6 +32,9 @@ pub trait Item: Copy + Default + 'static {
     /// The parameters of its scope, if any. They follow its own.
     const SCOPE: &'static [Field<Scope>] = Scope::FIELDS;
 
+    /// Parameters that follow those of the scope, because they were added later.
+    const LATER: &'static [Field<Self>] = &[];
+
     /// The scope, if it has one.
     fn scope(&mut self) -> Option<&mut Scope> {
         None
@@ -43,9 +46,9 @@ pub trait Item: Copy + Default + 'static {
 #[inline(never)]
 pub fn item<I: Item>() -> I {
     let mut item = I::default();
-    for field in I::FIELDS {
+    for field in I::FIELDS.iter().chain(I::LATER) {
         for part in 0..field.parts().len() {
-            *field.value(&mut item, part) = field.meta.default[part];
+            *field.value(&mut item, part) = field.meta.default(part);
         }
     }
     if let Some(scope) = item.scope() {
@@ -112,19 +115,25 @@ pub(crate) fn meta<I: Item>(field: usize) -> Option<(&'static Meta, &'static [&'
     if let Some(own) = I::FIELDS.get(field) {
         return Some((&own.meta, own.parts()));
     }
-    let shared = scope_fields::<I>().get(field - I::FIELDS.len())?;
-    Some((&shared.meta, shared.parts()))
+    let field = field - I::FIELDS.len();
+    if let Some(shared) = scope_fields::<I>().get(field) {
+        return Some((&shared.meta, shared.parts()));
+    }
+    let later = I::LATER.get(field - scope_fields::<I>().len())?;
+    Some((&later.meta, later.parts()))
 }
 
 /// Mutable access to a parameter of an item.
 pub(crate) fn value<I: Item>(item: &mut I, slot: Slot) -> &mut f64 {
-    match I::FIELDS.get(slot.field) {
-        Some(field) => field.value(item, slot.part),
-        None => {
-            let scope = item.scope().expect("only a scope has fields beyond an item's own");
-            I::SCOPE[slot.field - I::FIELDS.len()].value(scope, slot.part)
-        }
+    if let Some(field) = I::FIELDS.get(slot.field) {
+        return field.value(item, slot.part);
     }
+    let field = slot.field - I::FIELDS.len();
+    if let Some(later) = field.checked_sub(I::SCOPE.len()).and_then(|later| I::LATER.get(later)) {
+        return later.value(item, slot.part);
+    }
+    let scope = item.scope().expect("only a scope has fields beyond an item's own");
+    I::SCOPE[field].value(scope, slot.part)
 }
 
 /// `*.region.*`, `*.envelope.*` and `*.rigid`.

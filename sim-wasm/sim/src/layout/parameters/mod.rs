@@ -52,15 +52,18 @@ impl Parameters {
         Ok(())
     }
 
-    /// All existing keys with their values. Setting them on defaults reproduces these parameters.
+    /// All existing keys with their values, except rare ones with their defaults. Setting them on defaults reproduces
+    /// these parameters.
     pub fn entries(&self) -> Vec<(String, f64)> {
         let mut copy = *self;
         let mut entries = Vec::new();
         for section in sections() {
             for index in 0..section.len(self) {
                 for_each_slot(section, |meta, end, slot| {
-                    let key = key_of(section, &index.to_string(), meta, end);
-                    entries.push((key, *section.value(&mut copy, index, slot)));
+                    let value = *section.value(&mut copy, index, slot);
+                    if !(meta.rare && value == meta.default(slot.part)) {
+                        entries.push((key_of(section, &index.to_string(), meta, end), value));
+                    }
                 });
             }
         }
@@ -145,7 +148,7 @@ pub fn rows() -> Vec<Row> {
         for_each_slot(section, |meta, end, slot| {
             rows.push(Row {
                 key: key_of(section, "#", meta, end),
-                default: meta.default[slot.part],
+                default: meta.default(slot.part),
                 is_of_list: section.is_list(),
                 meta,
             });
@@ -211,12 +214,11 @@ fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
         unit,
         min,
         max,
-        default,
         whole,
         names,
         ..
     } = meta;
-    let default = &default[..ends.len()];
+    let default: Vec<f64> = (0..ends.len()).map(|part| meta.default(part)).collect();
     format!(
         "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}, \
          \"whole\": {whole}, \"names\": {names:?} }}"

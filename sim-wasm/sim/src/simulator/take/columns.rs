@@ -8,11 +8,11 @@ use crate::simulator::take::input::{EMIT, Input, RELEASE};
 use crate::simulator::take::log::{MAX_INPUTS, Record};
 
 /// Number of input kinds. A kind is the first byte of its inputs.
-const KINDS: usize = 9;
+const KINDS: usize = 10;
 
 /// Returns true if the inputs of a kind have numbers. Takes without emissions have no block of them, as older ones.
 fn has_block(kind: usize, count: usize) -> bool {
-    kind <= usize::from(RELEASE) || (kind == usize::from(EMIT) && count > 0)
+    kind <= usize::from(RELEASE) || (kind >= usize::from(EMIT) && count > 0)
 }
 
 /// Inputs of one kind as bytes of equal length.

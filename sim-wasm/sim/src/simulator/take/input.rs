@@ -41,6 +41,8 @@ const DRAG: u8 = 5;
 pub(super) const RELEASE: u8 = 6;
 const CLEAR: u8 = 7;
 pub(super) const EMIT: u8 = 8;
+/// An emission with all numbers of an emitter; older takes have none.
+pub(super) const EMIT_LONG: u8 = 9;
 
 impl Input {
     /// Sets `channel`, below [`CHANNELS`], to `value`, -1..=1.
@@ -117,7 +119,7 @@ impl Input {
             }
             Self::Clear => body.byte(CLEAR),
             Self::Emit(emission) => {
-                body.byte(EMIT);
+                body.byte(if emission.is_long() { EMIT_LONG } else { EMIT });
                 emission.write(body);
             }
         }
@@ -148,7 +150,7 @@ impl Input {
             RELEASE => Self::Release { rigid: reader.short()? },
             BLOW => Self::Blow(Blow::read(reader)?),
             CLEAR => Self::Clear,
-            EMIT => Self::Emit(Box::new(Emission::read(reader)?)),
+            kind @ (EMIT | EMIT_LONG) => Self::Emit(Box::new(Emission::read(reader, kind == EMIT_LONG)?)),
             _ => return Err(impossible_input()),
         })
     }

@@ -5,6 +5,7 @@ use crate::layout::blow::{Blow, BlowNumbers};
 use crate::layout::error::ParameterError;
 use crate::layout::limits::check_capacity;
 use crate::math::hash::Hash;
+use crate::particles::looks;
 use crate::simulator::Simulator;
 use crate::simulator::take::input::Input;
 use crate::simulator::take::origin::Origin;
@@ -29,6 +30,7 @@ impl Simulator {
     pub fn input_values(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
         let mut trial = self.parameters;
         trial.set_all(entries)?;
+        self.check_looks(&trial)?;
         for (key, value) in entries {
             let key = self.recorder.log.number_of(key);
             self.apply_input(Input::Set { key, value: *value })?;
@@ -92,6 +94,8 @@ impl Simulator {
         let Some(emission) = self.births.emission(numbers, changed, self.steps)? else {
             return Ok(None);
         };
+        let looks = looks::of_emitters(&self.parameters, &self.births, self.steps, Some(emission.emitter()));
+        looks::check(looks, &self.particles)?;
         let number = emission.number();
         self.apply_input(Input::Emit(Box::new(emission)))?;
         Ok(Some(number))
@@ -153,7 +157,12 @@ impl Simulator {
 
     fn perform(&mut self, input: &Input, log: &crate::simulator::take::log::Log) -> Result<(), ParameterError> {
         match input {
-            Input::Set { key, value } => self.set_all(&[(log.key(*key), *value)]),
+            Input::Set { key, value } => {
+                let mut changed = self.parameters;
+                changed.set(log.key(*key), *value)?;
+                self.put_parameters(&changed);
+                Ok(())
+            }
             Input::Resize { capacity } => self.resize(*capacity),
             #[cfg(feature = "meshes")]
             Input::Move { rigid, pose } => {
@@ -184,7 +193,7 @@ impl Simulator {
                 Ok(())
             }
             Input::Emit(emission) => {
-                self.births.emit(emission);
+                self.put_emission(emission);
                 Ok(())
             }
         }

@@ -70,6 +70,7 @@ impl Simulator {
         snapshot::restore(self, &start, RestoredCapacity::Saved, true)?;
         self.resize(take.capacity).map_err(RestoreError::from)?;
         (self.seed, self.random, self.parameters) = (take.seed, Random::new(take.seed), take.parameters);
+        self.take_over_parameters();
         Ok(())
     }
 }
