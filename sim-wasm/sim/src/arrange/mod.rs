@@ -222,9 +222,7 @@ fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (V
         let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
         let age = lanes(&held.age);
         let lifetime = lanes(&particles.lifetime);
-        let radius = sampler
-            .radii
-            .block_radii(particles, block, lanes(&held.size), age, lifetime);
+        let radius = particles.radii(&sampler.radii, block, [lanes(&held.size), age, lifetime]);
         return (place, age.simd_ge(f32x4::ZERO) & radius);
     }
     let before = Vector4::load(
@@ -238,9 +236,7 @@ fn blend<'p>(particles: &'p Particles, sampler: &RowSampler, block: usize) -> (V
     let lanes = |values: &'p [f32]| f32x4::new(column(values)[block]);
     let age = lanes(&particles.age) - f32x4::splat((1.0 - sampler.blend) * sampler.dt);
     let lifetime = lanes(&particles.lifetime);
-    let radius = sampler
-        .radii
-        .block_radii(particles, block, lanes(&particles.size), age, lifetime);
+    let radius = particles.radii(&sampler.radii, block, [lanes(&particles.size), age, lifetime]);
     (place, age.simd_ge(f32x4::ZERO) & radius)
 }
 

@@ -52,11 +52,11 @@ impl RowSampler {
     #[inline(never)]
     pub fn place(&self, particles: &Particles, i: usize) -> [f32; PLACE_FLOATS] {
         if let Some(held) = &particles.held {
-            return held_place(held, self.radii.of(particles, i), particles.lifetime[i], i);
+            return held_place(held, particles.radius_law(&self.radii, i), particles.lifetime[i], i);
         }
         let mix = |before: f32, now: f32| before * (1.0 - self.blend) + now * self.blend;
         let age = self.age(particles, i);
-        let law = self.radii.of(particles, i);
+        let law = particles.radius_law(&self.radii, i);
         let radius = law.radius(particles.size[i], age, particles.lifetime[i]);
         [
             mix(particles.px[i], particles.x[i]),
@@ -74,7 +74,7 @@ impl RowSampler {
         let attributes = particles.attributes[i];
         let age = self.age(particles, i);
         let worn = AGE.packed(fraction(age / particles.lifetime[i], AGE));
-        let law = self.radii.of(particles, i);
+        let law = particles.radius_law(&self.radii, i);
         let dissolution = law.dissolution(age, particles.lifetime[i]);
         let [turn, stretch] = self.flow(particles, i, dissolution, law.strand);
         let erosion = fraction(law.erosion(dissolution), EROSION);

@@ -155,7 +155,9 @@ impl<'s> EmitterSource<'s> {
         let emitter = self.emitter;
         let look = match self.look {
             Some(look) => look,
-            None => self.particles.look_of_births(emitter, self.around.parameters),
+            None => self
+                .particles
+                .look_for(&(emitter.look, emitter.tint), self.around.parameters),
         };
         self.look = Some(look);
         let Parameters { emission, puff, .. } = self.around.parameters;

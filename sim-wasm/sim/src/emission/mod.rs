@@ -11,6 +11,7 @@
 //! its share. Emitters of the pool follow those of the table and have rates of their own, see `pool`.
 
 pub(crate) mod birth;
+pub(crate) mod looks;
 pub mod pool;
 pub(crate) mod shapes;
 pub mod surface;

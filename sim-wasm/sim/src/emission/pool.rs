@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use crate::emission::{Births, Debt};
+use crate::emission::{Births, Debt, looks};
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::layout::limits::{POOL_LIMIT, STEP};
@@ -14,13 +14,15 @@ use crate::layout::parameters::accept;
 use crate::layout::parameters::emitter::{Emitter, Look};
 use crate::layout::parameters::field::Meta;
 use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
+use crate::layout::parameters::table::Parameters;
 use crate::layout::quantise::within;
-use crate::particles::looks::Entry;
+use crate::particles::Particles;
+use crate::particles::looks::PuffLook;
 
 /// Numbers of an emitter: its parameters in the order of the table, three for a vector.
 pub const EMITTER_NUMBERS: usize = 54;
 /// The first of them, which all versions have; the others have defaults without effect.
-pub(crate) const FIRST_NUMBERS: usize = 30;
+const FIRST_NUMBERS: usize = 30;
 /// Largest share, which is a rate here (particles/s): the range of `emission.rate`.
 const MAX_RATE: f64 = 20_000.0;
 /// Latest start of an emitter (s): no simulation lasts as long.
@@ -73,21 +75,20 @@ impl Births {
     /// * `numbers` - The [`EMITTER_NUMBERS`] of an emitter of the pool, or the first 30; none leave it as it is.
     /// * `count` - The number of births. With `numbers` they replace those that wait, unless it is 0. With 0 and no `numbers`
     ///   a slot becomes free and owes nothing.
-    /// * `table` - The number of emitters in the table.
-    /// * `check` - Takes all emitters of the pool, and the slot and the emitter that changes one.
+    /// * `around` - The parameters and the particles before a step, and the number of that step; none for states that
+    ///   were saved without a table.
     ///
     /// # Errors
-    /// There is no such emitter, a number is out of range, or `check` fails; nothing changes.
+    /// There is no such emitter, a number is out of range, or there would be too many looks; nothing changes.
     #[cold]
     pub fn put(
         &mut self,
         index: usize,
         numbers: &[f64],
         count: u32,
-        table: usize,
-        check: &dyn Fn(&Self, (usize, &Emitter)) -> Result<(), ParameterError>,
+        around: Option<(&Parameters, &Particles, u64)>,
     ) -> Result<(), ParameterError> {
-        if index >= table {
+        if around.is_none_or(|(parameters, ..)| index >= parameters.emitters.items().len()) {
             let slot = index.wrapping_sub(LIST_LIMIT);
             if slot >= POOL_LIMIT {
                 return Err(error_of(index));
@@ -104,7 +105,12 @@ impl Births {
             } else if emitter.size <= 0.0 {
                 return Err(error_of(index));
             }
-            check(self, (slot, &emitter))?;
+            if let Some((parameters, particles, step)) = around.filter(|_| emitter.look != Look::NONE) {
+                looks::check(
+                    looks::of_emitters(parameters, self, step, Some((slot, &emitter))),
+                    particles,
+                )?;
+            }
             self.allocated()[slot] = emitter;
             if !numbers.is_empty() && count > 0 {
                 self.debts[index].waiting = 0;
@@ -258,7 +264,7 @@ impl SnapshotSection for Births {
             read_numbers(reader, &mut numbers)?;
             // A free slot is out of the ranges of an emitter.
             let is_free = numbers == [0.0; FIRST_NUMBERS];
-            births.put(index, if is_free { &[] } else { &numbers }, 0, 0, &|_, _| Ok(()))?;
+            births.put(index, if is_free { &[] } else { &numbers }, 0, None)?;
             births.debts[index].owed = read_owed(reader)?;
             births.debts[index].waiting = reader.long()?;
             index += 1;
@@ -302,7 +308,7 @@ const LOOK: usize = FIRST_NUMBERS + 1;
 
 /// Writes a look and the tint of its emitter.
 #[cold]
-pub(crate) fn write_look(body: &mut Writer, (look, tint): &Entry) {
+pub(crate) fn write_look(body: &mut Writer, (look, tint): &PuffLook) {
     let emitter = Emitter {
         look: *look,
         tint: *tint,
@@ -314,7 +320,7 @@ pub(crate) fn write_look(body: &mut Writer, (look, tint): &Entry) {
 
 /// Reads what [`write_look`] wrote.
 #[cold]
-pub(crate) fn read_look(reader: &mut Reader) -> Result<Entry, RestoreError> {
+pub(crate) fn read_look(reader: &mut Reader) -> Result<PuffLook, RestoreError> {
     let mut numbers = [f64::NAN; EMITTER_NUMBERS];
     read_numbers(reader, &mut numbers[TINT..=TINT])?;
     read_numbers(reader, &mut numbers[LOOK..])?;

@@ -12,6 +12,7 @@ pub mod explosion;
 pub mod force;
 pub mod gravity;
 pub mod jet;
+pub(crate) mod looks;
 pub mod orbit;
 pub mod particle_motion;
 pub mod speed_limit;

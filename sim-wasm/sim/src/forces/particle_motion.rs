@@ -16,14 +16,15 @@ use wide::f32x4;
 use crate::forces::Forces;
 use crate::forces::drag::Factors;
 use crate::forces::force::{ForceContext, Phase};
+use crate::forces::looks::MotionLaws;
 use crate::forces::vortex_particles::VortexParticles;
 use crate::forces::{buoyancy, drag, gravity};
+use crate::layout::limits::STEP;
 use crate::layout::parameters::settings::Integrator;
 use crate::math::simd::{LANES, Vector4, blocks, blocks_mut, positive_part, smaller};
 use crate::particles::Particles;
 use crate::particles::entrainment::Entrainment;
 use crate::particles::following::{self, FlowLaw};
-use crate::particles::looks::Laws;
 use crate::particles::tile::{Columns, Tile, tiles};
 
 /// The motion of particles in one step.
@@ -36,6 +37,7 @@ pub struct ParticleMotion {
     /// Factors of the global drag, and its rate (1/s).
     drag: Factors,
     rate: f32x4,
+    exact_rate: f64,
     /// Factor on the velocity of vortex particles.
     vortex_scale: f32,
     dt: f32,
@@ -79,6 +81,7 @@ impl ParticleMotion {
             },
             drag: Factors::new(rate, context.now.dt),
             rate: f32x4::splat(rate as f32),
+            exact_rate: rate,
             vortex_scale: parameters.forces.vortex as f32,
             dt: context.now.dt as f32,
             step: (context.now.time / context.now.dt) as u64,
@@ -95,10 +98,12 @@ impl ParticleMotion {
         moved: &mut dyn FnMut(&mut Particles, usize, usize),
     ) {
         let mut tile = Tile::new(self.dt, self.integrator == Integrator::Paper);
+        let looks = particles.looks.as_ref();
+        let laws = looks.and_then(|looks| MotionLaws::new(looks, self.exact_rate, STEP));
         for (first, len) in tiles(particles, 0).rev() {
             tile.load(particles, first, len);
-            let looks = particles.looks.as_deref();
-            let laws = looks.and_then(|looks| looks.load(&mut tile, &particles.attributes, first));
+            let laws = laws.as_ref();
+            let laws = laws.filter(|laws| laws.load(&mut tile, &particles.attributes, first));
             self.air(&mut tile, vortex_particles);
             self.forces.act(Phase::Push, &mut tile);
             match (self.integrator, laws) {
@@ -206,7 +211,7 @@ impl ParticleMotion {
 
     /// Same for a tile of which particles have looks that move otherwise.
     #[inline(never)]
-    fn air_and_slip_by_looks(&self, tile: &mut Tile, laws: &Laws) {
+    fn air_and_slip_by_looks(&self, tile: &mut Tile, laws: &MotionLaws) {
         let (is_dragged, looks, gravity) = (tile.is_dragged, tile.looks, tile.gravity);
         let factors = |block: usize, resistance| {
             let [kept, first, second, factor] = laws.drag(&looks[block]);
@@ -281,7 +286,7 @@ impl ParticleMotion {
 
     /// Same as `paper` for a tile of which particles have looks that move otherwise.
     #[inline(never)]
-    fn paper_by_looks(&self, tile: &mut Tile, laws: &Laws) {
+    fn paper_by_looks(&self, tile: &mut Tile, laws: &MotionLaws) {
         let (looks, gravity) = (tile.looks, tile.gravity);
         self.paper(tile, |block| {
             let [.., drag] = laws.drag(&looks[block]);

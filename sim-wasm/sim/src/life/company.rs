@@ -115,8 +115,8 @@ impl<'p> Blocks<'p> {
     /// The cubes of the radii.
     #[inline(always)]
     fn volumes(&self, block: usize) -> [f32; LANES] {
-        let [size, age, lifetime] = self.life.map(|column| f32x4::new(column[block]));
-        let radius = self.radii.block_radii(self.particles, block, size, age, lifetime);
+        let life = self.life.map(|column| f32x4::new(column[block]));
+        let radius = self.particles.radii(&self.radii, block, life);
         (radius * radius * radius).to_array()
     }
 

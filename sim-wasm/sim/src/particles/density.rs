@@ -11,7 +11,7 @@ use wide::f32x4;
 use crate::layout::parameters::density_stop::Stop;
 use crate::layout::parameters::field::{STOP_STEPS, STOP_VALUE, Stops};
 use crate::layout::parameters::item::LIST_LIMIT;
-use crate::math::scalar::clamped;
+use crate::math::scalar::{clamped, greater, lesser};
 use crate::math::simd::{positive_part, smaller};
 
 /// Minimum distance between stops, as a share of life.
@@ -88,7 +88,7 @@ impl Curve {
         for rise in &self.rises[..self.count] {
             value += (worn - rise.from).max(0.0).min(rise.width) * rise.slope;
         }
-        value.max(0.0).min(1.0)
+        lesser(greater(value, 0.0), 1.0)
     }
 
     /// Same for four particles, bit for bit.

@@ -15,12 +15,16 @@ pub mod looks;
 pub mod radius;
 pub mod tile;
 
+use wide::f32x4;
+
+use crate::layout::parameters::table::Parameters;
 use crate::math::radix_sort::{self, Entry, Histogram};
 use crate::math::simd::LANES;
 use crate::particles::company::Company;
 use crate::particles::flow::Flow;
 use crate::particles::held::Held;
-use crate::particles::looks::Looks;
+use crate::particles::looks::{Looks, OTHER_BITS, PuffLook};
+use crate::particles::radius::RadiusLaw;
 
 /// Columns of particle state: positions in metres, velocities in metres per second, times in seconds.
 #[derive(Clone, Debug)]
@@ -310,6 +314,68 @@ impl Particles {
             let mut flow = Box::new(Flow::new(self.x.len()));
             flow.hold(self.held.is_some());
             self.flow = Some(flow);
+        }
+    }
+
+    /// The law of particle `i`: that of its look, or that of the smoke.
+    #[inline]
+    pub fn radius_law<'l>(&'l self, smoke: &'l RadiusLaw, i: usize) -> &'l RadiusLaw {
+        match &self.looks {
+            None => smoke,
+            Some(looks) => looks.radius_law(self.attributes[i]),
+        }
+    }
+
+    /// Radii (m) of a block of particles by the law of the smoke and by looks.
+    #[inline(always)]
+    pub(crate) fn radii(&self, smoke: &RadiusLaw, block: usize, [size, age, lifetime]: [f32x4; 3]) -> f32x4 {
+        match &self.looks {
+            None => smoke.radii(size, age, lifetime),
+            Some(looks) => looks.radii(&self.attributes.as_chunks().0[block], size, age, lifetime),
+        }
+    }
+
+    /// The look of particle `i`; 0 for none.
+    pub fn look(&self, i: usize) -> u32 {
+        self.looks
+            .as_ref()
+            .map_or(0, |_| looks::index(self.attributes[i]) as u32)
+    }
+
+    /// The tint of particle `i`; 0 for none.
+    pub fn tint(&self, i: usize) -> u32 {
+        match &self.looks {
+            None => looks::index(self.attributes[i]) as u32,
+            Some(looks) => u32::from(looks.tints[i]),
+        }
+    }
+
+    /// Sets the tint, 0..=15, of particle `i`.
+    pub(crate) fn set_tint(&mut self, i: usize, tint: u8) {
+        match &mut self.looks {
+            None => self.attributes[i] = self.attributes[i] & OTHER_BITS | u32::from(tint & 15) << 28,
+            Some(looks) => looks.tints[i] = tint & 15,
+        }
+    }
+
+    /// See [`Looks::index_for`].
+    pub(crate) fn look_for(&mut self, entry: &PuffLook, parameters: &Parameters) -> u32 {
+        let living = &self.attributes[..self.alive];
+        let looks = self.looks.as_mut();
+        looks.map_or(0, |looks| looks.index_for(entry, living, parameters))
+    }
+
+    /// Tells looks and tints apart from now on.
+    #[cold]
+    pub(crate) fn allow_looks(&mut self, parameters: &Parameters) {
+        if self.looks.is_none() {
+            let mut looks = Box::new(Looks::new(self.x.len()));
+            for (tint, attributes) in looks.tints.iter_mut().zip(&mut self.attributes) {
+                *tint = looks::index(*attributes) as u8;
+                *attributes &= OTHER_BITS;
+            }
+            looks.prepare(parameters);
+            self.looks = Some(looks);
         }
     }
 

@@ -20,7 +20,6 @@ use crate::layout::parameters::settings::{Dissolve, Integrator};
 use crate::layout::parameters::table::Parameters;
 use crate::math::scalar::{greater, lesser};
 use crate::math::simd::{positive_part, smaller};
-use crate::particles::Particles;
 use crate::particles::density::{Curve, unpacked};
 
 /// Minimum growth time (s), so that no particle appears at full size from one step to the next. Does not apply to the
@@ -108,15 +107,6 @@ impl RadiusLaw {
         }
     }
 
-    /// The law of particle `i`: this one, unless it has a look.
-    #[inline]
-    pub fn of<'l>(&'l self, particles: &'l Particles, i: usize) -> &'l Self {
-        match &particles.looks {
-            None => self,
-            Some(looks) => looks.radius_law(particles.attributes[i]),
-        }
-    }
-
     /// Radius (m) of a particle of `size` (m) at `age` of `lifetime` (s), at most `size` times
     /// [`RadiusLaw::puff_size`]. 0 from death on. A negative age counts as 0.
     pub fn radius(&self, size: f32, age: f32, lifetime: f32) -> f32 {
@@ -182,18 +172,6 @@ impl RadiusLaw {
             full *= curve.values(worn);
         }
         full * density
-    }
-
-    /// Same for four particles with these packed attributes, which may have looks.
-    #[inline(always)]
-    pub fn block_radii(&self, particles: &Particles, block: usize, size: f32x4, age: f32x4, lifetime: f32x4) -> f32x4 {
-        match &particles.looks {
-            None => self.radii(size, age, lifetime),
-            Some(looks) => {
-                let attributes = &particles.attributes.as_chunks().0[block];
-                looks.radii(attributes, size, age, lifetime)
-            }
-        }
     }
 
     fn growth(&self, age: f32) -> f32 {

@@ -44,7 +44,7 @@ impl Rigids {
             let reach = members[rigid].reach;
             let place = Vector::new(particles.x[i], particles.y[i], particles.z[i]);
             let before = Vector::new(particles.px[i], particles.py[i], particles.pz[i]);
-            let law = radii.of(particles, i);
+            let law = particles.radius_law(radii, i);
             let radius = law.radius(particles.size[i], particles.age[i], particles.lifetime[i]);
             let local = Frame::new(&members[rigid].pose).local_from_world(place);
             let gap = obstacles[rigid].shape.nearest(local, radius + reach).distance - radius;

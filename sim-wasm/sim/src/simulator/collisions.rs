@@ -115,7 +115,7 @@ fn resolve_one(particles: &mut Particles, i: usize, radii: &RadiusLaw, obstacles
 /// into a wall.
 fn traveller(particles: &Particles, i: usize, radii: &RadiusLaw, dt: f32) -> Traveller {
     let (from, to) = swept_particle::way(particles, i);
-    let radii = radii.of(particles, i);
+    let radii = particles.radius_law(radii, i);
     let (size, age, lifetime) = (particles.size[i], particles.age[i], particles.lifetime[i]);
     let began = (-age / dt).clamp(0.0, 1.0);
     let span = dt * greater(1.0 - began, MIN_STEP_FRACTION);

@@ -17,18 +17,18 @@ use crate::arrange::rows::RowSampler;
 use crate::arrange::view::View;
 use crate::collide::analytic;
 use crate::collide::pool::ColliderPool;
-use crate::emission::Births;
 use crate::emission::birth::EmissionContext;
-use crate::emission::pool::{Emission, FIRST_NUMBERS};
+use crate::emission::pool::{Emission, write_look};
 use crate::emission::surface::{Surface, Surfaces};
+use crate::emission::{Births, looks};
 use crate::forces::force::{ForceContext, TurbulenceState};
 use crate::forces::particle_motion::ParticleMotion;
 use crate::forces::turbulence;
 use crate::forces::vortex_particles::VortexParticles;
 use crate::forces::vortex_particles::swarm::VortexParticle;
+use crate::layout::bytes::Writer;
 use crate::layout::error::ParameterError;
 use crate::layout::limits::{STEP, check_capacity};
-use crate::layout::parameters::emitter::{Emitter, Look};
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::settings::Integrator;
 use crate::layout::parameters::table::Parameters;
@@ -41,7 +41,7 @@ use crate::math::random::Random;
 #[cfg(feature = "rigids")]
 use crate::math::vector::Vector;
 use crate::particles::following::FlowLaw;
-use crate::particles::looks::{self, OTHER_BITS};
+use crate::particles::looks::{LOOK_LIMIT, NO_LOOK, OTHER_BITS};
 use crate::particles::radius::RadiusLaw;
 use crate::particles::tile::tiles;
 use crate::particles::{Newborn, Particles};
@@ -160,25 +160,23 @@ impl Simulator {
         if let Some(looks) = &mut particles.looks {
             looks.prepare(parameters);
         }
-        self.allow_looks();
+        let thins = self.allow_looks();
         let radii = RadiusLaw::new(&self.parameters);
         let needed = FlowLaw::new(&self.parameters).is_needed(&self.particles, &radii);
-        self.particles.follow(needed || self.looks().any(Look::thins));
+        self.particles.follow(needed || thins);
     }
 
-    /// The looks of emitters.
-    fn looks(&self) -> impl Iterator<Item = &Look> {
-        looks::of_emitters(&self.parameters, &self.births, self.steps, None).map(|(look, _)| look)
-    }
-
-    /// Allocates what the looks of emitters need.
-    fn allow_looks(&mut self) {
-        if self.looks().next().is_some() {
-            self.particles.allow_looks(&self.parameters);
-        }
-        if self.looks().any(Look::thins) {
+    /// Allocates what the looks of emitters need. Returns true if puffs of any of them end as strands.
+    fn allow_looks(&mut self) -> bool {
+        let looks = looks::of_emitters(&self.parameters, &self.births, self.steps, None);
+        let Some(thins) = looks.map(|(look, _)| look.thins()).reduce(|any, one| any | one) else {
+            return false;
+        };
+        self.particles.allow_looks(&self.parameters);
+        if thins {
             self.particles.follow(true);
         }
+        thins
     }
 
     /// The current parameters.
@@ -204,15 +202,9 @@ impl Simulator {
     /// # Errors
     /// There is no such emitter, or a number is out of range; nothing changes.
     pub fn set_emitter(&mut self, index: u32, numbers: &[f64], count: u32) -> Result<(), ParameterError> {
-        let table = self.parameters.emitters.items().len();
-        let check = |births: &Births, changed: (usize, &Emitter)| {
-            let looks = looks::of_emitters(&self.parameters, births, self.steps, Some(changed));
-            looks::check(looks, &self.particles)
-        };
-        self.births.put(index as usize, numbers, count, table, &check)?;
-        if numbers.len() > FIRST_NUMBERS {
-            self.allow_looks();
-        }
+        let around = (&self.parameters, &self.particles, self.steps);
+        self.births.put(index as usize, numbers, count, Some(around))?;
+        self.allow_looks();
         Ok(())
     }
 
@@ -234,9 +226,7 @@ impl Simulator {
     /// Starts or changes an emission.
     pub(crate) fn put_emission(&mut self, emission: &Emission) {
         self.births.emit(emission);
-        if emission.is_long() {
-            self.allow_looks();
-        }
+        self.allow_looks();
     }
 
     /// Sets, moves or removes a collider of the pool. See [`ColliderPool::put`].
@@ -469,8 +459,14 @@ impl Simulator {
         for i in 0..self.particles.alive() {
             hash.word(self.particles.attributes[i] & OTHER_BITS | self.particles.tint(i) << 28);
         }
-        if let Some(looks) = &self.particles.looks {
-            looks.hash_into(&self.particles.attributes[..self.particles.alive()], &mut hash);
+        if let Some(looks) = &self.particles.looks
+            && looks.entries != [NO_LOOK; LOOK_LIMIT]
+        {
+            let living = &self.particles.attributes[..self.particles.alive()];
+            living.iter().for_each(|attributes| hash.word(attributes >> 28));
+            let mut body = Writer::default();
+            looks.entries.iter().for_each(|entry| write_look(&mut body, entry));
+            hash.bytes(&body.finish());
         }
         if let Some(company) = &self.particles.company {
             hash.floats(&company.extra_ageing[..self.particles.alive()]);

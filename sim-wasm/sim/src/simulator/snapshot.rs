@@ -5,6 +5,7 @@
 
 use crate::collide::pool::ColliderPool;
 use crate::emission::Births;
+use crate::emission::pool::{read_look, write_look};
 use crate::emission::surface::Surfaces;
 use crate::forces::force::TurbulenceState;
 use crate::forces::vortex_particles::VortexParticles;
@@ -237,7 +238,8 @@ fn write_particles(body: &mut Writer, particles: &Particles) {
         write_column(body, &company.extra_ageing[..alive]);
     }
     if let Some(looks) = &particles.looks {
-        looks.write(body, alive);
+        looks.entries.iter().for_each(|entry| write_look(body, entry));
+        body.raw(&looks.tints[..alive]);
     }
 }
 
@@ -272,7 +274,12 @@ fn read_particles(reader: &mut Reader, capacity: usize) -> Result<Particles, Res
     }
     if columns & HAS_LOOKS != 0 {
         let mut looks = Box::new(Looks::new(particles.x.len()));
-        looks.read(reader, alive)?;
+        for entry in &mut looks.entries {
+            *entry = read_look(reader)?;
+        }
+        for tint in &mut looks.tints[..alive] {
+            *tint = reader.byte()? & 15;
+        }
         particles.looks = Some(looks);
     }
     particles.set_alive(alive);

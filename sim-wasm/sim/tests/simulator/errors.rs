@@ -40,8 +40,9 @@ fn every_parameter_takes_its_ends_and_its_default() {
             let key = row.key.replace('#', "0");
             simulator.set(&key, value).unwrap();
             let entries = simulator.parameters().entries();
+            let is_left_out = row.meta.rare && value == row.default;
             assert!(
-                entries.contains(&(key.clone(), value)),
+                is_left_out || entries.contains(&(key.clone(), value)),
                 "{key} = {value} is not among the entries"
             );
         }

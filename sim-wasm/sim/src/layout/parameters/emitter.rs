@@ -64,6 +64,11 @@ impl Look {
         style: 0.0,
     };
 
+    /// Whether its puffs move as those without a look.
+    pub fn moves_as_smoke(&self) -> bool {
+        [self.drag, self.buoyancy, self.gravity] == [1.0; 3]
+    }
+
     /// Whether its puffs end as strands.
     pub fn thins(&self) -> bool {
         self.dissolve > 2.0

@@ -1,11 +1,10 @@
 //! Live inputs: they are quantised, applied and recorded.
 
-use crate::emission::Births;
+use crate::emission::{Births, looks};
 use crate::layout::blow::{Blow, BlowNumbers};
 use crate::layout::error::ParameterError;
 use crate::layout::limits::check_capacity;
 use crate::math::hash::Hash;
-use crate::particles::looks;
 use crate::simulator::Simulator;
 use crate::simulator::take::input::Input;
 use crate::simulator::take::origin::Origin;
