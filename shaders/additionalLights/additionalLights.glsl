@@ -74,7 +74,9 @@ vec3 lightOf(vec3 shares, vec3 place) {
 }
 
 vec3 reflected(float material, vec3 sum) {
-  return texelFetch(directParts, ivec2(material, 0), 0).rgb * sum;
+  const int PARTS_WIDTH = 1024;
+  ivec2 texel = ivec2(int(material) % PARTS_WIDTH, int(material) / PARTS_WIDTH);
+  return texelFetch(directParts, texel, 0).rgb * sum;
 }
 
 // A display-encoded tone plus linear light. Polynomials are exact to 0.7 of 255; the powers of srgb.glsl would cost most.

@@ -35,6 +35,9 @@ vec3 turnedFromX(vec3 axis, vec3 vector) {
 // The centres of the first and of the third bite in another frame.
 mat2x3 bitesIn(mat3 frameFromPuff) {
 #ifdef DEFORMED
+#ifdef LOOKS
+  bool isTorn = isTornPuff(attributes);
+#endif
   if (isTorn) {
     vec3 axis = normalize(stretchOf(attributes.w).xyz * worldFromPuff(attributes));
     return mat2x3(frameFromPuff * turnedFromX(axis, FIRST_BITE), frameFromPuff * turnedFromX(axis, THIRD_BITE));

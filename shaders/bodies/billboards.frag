@@ -83,7 +83,11 @@ void main() {
   float viewZ = min(centreZ + (shape.a - 0.5) * 2.0 * pad * radius, -near);
   vec2 here = surfaceHere(clipFromView);
   bool isInk = isRing || isSeam(clipFromView, here.y, viewZ, normal, pixel, linePixels);
-  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), radius / pixel) : 0.0;
+  float fullLine = inkPixels * exp2(inkSwell);
+#ifdef LOOKS
+  fullLine *= inkWeightOf(rampIndex);
+#endif
+  float ink = isInk ? inkShare(linePixels, fullLine, radius / pixel) : 0.0;
 #ifdef PLACES
   surfacePlace = packPlace(vec3(rotated(puffPoint), (viewZ - centreZ) / radius));
 #endif
@@ -92,6 +96,9 @@ void main() {
   float material = rampIndex;
 #ifdef FALLOFF
   float strengthCode = takeStrength(material);
+#endif
+#ifdef LOOKS
+  material = withoutLook(material);
 #endif
 #ifdef SHADING
   shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));

@@ -47,7 +47,12 @@ void main() {
   radius = place.w * clearance(centre, 1.0);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
   phase = boilPhase(seedOf(attributes), drawing);
-  inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
+  rampIndex = materialOf(attributes, ramps);
+  float line = inkPixels * exp2(inkSwell);
+#ifdef LOOKS
+  line *= inkWeightOf(rampIndex);
+#endif
+  inkReach = radius > 0.0 ? lineWidth(line, radius / pixel) * pixel / radius : 0.0;
   variation = variationOf(attributes) % textureSize(supports, 0).y;
   int quarter = textureSize(supports, 0).x / 4;
   float right = supportAt(corner.x > 0.0 ? 0 : 2 * quarter, variation);
@@ -58,7 +63,6 @@ void main() {
   centreZ = centre.z;
   ringDrop = innerLine * radius;
   towardsLight = towardsLightFrom(lightInView, centre);
-  rampIndex = materialOf(attributes, ramps);
 #ifdef FALLOFF
   rampIndex += packedStrengthAt(place.xyz);
 #endif

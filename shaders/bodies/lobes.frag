@@ -221,7 +221,11 @@ void main() {
 #ifndef FLAT
   isInk = isInk || isSeam(clipFromView, here.y, viewZ, viewNormal, pixel, linePixels);
 #endif
-  float ink = isInk ? inkShare(linePixels, inkPixels * exp2(inkSwell), pixels) : 0.0;
+  float fullLine = inkPixels * exp2(inkSwell);
+#ifdef LOOKS
+  fullLine *= inkWeightOf(depthsAndRamp.w);
+#endif
+  float ink = isInk ? inkShare(linePixels, fullLine, pixels) : 0.0;
 #ifdef DEFORMED
   normal = stretchedNormal(projection, normal);
 #endif
@@ -234,6 +238,9 @@ void main() {
   float material = depthsAndRamp.w;
 #ifdef FALLOFF
   float strengthCode = takeStrength(material);
+#endif
+#ifdef LOOKS
+  material = withoutLook(material);
 #endif
 #ifdef SHADING
   shading = packShading(Shading(light.facing, material, light.isFilled, light.isRim, ink > 0.0, radius));

@@ -55,7 +55,12 @@ void main() {
 #endif
   float radius = place.w * across * clearance(centre, across);
   float pixel = viewUnitsPerPixel(clipFromView, viewport, centre.z);
-  float inkReach = radius > 0.0 ? lineWidth(inkPixels * exp2(inkSwell), radius / pixel) * pixel / radius : 0.0;
+  float rampIndex = materialOf(attributes, ramps);
+  float line = inkPixels * exp2(inkSwell);
+#ifdef LOOKS
+  line *= inkWeightOf(rampIndex);
+#endif
+  float inkReach = radius > 0.0 ? lineWidth(line, radius / pixel) * pixel / radius : 0.0;
 
   mat3 viewFromPuff = mat3(viewFromWorld) * worldFromPuff(attributes);
 #ifdef DEFORMED
@@ -113,7 +118,7 @@ void main() {
   vec3 gradients = vec3(0.5 + 0.5 * beside.y, 0.5 + 0.5 * clip.y / clip.w, 1.0 - ageOf(attributes));
   pointAndGradient = vec4(point, dot(gradientWeights, gradients), boilPhase(seedOf(attributes), drawing));
   middleAndInkReach = vec4(middle, inkReach * exp2(-inkSwell));
-  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, materialOf(attributes, ramps));
+  depthsAndRamp = vec4(centre.z, radius, innerLine * radius, rampIndex);
 #ifdef FALLOFF
   depthsAndRamp.w += packedStrengthAt(place.xyz);
 #endif

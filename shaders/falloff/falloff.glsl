@@ -52,9 +52,9 @@ void findStrength(vec3 place) {
 vec3 linearInLight(ivec2 texel) {
   int first = texel.y & ~3;
   vec4 tone = texelFetch(styledRamps, texel, 0);
-  vec4 shadow = texelFetch(styledRamps, ivec2(0, first), 0);
+  vec4 shadow = texelFetch(styledRamps, ivec2(texel.x & ~255, first), 0);
   vec3 ambient = shadow.rgb;
-  vec3 byFill = tone.a * (texelFetch(styledRamps, ivec2(0, first + 2), 0).rgb - ambient);
+  vec3 byFill = tone.a * (texelFetch(styledRamps, ivec2(texel.x & ~255, first + 2), 0).rgb - ambient);
   vec3 color = ambient * ambientLight + (tone.rgb - ambient - byFill) * lampLight * strength + byFill;
   return mix(color, tone.rgb, shadow.a);
 }

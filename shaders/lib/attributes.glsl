@@ -30,7 +30,7 @@ int seedOf(uvec4 attributes) {
 
 // 0 for no tint, else 1 to 15.
 int tintOf(uvec4 attributes) {
-  return int(attributes.y >> 24u);
+  return int((attributes.y >> 24u) & 0xfu);
 }
 
 // Turn by the air as a unit quaternion x, y, z, w: the three components after the largest one are packed.

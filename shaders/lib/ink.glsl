@@ -5,6 +5,10 @@ const vec2 LINE_RADII = vec2(1.0, 3.5);
 const vec2 FADE_WIDTHS = vec2(0.5, 1.0);
 const vec2 FADE_RADII = vec2(1.5, 3.0);
 
+#ifdef LOOKS
+float inkWeightOf(float rampIndex);
+#endif
+
 // A line has its full width on puffs with a radius of at least 3.5 widths. On smaller puffs it narrows, and a puff no
 // larger than the line width has none, so that distant smoke does not turn into dots. The width is at most 0.301 radii,
 // within the 0.35 radii by which billboard layers extend beyond the silhouette.

@@ -33,10 +33,24 @@ bool isRim(float facingEye, float facingLight, float width) {
 // Linear colour of the rim in the light of the style.
 uniform vec3 rimGlow;
 
+#ifdef LOOKS
+ivec2 inColumns(ivec2 texel);
+float withoutLook(float rampIndex);
+#endif
+
+// The texel at a place of a row of a material's ramp.
+ivec2 rampTexel(float material, float row, float place) {
+  ivec2 texel = ivec2(place, RAMP_ROWS * material + row);
+#ifdef LOOKS
+  texel = inColumns(texel);
+#endif
+  return texel;
+}
+
 // The rim of a material. A share of it glows, see src/renderer/gpu/ramps.ts.
 // @param color of the rim in the light
 vec3 rimOf(vec3 color, sampler2D ramps, float material) {
-  float glow = texelFetch(ramps, ivec2(0.0, RAMP_ROWS * material), 0).a;
+  float glow = texelFetch(ramps, rampTexel(material, 0.0, 0.0), 0).a;
   return glow > 0.0 ? displayFromLinear(mix(linearFromDisplay(color), rimGlow, glow)) : color;
 }
 
@@ -76,7 +90,7 @@ vec3 lightened(vec3 tone, vec3 light);
 // and fill and rim apply to both.
 Shades shade(Lighting light, sampler2D ramps, float material, vec3 gradient, vec3 rimColor) {
   float column = clamp(light.facing * RAMP_TEXELS, 0.0, RAMP_TEXELS - 1.0);
-  ivec2 texel = ivec2(column, RAMP_ROWS * material + (light.isFilled ? 2.0 : 0.0));
+  ivec2 texel = rampTexel(material, light.isFilled ? 2.0 : 0.0, column);
 #ifdef FALLOFF
   vec3 lit = inLight(texel + ivec2(0, 1), light.isRim);
   rimColor = lit;

@@ -49,10 +49,19 @@ vec3 placeAt(ivec2 at) {
 }
 #endif
 
+#ifdef LOOKS
+float litBorderOf(sampler2D ramps, float material);
+#endif
+
 vec3 rampAt(float material, float row, float facing) {
+#if defined(FALLOFF) || defined(LOOKS)
+  ivec2 texel = rampTexel(material, row, clamp(256.0 * facing, 0.0, 255.0));
+#endif
 #ifdef FALLOFF
-  ivec2 texel = ivec2(clamp(256.0 * facing, 0.0, 255.0), RAMP_ROWS * material + row);
   if (row == 1.0 || row == 3.0) return inLight(texel, false);
+#endif
+#ifdef LOOKS
+  return texelFetch(ramps, texel, 0).rgb;
 #endif
   float pitch = 1.0 / float(textureSize(ramps, 0).y);
   return textureLod(ramps, vec2(facing, (RAMP_ROWS * material + row + 0.5) * pitch), 0.0).rgb;
@@ -66,7 +75,7 @@ float leaningShare(float share, float facing) {
   return mix(share, 0.5 + 0.5 * (facing - FORM_MIDDLE), plumeForm);
 }
 
-vec4 leaning(vec4 light, ivec2 at) {
+vec4 leaning(vec4 light, float litFrom, ivec2 at) {
   const float FORM_STEPS = 127.0;
   vec3 place = placeAt(at);
   vec4 texel = texture(form, (formFromView * vec4(place, 1.0)).xyz);
@@ -94,7 +103,7 @@ vec3 inLights(vec3 tone, float material, ivec2 at) {
 }
 
 // The tone that the averaged fields select, without the gradient.
-vec3 toneOf(vec4 light, float material) {
+vec3 toneOf(vec4 light, float litFrom, float material) {
   if (light.r > 0.5) return rampAt(material, 1.0, max(light.g / light.r, litFrom));
   float darkness = light.b / (1.0 - light.r);
   vec3 shadow = rampAt(material, darkness > 0.75 ? 2.0 : 0.0, 0.0);
@@ -151,12 +160,16 @@ void main() {
     pixel = vec4(rimOf(rim, ramps, own.material), shadowed.a);
     return;
   }
+  float border = litFrom;
+#ifdef LOOKS
+  border = litBorderOf(ramps, own.material);
+#endif
 #ifdef FORM
-  light = leaning(light, at);
+  light = leaning(light, border, at);
 #endif
 #ifdef AMOUNTS
   print(amountOn(light.r, light.g / max(light.r, 0.001)), 0.0, packed.a);
 #endif
-  vec3 tone = inLights(toneOf(light, own.material), own.material, at);
+  vec3 tone = inLights(toneOf(light, border, own.material), own.material, at);
   pixel = vec4(min(tone * gradient, 1.0), shadowed.a);
 }

@@ -19,6 +19,9 @@ flat out vec4 bulgeAndSqueeze;
 
 #include arc.glsl
 #include ../lib/ink.glsl
+#ifdef LOOKS
+float withLook(float material, uvec4 attributes);
+#endif
 
 // Tangent of half the angle between the sides that touch the circle.
 const float SLOPE = 0.57735;
@@ -30,7 +33,11 @@ void main() {
   fetchArc(arc);
   findArc();
   float size = lobe.w * radius / pixel;
-  float greatest = lineWidth(inkPixels * exp2(inkSwell), radius / pixel);
+  float fullLine = inkPixels * exp2(inkSwell);
+#ifdef LOOKS
+  fullLine *= inkWeightOf(withLook(0.0, attributes));
+#endif
+  float greatest = lineWidth(fullLine, radius / pixel);
   frame = vec4(cos(middle), sin(middle), halfAngle, size);
   vec3 light = towardsLightFrom(lightInView, centre);
   line = vec4(greatest * exp2(-inkSwell), boilPhase(seedOf(attributes), drawing), light.xy);

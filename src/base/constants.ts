@@ -49,6 +49,14 @@ export const CAP_ROWS = 32;
 export const RAMP_TEXELS = 256;
 /** Rows of a ramp: in shadow, in the light, then both again where the fill light reaches. */
 export const RAMP_ROWS = 4;
+/** Rows of ramps in a column of the ramp texture, if there are looks: with their bands it has at most 2,048 rows. */
+export const COLUMN_ROWS = 2032;
+/** Looks of emitters at a time, with that of the smoke. */
+export const LOOKS_LIMIT = 16;
+/** What the index of a look counts in a ramp index: more than there are materials. */
+export const LOOK_PLACE = 4096;
+/** Materials in a row of the texture of direct light. */
+export const PARTS_WIDTH = 1024;
 /** N . towardsFill above which the fill light applies. */
 export const FILL_BORDER = 0.65;
 

@@ -6,7 +6,8 @@
  * These rows are optional: a parameter without a value has the scene's value.
  */
 import source from './lists.json' with { type: 'json' };
-import type { ChoiceParameter, NumberParameter } from './parameter.ts';
+import { MAX_STOPS } from './curve.ts';
+import type { ChoiceParameter, CurveParameter, NumberParameter, RampParameter } from './parameter.ts';
 import { choice, ofScene, quantity, unitOf } from './rows/row.ts';
 
 /** Maximum number of items per list, as in the simulator. */
@@ -18,7 +19,7 @@ export interface Field {
   readonly unit: string;
   readonly min: number;
   readonly max: number;
-  /** One number, or three for a vector field. */
+  /** One number, three for a vector, or one for each stop of a curve. */
   readonly default: readonly number[];
   readonly whole: boolean;
   /** Names of the values 0, 1, ...; empty for a quantity. */
@@ -34,24 +35,51 @@ export const lists: Readonly<Record<string, readonly Field[]>> = others;
 /** Names of the lists in order. */
 export const listNames: readonly string[] = Object.keys(lists);
 
+/** The number of an emitter that stands for the colours and the ink of its look. */
+export const LOOK_STYLE = 'look.style';
+
+type ItemParameter = NumberParameter | ChoiceParameter | CurveParameter | RampParameter;
+
 /** All rows of all items of all lists. */
-export function listParameters(): (NumberParameter | ChoiceParameter)[] {
+export function listParameters(): ItemParameter[] {
   return listNames.flatMap((name) =>
     Array.from({ length: LIST_LIMIT }, (_, index) => itemParameters(name, index)).flat(),
   );
 }
 
-function itemParameters(list: string, index: number): (NumberParameter | ChoiceParameter)[] {
-  return lists[list].flatMap((field) =>
-    endsOf(field).map((end, part) => {
+function itemParameters(list: string, index: number): ItemParameter[] {
+  return lists[list].flatMap((field): ItemParameter | ItemParameter[] => {
+    if (field.key === LOOK_STYLE) return lookStyle(`${list}.${index}.look`);
+    if (isCurve(field))
+      return ofScene({
+        kind: 'curve',
+        key: `${list}.${index}.${field.key}`,
+        reader: 'simulator',
+        default: '',
+      } as const);
+    return endsOf(field).map((end, part) => {
       const key = `${list}.${index}.${field.key}${end}`;
       return field.names.length > 0 ? choiceOf(field, key) : numberOf(field, part, key);
-    }),
-  );
+    });
+  });
 }
 
-/** The ends of the keys of a field: one, or one for each axis of a vector. */
+/** The colours and the ink of a look, which the style reads. */
+function lookStyle(look: string): ItemParameter[] {
+  const ramp = (name: string): RampParameter =>
+    ofScene({ kind: 'ramp', key: `${look}.${name}`, reader: 'style', default: '' } as const);
+  const ink = quantity(`${look}.inkWeight`, 'style', { min: 0, max: 4, default: 1 });
+  return [ramp('colors'), ramp('ageColors'), ramp('heatColors'), ofScene(ink)];
+}
+
+/** Whether a field holds the stops of a curve, which is one text in the table. */
+function isCurve(field: Field): boolean {
+  return field.default.length === MAX_STOPS;
+}
+
+/** The ends of the keys of a field: one, one for each axis of a vector, or one for each stop of a curve. */
 export function endsOf(field: Field): readonly string[] {
+  if (isCurve(field)) return field.default.map((_, stop) => `.${stop}`);
   return field.default.length === 1 ? [''] : ['.x', '.y', '.z'];
 }
 

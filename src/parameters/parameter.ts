@@ -63,7 +63,7 @@ export interface ColorParameter extends ParameterDescription {
   readonly default: string;
 }
 
-/** A piecewise linear curve over 0..1, as stops `0:1,.5:.8,1:0` sorted by position; values from 0 to 1. */
+/** A piecewise linear curve over 0..1, as stops `0:1,.5:.8,1:0` sorted by position; values from 0 to 1. Empty if its default is. */
 export interface CurveParameter extends ParameterDescription {
   readonly kind: 'curve';
   readonly default: string;
@@ -98,7 +98,7 @@ export function accepted(parameter: Parameter): string {
     case 'color':
       return 'a colour such as #f4efe6';
     case 'curve':
-      return `${MIN_STOPS} to ${MAX_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
+      return `${parameter.default ? '' : 'nothing, or '}${MIN_STOPS} to ${MAX_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
     case 'ramp':
       return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
     case 'drawing':

@@ -69,7 +69,9 @@ function valueSchema(parameter: Parameter): Schema {
     case 'color':
       return { type: 'string', pattern: '^#[0-9a-fA-F]{6}$' };
     case 'curve':
-      return { type: 'string', pattern: stops('[0-9.]+', MIN_STOPS, MAX_STOPS), examples: [parameter.default] };
+      return parameter.default
+        ? { type: 'string', pattern: stops('[0-9.]+', MIN_STOPS, MAX_STOPS), examples: [parameter.default] }
+        : { type: 'string', pattern: `^$|${stops('[0-9.]+', MIN_STOPS, MAX_STOPS)}` };
     case 'ramp':
       return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', MIN_COLORS, MAX_COLORS)}` };
     case 'drawing':

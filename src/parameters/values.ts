@@ -84,7 +84,7 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
     case 'color':
       return typeof value === 'string' && COLOR.test(value);
     case 'curve':
-      return typeof value === 'string' && readCurve(value) !== undefined;
+      return typeof value === 'string' && (value === parameter.default || readCurve(value) !== undefined);
     case 'ramp':
       return typeof value === 'string' && readRamp(value) !== undefined;
     case 'drawing':
@@ -122,7 +122,7 @@ export function readText(
 function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'choice') return parameter.options.find(({ value }) => String(value) === text)?.value;
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
-  if (parameter.kind === 'curve') return readCurve(text) && text;
+  if (parameter.kind === 'curve') return isAccepted(parameter, text) ? text : undefined;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
   if (parameter.kind === 'drawing') return isDrawing(text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;

@@ -17,6 +17,7 @@ import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, type Ramp } from './gpu/ramps.ts';
 import { homogeneous, type AdditionalLight, type Light } from './light.ts';
 import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
+import { PARTS_WIDTH } from '../base/constants.ts';
 import { reachOf, setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
@@ -37,7 +38,7 @@ export function withAdditionalLights(shaders: Shaders): Shaders {
 /** Lights on one smoke and its surfaces: shaders/additionalLights/additionalLights.glsl and what it reads. */
 export class AdditionalLights extends ShaderVariant {
   private readonly uniforms;
-  /** Of each material, a texel. */
+  /** Of each material, a texel, in rows of {@link PARTS_WIDTH}. */
   private readonly directParts: DataTexture;
   private style: Style | undefined;
   private colors: Float32Array | undefined;
@@ -64,9 +65,10 @@ export class AdditionalLights extends ShaderVariant {
   /** @param ramps of all materials, in order */
   apply(ramps: readonly Ramp[]): void {
     const { directParts } = this;
-    if (directParts.image.width !== ramps.length) {
+    const [width, height] = [Math.min(ramps.length, PARTS_WIDTH), Math.ceil(ramps.length / PARTS_WIDTH)];
+    if (directParts.image.width !== width || directParts.image.height !== height) {
       directParts.dispose();
-      directParts.image = { data: new Float32Array(4 * ramps.length), width: ramps.length, height: 1 };
+      directParts.image = { data: new Float32Array(4 * width * height), width, height };
     }
     const data = directParts.image.data as Float32Array;
     ramps.forEach((ramp, material) => data.set(directPartOf(ramp), 4 * material));

@@ -22,6 +22,7 @@ const modules = new LazyModules({
   bites: () => import('./bites.ts'),
   falloff: () => import('./falloff.ts'),
   additionalLights: () => import('./additionalLights.ts'),
+  looks: () => import('./looks.ts'),
 });
 /** The modules that are loaded. */
 export const { loaded } = modules;
@@ -50,6 +51,8 @@ export interface PictureKind {
   readonly lampLight?: Factors;
   /** Whether there are lights besides the key light. */
   readonly hasAdditionalLights?: boolean;
+  /** Whether emitters may have looks of their own. */
+  readonly hasLooks?: boolean;
   readonly view?: DebugView;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
@@ -83,7 +86,8 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, isTiled } = kind;
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, hasLooks, view, isTiled } =
+    kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -96,6 +100,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(isEroded && { bites: 'Bites' }),
     ...(lampLight && { falloff: 'The decay of light' }),
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
+    ...(hasLooks && { looks: 'Looks of emitters' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

@@ -15,11 +15,20 @@ const STEPS = 65536;
 
 /**
  * The light of glowing smoke in full light: for each temperature from 0 to 1 linear red, green and blue, and their
- * luminance. Undefined if nothing glows.
+ * luminance. With looks, the same for each of them follows. Undefined if nothing glows.
  */
 export function glowColors(style: Style): Float32Array | undefined {
+  if (style.glow.length === 0) return undefined;
+  const own = colorsOf(style);
+  if (!style.looks) return own;
+  const ofLooks = style.looks.styles.slice(1).map((look) => (look ? colorsOf(look) : own));
+  // A tint does not glow.
+  const all = ofLooks.map((colors, index) => (style.looks!.tints[index + 1] > 0 ? colors.map(() => 0) : colors));
+  return Float32Array.from([own, ...all].flatMap((colors) => [...colors]));
+}
+
+function colorsOf(style: Style): Float32Array {
   const { glow, heatColors, softColors } = style;
-  if (glow.length === 0) return undefined;
   const heats: readonly Tone[] = heatColors.length ? heatColors : [{ from: 0, color: plainColorOf(style) }];
   const colors = new Float32Array(4 * (GLOW_HEATS + 1));
   for (let step = 0; step <= GLOW_HEATS; ++step) {

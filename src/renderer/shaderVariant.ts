@@ -4,7 +4,7 @@ import { withCodeBeforeMain, type Shaders } from './gpu/programsAhead.ts';
 
 /** Code that shaders with a define declare and call. */
 export interface AddedCode {
-  /** The define; only shaders that contain its name change. */
+  /** The define; only programs that contain its name change. */
   readonly define: string;
   /** A function of the code, which shaders that need it declare. */
   readonly declared: string;
@@ -46,7 +46,7 @@ export class ShaderVariant {
 /** Shaders with more code; the same object if they have no use for it. */
 export function withCode(shaders: Shaders, { define, declared, code }: AddedCode): Shaders {
   const { vertexShader, fragmentShader, defines } = shaders;
-  if (!fragmentShader.includes(define)) return shaders;
+  if (![vertexShader, fragmentShader].some((shader) => shader.includes(define))) return shaders;
   // Vertex shaders of surfaces and of whole pictures have no use for it.
   const added = (shader: string) => (shader.includes(declared) ? withCodeBeforeMain(shader, code) : shader);
   return {

@@ -4,6 +4,8 @@ import type { PuffShape } from './puffs/shapes.ts';
 import type { FrameInput } from './frameInput.ts';
 import { LivePuffs } from './livePuffs.ts';
 import type { SmokeOptions, SmokeRenderer } from './smoke.ts';
+import { loaded } from './extraPasses.ts';
+import type { Simulator } from '../simulator/simulator.ts';
 import { styleOf, type Style } from './style.ts';
 
 /**
@@ -16,9 +18,11 @@ type Make = (options: Pick<SmokeOptions, 'capacity' | 'puffs'>) => SmokeRenderer
 /** Smoke as values describe it: its style, its puffs, and a renderer with their capacity. */
 export class ShownSmoke {
   values: Values;
+  /** The style of the values, with the looks that the simulator had at the last call of `followLooks`. */
   style: Style;
   /** Replaced when the capacity changes. */
   renderer: SmokeRenderer;
+  private plain: Style;
   private readonly make: Make;
   private readonly styleIn: (values: Values) => Style;
   private readonly puffs: LivePuffs;
@@ -27,7 +31,7 @@ export class ShownSmoke {
 
   constructor(values: Values, make: Make, styleIn = styleOf) {
     this.values = values;
-    this.style = styleIn(values);
+    this.style = this.plain = styleIn(values);
     this.make = make;
     this.styleIn = styleIn;
     this.puffs = new LivePuffs(values);
@@ -39,9 +43,21 @@ export class ShownSmoke {
   setValues(values: Values): void {
     const before = capacityOf(this.values);
     this.values = values;
-    this.style = this.styleIn(values);
+    this.style = this.plain = this.styleIn(values);
     this.puffs.requestPuffs(values);
     if (capacityOf(values) !== before) this.renew();
+  }
+
+  /**
+   * Takes over the looks that a simulator has now, as far as their code is loaded.
+   * @returns whether the style has changed
+   */
+  followLooks(simulator: Pick<Simulator, 'hasLooks' | 'lookStyles'>): boolean {
+    const { plain, values, style } = this;
+    if (!simulator.hasLooks) this.style = plain;
+    else if (loaded.looks) this.style = loaded.looks.withLooks(plain, values, simulator, style);
+    else if (!style.hasLooks) this.style = { ...plain, hasLooks: true };
+    return this.style !== style;
   }
 
   /** Provides at least as many variations as restored particles use. */

@@ -1,15 +1,16 @@
 import type { Device } from './gpu/device.ts';
 import { FrameView } from './gpu/frameView.ts';
 import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
-import { RampTexture, type Color, blendedAt, toneAt, type Bands, type Tone } from './gpu/ramps.ts';
+import { RampTexture, type Color, blendedAt, toneAt, type Bands, type Ramp, type Tone } from './gpu/ramps.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
 import type { AdditionalLights } from './additionalLights.ts';
 import type { LampLight } from './falloff.ts';
 import type { FrameInput } from './frameInput.ts';
+import type { LookVariant } from './looks.ts';
 import { plainColorOf, rampOf, surfaceToning, litThresholdOf, washed, multiply } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasPattern, hasStrokes } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
-import { setStyle, styleUniforms, type Style } from './style.ts';
+import { leastThresholdOf, setStyle, styleUniforms, type Style } from './style.ts';
 import { SmokePasses } from './smokePasses.ts';
 import { TINTS } from '../base/constants.ts';
 import { valueAt, type Stop } from '../parameters/curve.ts';
@@ -39,6 +40,8 @@ const PLAIN_PICTURE = {
   isEroded: false,
   lampLight: undefined,
   hasAdditionalLights: false,
+  hasLooks: false,
+  looks: undefined,
 } as const;
 // Ramp 0 is that of untinted smoke; the tints have ramps 1 and up.
 const FIRST_SURFACE_RAMP = 1 + TINTS;
@@ -59,6 +62,7 @@ export class SmokeRenderer {
   private pixelRatio = 0;
   private lampLight: LampLight | undefined;
   private additionalLights: AdditionalLights | undefined;
+  private looks: LookVariant | undefined;
   /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
@@ -129,7 +133,10 @@ export class SmokeRenderer {
 
   private availableStyle(input: FrameInput): FrameInput {
     const { style, view } = input;
-    if (hasExtras({ ...style, view })) return input;
+    // While the code of looks, or what they need, is not loaded, all smoke has the same look.
+    for (const each of [style, style.looks?.plain])
+      if (each && hasExtras({ ...each, view, hasLooks: false }))
+        return each === style ? input : { ...input, style: each };
     if (this.asked !== style) this.meanwhile = { ...style, ...PLAIN_PICTURE };
     this.asked = style;
     return { ...input, style: this.meanwhile!, view: undefined };
@@ -142,6 +149,11 @@ export class SmokeRenderer {
     pattern?.setStyle(style, pixelRatio);
     this.selectLights(style);
     if (pattern) eye.variants = [...eye.variants, ...pattern.variants];
+    if (style.looks) {
+      this.looks ??= new (codeOf('looks').LookVariant)();
+      this.looks.apply(style.looks);
+      eye.variants = [...eye.variants, this.looks];
+    }
     this.writeRamps(style);
     this.paintBackdrop(style);
     body.setGradient(style.gradient, style.gradientHeights);
@@ -158,8 +170,8 @@ export class SmokeRenderer {
     strokes?.setUniforms(style.strokes, pixelRatio);
     resolve.overlay = strokes;
     resolve.pattern = pattern;
-    volumes.setForm(style.form, litThresholdOf(style));
-    extras.countedVolumes?.setForm(style.form, litThresholdOf(style));
+    volumes.setForm(style.form, leastThresholdOf(style));
+    extras.countedVolumes?.setForm(style.form, leastThresholdOf(style));
     mask.setDepth(style.shadowSteps === 2 ? style.shadowDepth : Infinity);
     this.style = style;
     this.pixelRatio = pixelRatio;
@@ -182,27 +194,28 @@ export class SmokeRenderer {
     this.passes.backdrop.setColors(backdropColors.length > 0 ? backdropColors : own);
   }
 
-  /** Writes the ramps in the order: smoke, tints, surfaces, then smoke for each band of age and temperature. */
+  /** Writes the ramps in the order: smoke, tints, surfaces, smoke for each band of age and temperature, then looks. */
   private writeRamps(style: Style): void {
     const surfaces = surfaceToning(style);
     const first = FIRST_SURFACE_RAMP + this.surfaces.length;
     const { colors, glows: shares, bands } = bandsOf(style, first);
-    const ramps = [
+    const ramps: Ramp[] = [
       rampOf(plainColorOf(style), style),
       ...style.tints.map((tint) => rampOf(tint, style)),
       ...this.surfaces.map(({ color, glows }) => ({ ...rampOf(washed(color, style.wash), surfaces), glows })),
       ...colors.map((color, band) => ({ ...rampOf(color, style), glow: shares[band] })),
     ];
-    this.ramps.resize(ramps.length);
+    const rows = style.looks ? codeOf('looks').addRamps(style, ramps, bands) : [bands];
+    this.ramps.resize(ramps.length, rows.length);
     ramps.forEach((ramp, material) => this.ramps.write(material, ramp, style.illumination));
-    this.ramps.writeBands(bands);
+    rows.forEach((each, look) => this.ramps.writeBands(each, look));
     this.passes.lampLight?.apply(style, ramps);
     this.passes.additionalLights?.apply(ramps);
   }
 }
 
 /** The fields of a style that colour smoke over its life; see Style. */
-type Coloring = Pick<Style, 'ageColors' | 'heatColors' | 'softColors' | 'glow' | 'smokeColor' | 'stops'>;
+export type Coloring = Pick<Style, 'ageColors' | 'heatColors' | 'softColors' | 'glow' | 'smokeColor' | 'stops'>;
 
 /**
  * Number of steps that approximate interpolated colours. With both ramps, every pair of steps takes rows of the ramp
@@ -227,14 +240,15 @@ interface BandsOfSmoke {
  * higher values are clamped to 1) to its band. With both ramps the two colours are multiplied. Smoke that glows has bands
  * by temperature even if its colour is the same at all temperatures.
  * @param first material index of the first band; without colour ramps all smoke has material 0
+ * @param stepsOfBoth number of steps of each ramp that approximate the interpolated colours of both
  */
-export function bandsOf(coloring: Coloring, first: number): BandsOfSmoke {
+export function bandsOf(coloring: Coloring, first: number, stepsOfBoth = SOFT_STEPS_OF_BOTH): BandsOfSmoke {
   const { ageColors, glow, softColors } = coloring;
   const isPlain = ageColors.length + coloring.heatColors.length === 0;
   const whole: readonly Tone[] = [{ from: 0, color: isPlain ? plainColorOf(coloring) : WHITE }];
   const hasSteps = glow.length > 0 && coloring.heatColors.length === 0;
   const heatColors = hasSteps ? whole : coloring.heatColors;
-  const steps = ageColors.length && heatColors.length ? SOFT_STEPS_OF_BOTH : SOFT_STEPS;
+  const steps = ageColors.length && heatColors.length ? stepsOfBoth : SOFT_STEPS;
   const ages = softColors ? softened(ageColors, steps) : ageColors;
   const heats = softColors || hasSteps ? softened(heatColors, steps) : heatColors;
   if (ages.length + heats.length === 0) return { colors: [], glows: [], bands: { ages: NONE, temperatures: NONE } };

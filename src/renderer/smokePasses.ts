@@ -25,8 +25,7 @@ import type { CoverageGrid } from '../simulator/view.ts';
 import type { FrameInput, PassSources } from './frameInput.ts';
 import type { SceneSurfaces } from './sceneSurfaces.ts';
 import { createShadowEnds, type FindEnds } from './shadowEnds.ts';
-import { litThresholdOf } from './palette.ts';
-import type { Style } from './style.ts';
+import { leastThresholdOf, type Style } from './style.ts';
 
 interface Sources extends PassSources {
   readonly device: Device;
@@ -164,7 +163,7 @@ export function countVolumes(passes: SmokePasses, style: Style, casters: RowGeom
     return;
   }
   const tiled = !isFlat && isCameraClose(passes.eye, passes.bodies.places) ? extras.tiledVolumes : undefined;
-  tiled?.setForm(style.form, litThresholdOf(style));
+  tiled?.setForm(style.form, leastThresholdOf(style));
   if (tiled) tiled.drawTiles(renderer, casters, targets, limit);
   else passes.volumes.draw(renderer, casters, targets.copyDepth(renderer), limit);
 }

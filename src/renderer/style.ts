@@ -8,7 +8,16 @@ import { styleRows } from '../parameters/rows/style.ts';
 import { readCurve, type Stop } from '../parameters/curve.ts';
 import { defaults } from '../parameters/values.ts';
 import { hasDecay, illuminationOf } from './light.ts';
-import { formatColor, parseColor, parseStops, smokeColorOf, surfaceShadowOf, type SurfaceToning } from './palette.ts';
+import type { Looks } from './looks.ts';
+import {
+  formatColor,
+  litThresholdOf,
+  parseColor,
+  parseStops,
+  smokeColorOf,
+  surfaceShadowOf,
+  type SurfaceToning,
+} from './palette.ts';
 
 /** How puffs are drawn: with nailboards and shadow volumes, or for comparison as by Selle and others. */
 export type Renderer = 'nailboards' | 'selle';
@@ -87,6 +96,10 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   hasAdditionalLights: boolean;
   /** Colours of smoke that an emitter or a collider has tinted. */
   tints: readonly [Color, Color, Color];
+  /** Whether emitters may have looks of their own. */
+  hasLooks: boolean;
+  /** The looks of emitters; absent if all smoke is alike. */
+  looks?: Looks;
   /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
   backdropColors?: readonly Tone[];
 }
@@ -126,6 +139,7 @@ export function styleOf(values: Values): Style {
     illumination,
     lampLight: hasDecay(values) ? illumination.direct : undefined,
     hasAdditionalLights: glow.length > 0 && showsAdditionalLights(same),
+    hasLooks: Object.keys(values).some((key) => key.includes('.look.')),
     stops: ramp,
     isBlended: rampBlend,
     ageColors: ageRamp,
@@ -232,5 +246,10 @@ export function inkPixelsOf({ outlines, outlineWidth }: Style, pixelRatio: numbe
 
 /** Largest width of a line in pixels of the target. */
 export function widestLineOf(style: Style, pixelRatio: number): number {
-  return inkPixelsOf(style, pixelRatio) * 2 ** style.inkSwell;
+  return inkPixelsOf(style, pixelRatio) * 2 ** style.inkSwell * (style.looks?.widest ?? 1);
+}
+
+/** Least N.L from which any lit smoke differs from smoke in shadow; -1 if some differs for every N.L. */
+export function leastThresholdOf(style: Style): number {
+  return Math.min(...[style, ...(style.looks?.styles ?? [])].map((each) => litThresholdOf(each ?? style)));
 }

@@ -1,9 +1,10 @@
-import { ParameterError } from '../base/errors.ts';
-import { LIST_LIMIT } from '../parameters/lists.ts';
-import { accepted, type ChoiceParameter, type NumberParameter, type AnyValues } from '../parameters/parameter.ts';
-import { table } from '../parameters/table.ts';
+import { ParameterError, requireOptions } from '../base/errors.ts';
+import { endsOf, LIST_LIMIT, lists, LOOK_STYLE } from '../parameters/lists.ts';
+import { accepted, type Parameter, type AnyValues, type Value } from '../parameters/parameter.ts';
+import { findParameter, table } from '../parameters/table.ts';
 import { isAccepted } from '../parameters/values.ts';
 import { STEP_SECONDS } from './clock.ts';
+import { NO_STYLE, numberOfStyle, type LookStyle } from './lookStyles.ts';
 import { simulatorValues } from './simulatorValues.ts';
 
 /** VectorComponents of a vector, for example of a Vector3 of three.js. */
@@ -11,6 +12,24 @@ export interface VectorComponents {
   readonly x: number;
   readonly y: number;
   readonly z: number;
+}
+
+/** What distinguishes the puffs of an emitter from other smoke. What is not set follows the smoke. */
+export interface EmitterLook extends Partial<LookStyle> {
+  /** Lifetime in seconds, 0 to 600. Puffs grow within a quarter of it. 0 follows the smoke. */
+  lifetime?: number;
+  /** Seconds in which puffs reach their size, 0 to 20. 0 follows the smoke. */
+  growthTime?: number;
+  /** Fraction of its size that a puff has over its life, as stops `0:1,.5:.8,1:0`. */
+  sizeCurve?: string;
+  /** Density over its life, as `emission.density`. */
+  densityCurve?: string;
+  /** How puffs end, as `emission.dissolve`; `smoke` follows the smoke. */
+  dissolve?: 'smoke' | 'shrink' | 'erode' | 'tear' | 'thin';
+  /** Factors on drag, buoyancy and gravity, 0 to 10. */
+  drag?: number;
+  buoyancy?: number;
+  gravity?: number;
 }
 
 /** How an emitter emits. Lengths are in metres; see `emitters.#` in the parameter table for each value and its range. */
@@ -41,12 +60,16 @@ export interface PuffOptions {
   temperature?: number;
   /** Number of the tint, 1 to 15; 0 is none (default). There are three colours, which repeat. */
   tint?: number;
+  /** The look of its puffs, at most 15 different ones at a time. An object replaces the one before. Default: that of the smoke. */
+  look?: EmitterLook;
 }
 
 /** Options of an emitter that follows an object. */
 export interface EmitterOptions extends PuffOptions {
   /** Puffs per second, 0 to 1000. Default 30. */
   rate?: number;
+  /** Puffs per metre that the object travels, besides the rate, 0 to 1000. Default 0. */
+  perMetre?: number;
   /** Fraction of the velocity of the object that puffs inherit, 0 to 1. Default 0. */
   inherit?: number;
 }
@@ -71,6 +94,8 @@ export interface EmissionOptions extends PuffOptions {
   count?: number;
   /** Puffs per second, 0 to 1000. */
   rate?: number;
+  /** Puffs per metre that its position travels, besides the others, 0 to 1000. Default 0. */
+  perMetre?: number;
   /** Seconds from the start to the end, rounded to steps of 1/60 s, of which there is at least one; up to 3600. */
   duration?: number;
   /** Simulated seconds from the next step to the start, rounded to steps, 0 to 3600. Default 0. */
@@ -83,16 +108,18 @@ export type EmissionChange = Partial<Omit<EmissionOptions, 'count' | 'delay'>>;
 /** An option of a call: the first number that it sets, and the parameter of the table. */
 interface Field {
   readonly index: number;
-  readonly parameter: NumberParameter | ChoiceParameter;
+  readonly parameter: Parameter;
   /** Whether it sets three numbers. */
   readonly isVector: boolean;
 }
 
 const PREFIX = 'emitters.0.';
-/** Parameters of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
-const PARAMETERS = table.filter(({ key }) => key.startsWith(PREFIX)) as (NumberParameter | ChoiceParameter)[];
+/** Parameters of an emitter. */
+const PARAMETERS = table.filter(({ key }) => key.startsWith(PREFIX));
+/** Keys of the numbers of an emitter in the order in which the simulator takes them, `EMITTER_NUMBERS` in Rust. */
+const NUMBERS = lists.emitters.flatMap((field) => endsOf(field).map((end) => field.key + end));
 /** The mesh surfaces that the shape `surface` needs are not part of this API. */
-function withoutSurface<Kind extends NumberParameter | ChoiceParameter>(parameter: Kind): Kind {
+function withoutSurface(parameter: Parameter): Parameter {
   if (parameter.kind !== 'choice') return parameter;
   return { ...parameter, options: parameter.options.filter(({ value }) => value !== 'surface') };
 }
@@ -110,7 +137,7 @@ const ALL_DIRECTIONS = Math.PI;
 
 /** Index of a number of an emitter. */
 function indexOf(key: string): number {
-  return PARAMETERS.findIndex((parameter) => parameter.key === PREFIX + key);
+  return NUMBERS.indexOf(key);
 }
 
 export const RIGID = indexOf('rigid');
@@ -129,25 +156,25 @@ function fieldsOf(keys: readonly string[]): ReadonlyMap<string, Field> {
     keys.map((key) => {
       const isVector = indexOf(key) < 0 && INDICES[key] === undefined;
       const index = INDICES[key] ?? indexOf(isVector ? `${key}.x` : key);
-      return [key, { index, parameter: withoutSurface(PARAMETERS[index]), isVector }];
+      return [key, { index, parameter: withoutSurface(findParameter(PREFIX + NUMBERS[index])!), isVector }];
     }),
   );
 }
 
-const OBJECT_FIELDS = fieldsOf([...PUFF_KEYS, 'inherit', 'rate']);
+const OBJECT_FIELDS = fieldsOf([...PUFF_KEYS, 'inherit', 'rate', 'perMetre']);
 const BURST_FIELDS = fieldsOf([...PUFF_KEYS, 'position', 'direction']);
-const CHANGE_FIELDS = fieldsOf([...PUFF_KEYS, 'position', 'direction', 'rate', 'duration']);
+const CHANGE_FIELDS = fieldsOf([...PUFF_KEYS, 'position', 'direction', 'rate', 'perMetre', 'duration']);
 const EMISSION_FIELDS = new Map([...CHANGE_FIELDS, ...fieldsOf(['delay'])]);
 
-/** The numbers of an emitter without options. */
-function initialNumbers(changes: Readonly<Record<string, number | string>>): Float64Array {
-  return Float64Array.from(PARAMETERS, (parameter) =>
-    numberOf(parameter, changes[parameter.key.slice(PREFIX.length)] ?? parameter.default),
-  );
+/** The numbers of an emitter with these values of emitter 0 of the table. */
+function numbersOf(values: AnyValues): Float64Array {
+  const given = Object.fromEntries(PARAMETERS.map(({ key, default: initial }) => [key, values[key] ?? initial]));
+  const numbers = simulatorValues(given);
+  return Float64Array.from(NUMBERS, (key) => numbers[PREFIX + key]);
 }
 
-const OBJECT_NUMBERS = initialNumbers({ shape: 'disc', share: 30 });
-const BURST_NUMBERS = initialNumbers({ shape: 'ball', share: 0 });
+const OBJECT_NUMBERS = numbersOf({ 'emitters.0.shape': 'disc', 'emitters.0.share': 30 });
+const BURST_NUMBERS = numbersOf({ 'emitters.0.shape': 'ball', 'emitters.0.share': 0 });
 
 /**
  * Numbers of an emitter for the simulator.
@@ -161,15 +188,14 @@ export function emitterNumbers(call: string, options: EmitterOptions, before = O
 }
 
 /** Numbers that options have not set. */
-export const NOT_SET: Float64Array = Float64Array.from(PARAMETERS, () => NaN);
+export const NOT_SET: Float64Array = Float64Array.from(NUMBERS, () => NaN);
 
 /**
  * Numbers of an emitter that follows an object with the values of emitter 0 of the table.
  * @param parameters those of the simulator by key, which has the shares of all emitters of the table
  */
 export function followerNumbers(values: AnyValues, parameters: ReadonlyMap<string, number>): Float64Array {
-  const given = Object.fromEntries(PARAMETERS.map(({ key, default: initial }) => [key, values[key] ?? initial]));
-  const numbers = Float64Array.from(Object.values(simulatorValues(given)));
+  const numbers = numbersOf(values);
   numbers.set([0, 0, 0], indexOf('position.x'));
   numbers.set([0, 1, 0], DIRECTION);
   let shares = 0;
@@ -256,7 +282,8 @@ export function tableValues(call: string, emitter: number, options: EmitterOptio
   const values: Record<string, number | string> = {};
   for (const [key, value] of Object.entries(options)) {
     const name = `emitters.${emitter}.${key}`;
-    if (typeof value === 'object')
+    if (key === 'look') Object.assign(values, lookValues(value as EmitterLook, `emitters.${emitter}.`));
+    else if (typeof value === 'object')
       for (const axis of AXES) values[`${name}.${axis}`] = (value as VectorComponents)[axis];
     else if (value !== undefined) values[name] = value as number | string;
   }
@@ -275,11 +302,48 @@ function write(
   for (const key in options) {
     const value: unknown = options[key as never];
     if (value === undefined || key === besides) continue;
+    if (key === 'look') {
+      writeLook(`${call}.look`, value as EmitterLook, numbers);
+      continue;
+    }
     const field = fields.get(key);
     if (!field) throw unknownOption(call, key, value, fields, besides);
     if (field.isVector) writeVector(call, key, value as VectorComponents, field, numbers);
     else numbers[field.index] = checked(call, key, value, field.parameter);
   }
+}
+
+const LOOK = 'look.';
+/** Names of the options of a look. */
+const LOOK_NAMES = PARAMETERS.flatMap(({ key }) =>
+  key.startsWith(PREFIX + LOOK) ? [key.slice((PREFIX + LOOK).length)] : [],
+);
+
+/** All values of a look under an emitter of the table. What is not set follows the smoke. */
+function lookValues(look: EmitterLook, prefix: string): Record<string, Value> {
+  return Object.fromEntries(
+    LOOK_NAMES.map((name) => {
+      const { default: initial } = findParameter(PREFIX + LOOK + name)!;
+      return [prefix + LOOK + name, (look as AnyValues)[name] ?? initial];
+    }),
+  );
+}
+
+function writeLook(call: string, look: EmitterLook, numbers: Float64Array): void {
+  requireOptions(call, look, LOOK_NAMES);
+  const values = lookValues(look, PREFIX);
+  for (const [key, value] of Object.entries(values)) {
+    const parameter = findParameter(key)!;
+    if (!isAccepted(parameter, value))
+      throw new ParameterError(`${call}.${key.slice((PREFIX + LOOK).length)}`, value, accepted(parameter));
+  }
+  const found = simulatorValues(values);
+  const style = Object.fromEntries(
+    Object.entries(NO_STYLE).map(([name, initial]) => [name, look[name as keyof LookStyle] ?? initial]),
+  );
+  // Those of the table have other numbers.
+  if (found[PREFIX + LOOK_STYLE] > 0) found[PREFIX + LOOK_STYLE] = numberOfStyle(style as unknown as LookStyle);
+  for (const key in found) numbers[indexOf(key.slice(PREFIX.length))] = found[key];
 }
 
 function writeVector(
@@ -307,12 +371,12 @@ function scaleOfDirection(call: string, key: string, { x, y, z }: VectorComponen
   throw new ParameterError(`${call}.${key}`, `${x}, ${y}, ${z}`, 'a finite vector other than 0');
 }
 
-function checked(call: string, key: string, value: unknown, parameter: NumberParameter | ChoiceParameter): number {
+function checked(call: string, key: string, value: unknown, parameter: Parameter): number {
   if (!isAccepted(parameter, value)) throw new ParameterError(`${call}.${key}`, value, accepted(parameter));
   return numberOf(parameter, value as number | string);
 }
 
-function numberOf(parameter: NumberParameter | ChoiceParameter, value: number | string): number {
+function numberOf(parameter: Parameter, value: number | string): number {
   if (parameter.kind !== 'choice') return value as number;
   for (let index = 0; index < parameter.options.length; index++)
     if (parameter.options[index].value === value) return index;
@@ -326,6 +390,6 @@ function unknownOption(
   fields: ReadonlyMap<string, Field>,
   besides: string | undefined,
 ): ParameterError {
-  const known = [...fields.keys(), ...(besides ? [besides] : [])];
+  const known = [...fields.keys(), 'look', ...(besides ? [besides] : [])];
   return new ParameterError(`${call}.${key}`, value, `no value: its options are ${known.join(', ')}`);
 }

@@ -1,9 +1,12 @@
 /** Wraps one WASM simulator: owns its handle, the typed-array views on its memory, and its lifetime. */
 import { SimulatorError } from '../base/errors.ts';
+import type { AnyValues } from '../parameters/parameter.ts';
 import { requireWhole } from '../parameters/values.ts';
 import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
+import { FIRST_NUMBER } from './lookStyles.ts';
+import { splitState, withSavedLooks } from './savedLooks.ts';
 import { requireIndices, type rigidArguments, type RigidDescription, blendPose, poseNumbers } from './rigid.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
@@ -20,6 +23,9 @@ export type SimulatorBindings = typeof Core & {
   readonly rigidArguments?: typeof rigidArguments;
   readonly hasDynamics?: true;
 };
+
+/** Number of the styles of looks that are remembered for takes and saved states. */
+const MOST_STYLES = 256;
 
 /** Options of a new simulator. */
 export interface SimulatorOptions {
@@ -42,6 +48,8 @@ export class Simulator {
   #arranged: ArrangedInMemory;
   #view = new Float32Array(VIEW_FLOATS);
   #stopped: string | undefined;
+  /** Numbers of the styles of looks that emitters outside the table have had, the latest last. */
+  readonly #styles = new Set<number>();
 
   /** Use {@link SimulatorFactory.create} instead. */
   constructor(module: SimulatorModule, options: SimulatorOptions) {
@@ -78,8 +86,8 @@ export class Simulator {
    * but not recorded in takes.
    *
    * @param index 0 to 7 in the table, 8 to 391 in the pool
-   * @param numbers Parameters of `emitters.#` in the order of the table, three for a vector, 30 in all. `share` is its rate
-   * in particles/s. Without numbers and a count the place is freed.
+   * @param numbers Parameters of `emitters.#` in the order of lists.json, three for a vector, eight for a curve, 54 in all.
+   * `share` is its rate in particles/s. Without numbers and a count the place is freed.
    * @param count Births in the next step. With numbers they replace those that wait.
    */
   setEmitter(index: number, numbers: Float64Array, count = 0): void {
@@ -88,6 +96,7 @@ export class Simulator {
     // No closure: bursts come often and leave no garbage.
     try {
       rejection = this.#handle.setEmitter(index, numbers, count);
+      this.#noteStyle(numbers);
     } catch (error) {
       throw this.#explain(error);
     }
@@ -104,6 +113,37 @@ export class Simulator {
    */
   setCollider(index: number, numbers: Float32Array): void {
     this.#attempt(() => this.#handle.setCollider(index, numbers));
+  }
+
+  /** Whether emitters have or had looks: rows then have the index of a look. False after it has stopped. */
+  get hasLooks(): boolean {
+    return this.#stopped === undefined && this.#handle.hasLooks;
+  }
+
+  /**
+   * The looks of the puffs, three numbers for each index from 1 to 15: the number of a style, see lookStyles.ts, the tint of
+   * the emitter, and the option of `emitters.#.look.dissolve`. Empty without looks.
+   */
+  lookStyles(): Float64Array {
+    return this.#attempt(() => this.#handle.lookStyles());
+  }
+
+  /** Numbers of the styles of looks outside the table that a take or a saved state may refer to. */
+  get styles(): ReadonlySet<number> {
+    return this.#styles;
+  }
+
+  /** Adds {@link styles}. */
+  addStyles(styles: readonly number[]): void {
+    for (const style of styles) this.#styles.add(style);
+  }
+
+  /**
+   * Number of steps at which the longest-lived puff of the latest burst ends; -1 while births wait or if there was none.
+   * @param index of the emitter, see {@link setEmitter}
+   */
+  burstEnd(index: number): number {
+    return this.#attempt(() => this.#handle.burstEnd(index));
   }
 
   /** Whether it has rigids. */
@@ -278,9 +318,15 @@ export class Simulator {
     return this.#attempt(() => this.#handle.hash());
   }
 
-  /** Serialises the whole state for {@link restore}. */
-  save(): Uint8Array {
-    return this.#attempt(() => this.#handle.save());
+  /**
+   * Serialises the whole state for {@link restore}.
+   *
+   * @param values The values of the table, of which the colours and the ink of looks are saved, as those of other emitters.
+   * Without them, the state is for this thread.
+   */
+  save(values?: AnyValues): Uint8Array {
+    const state = this.#attempt(() => this.#handle.save());
+    return values && this.hasLooks ? withSavedLooks(state, this.#styles, values) : state;
   }
 
   /**
@@ -289,7 +335,9 @@ export class Simulator {
    * @param obstacles Whether with its rigids and its colliders outside the parameter table.
    */
   restore(bytes: Uint8Array, obstacles = true): void {
-    this.#attempt(() => this.#handle.restore(bytes, obstacles));
+    const { state, styles } = splitState(bytes);
+    this.#attempt(() => this.#handle.restore(state, obstacles));
+    this.addStyles(styles);
   }
 
   /**
@@ -361,7 +409,9 @@ export class Simulator {
    * @returns Its number; -1 if all places are taken, or if the one to change is over.
    */
   inputEmission(numbers: Float64Array, emission = -1): number {
-    return this.#attempt(() => this.#handle.inputEmission(numbers, emission));
+    const found = this.#attempt(() => this.#handle.inputEmission(numbers, emission));
+    this.#noteStyle(numbers);
+    return found;
   }
 
   /** Value of a steering channel, -1 to 1. Returns 0 for an unset or unknown channel. */
@@ -394,7 +444,9 @@ export class Simulator {
    * omitted.
    */
   rewind(state?: Uint8Array): void {
-    this.#attempt(() => this.#handle.rewind(state));
+    const { state: bytes, styles } = state ? splitState(state) : { styles: [] };
+    this.#attempt(() => this.#handle.rewind(bytes));
+    this.addStyles(styles);
   }
 
   /** Number of inputs of the take applied so far. */
@@ -444,6 +496,14 @@ export class Simulator {
     // After a fault the handle may still be borrowed, and freeing it would throw. Its memory leaks instead.
     if (this.#stopped === undefined) this.#handle.free();
     this.#stopped ??= 'The simulator was disposed.';
+  }
+
+  /** @param numbers of an emitter, of which the last one is the style of its look, NaN if it does not change */
+  #noteStyle(numbers: Float64Array): void {
+    const style = numbers[numbers.length - 1];
+    if (style >= FIRST_NUMBER && !this.#styles.delete(style) && this.#styles.size === MOST_STYLES)
+      this.#styles.delete(this.#styles.values().next().value!);
+    if (style >= FIRST_NUMBER) this.#styles.add(style);
   }
 
   #attempt<Result>(action: () => Result): Result {

@@ -1,30 +1,64 @@
-import { MAX_STOPS, readCurve, writeCurve } from '../parameters/curve.ts';
-import type { AnyValues, Parameter, Value, Values } from '../parameters/parameter.ts';
+import { MAX_STOPS, readCurve, writeCurve, type Stop } from '../parameters/curve.ts';
+import { LOOK_STYLE } from '../parameters/lists.ts';
+import type { AnyValues, CurveParameter, Parameter, Value, Values } from '../parameters/parameter.ts';
 import { findParameter, table } from '../parameters/table.ts';
+import { isOfLookStyle, NO_STYLE } from './lookStyles.ts';
 import type { Simulator } from './simulator.ts';
 
-/** Selects the values that the simulator reads and converts them to numbers. */
-export function simulatorValues(values: AnyValues): Record<string, number> {
+/**
+ * Selects the values that the simulator reads and converts them to numbers.
+ * @param all values of which those are a part: the colours and the ink of a look are one number
+ */
+export function simulatorValues(values: AnyValues, all: AnyValues = values): Record<string, number> {
   const numbers: Record<string, number> = {};
   for (const [key, value] of Object.entries(values)) {
     const parameter = findParameter(key);
+    if (isOfLookStyle(key)) Object.assign(numbers, lookStyleOf(key, all));
     if (parameter?.reader !== 'simulator') continue;
-    if (parameter.kind === 'curve') Object.assign(numbers, stopsOf(String(value)));
+    if (parameter.kind === 'curve') Object.assign(numbers, stopsOf(parameter, String(value)));
     else numbers[key] = numberOf(parameter, value);
   }
   return numbers;
 }
 
-/** Fills all items of the simulator's list, which never shrinks: unused items repeat the last stop. */
-function stopsOf(curve: string): Record<string, number> {
-  const stops = readCurve(curve)!;
+const EMITTER = /^emitters\.(\d)\./;
+
+/** The styles of emitters of the table are numbered from 1, so that their colours need not be saved with a state. */
+function lookStyleOf(key: string, values: AnyValues): Record<string, number> {
+  const [prefix, emitter] = EMITTER.exec(key)!;
+  const isSet = ([name, initial]: [string, Value]) => (values[`${prefix}look.${name}`] ?? initial) !== initial;
+  const hasStyle = Object.entries(NO_STYLE).some(isSet);
+  return { [prefix + LOOK_STYLE]: hasStyle ? 1 + Number(emitter) : 0 };
+}
+
+/** Fills all items of the simulator's list, which never shrinks. */
+function stopsOf({ key, default: initial }: CurveParameter, curve: string): Record<string, number> {
   const numbers: Record<string, number> = {};
+  const stops = readCurve(curve) ?? [];
   for (let index = 0; index < MAX_STOPS; index++) {
+    if (initial === '') {
+      numbers[`${key}.${index}`] = packedStop(stops[index]);
+      continue;
+    }
+    // Unused items repeat the last stop.
     const { at, value } = stops[Math.min(index, stops.length - 1)];
     numbers[`density.${index}.age`] = at;
     numbers[`density.${index}.value`] = value;
   }
   return numbers;
+}
+
+/** Steps of the places and the values of stops, and what a step of a value counts in a packed stop. */
+const STEPS = 65_535;
+const VALUE_PLACE = 131_072;
+
+/** A stop as one number, 0 for none. */
+export function packedStop(stop: Stop | undefined): number {
+  return stop ? 1 + Math.round(stop.at * STEPS) + VALUE_PLACE * Math.round(stop.value * STEPS) : 0;
+}
+
+function unpackedStop(number: number): Stop {
+  return { at: ((number % VALUE_PLACE) - 1) / STEPS, value: Math.floor(number / VALUE_PLACE) / STEPS };
 }
 
 /**
@@ -37,13 +71,18 @@ export function valuesIn(simulator: Simulator, values: AnyValues, rig: Readonly<
   after['simulation.maxParticles'] = simulator.capacity;
   after.seed = simulator.seed;
   const numbers = simulator.parameters();
+  // The colours of a look are not known by the simulator, which knows whether there are any.
+  for (const key of Object.keys(values).filter(isOfLookStyle))
+    if (!numbers.get(EMITTER.exec(key)![0] + LOOK_STYLE)) delete after[key];
   for (const parameter of table.filter(({ reader }) => reader === 'simulator')) {
     const { key } = parameter;
     if (parameter.kind === 'curve') {
-      after[key] = curveIn(numbers, String(values[key]));
+      const curve = curveIn(numbers, parameter, String(values[key] ?? parameter.default));
+      if (curve) after[key] = curve;
+      else delete after[key];
       continue;
     }
-    const number = numbers.get(key);
+    const number = numbers.get(key) ?? initialIn(numbers, values, parameter);
     if (number === undefined) delete after[key];
     else if (key in values || number !== (rig[key] ?? numberOf(parameter, parameter.default)))
       after[key] = valueOf(parameter, number);
@@ -51,14 +90,25 @@ export function valuesIn(simulator: Simulator, values: AnyValues, rig: Readonly<
   return after;
 }
 
+/** The default of a parameter that is set, if the simulator has its item: it leaves out some numbers with their defaults. */
+function initialIn(numbers: ReadonlyMap<string, number>, values: AnyValues, parameter: Parameter): number | undefined {
+  const [item] = EMITTER.exec(parameter.key) ?? [];
+  return item && parameter.key in values && numbers.has(`${item}share`)
+    ? numberOf(parameter, parameter.default)
+    : undefined;
+}
+
 /** The simulator's curve as text. Returns `known` unchanged if it describes the same curve. */
-function curveIn(numbers: ReadonlyMap<string, number>, known: string): string {
-  const isKnown = Object.entries(stopsOf(known)).every(([key, number]) => numbers.get(key) === number);
-  if (isKnown) return known;
-  const stops = Array.from({ length: MAX_STOPS }, (_, index) => ({
-    at: numbers.get(`density.${index}.age`) ?? 1,
-    value: numbers.get(`density.${index}.value`) ?? 0,
-  }));
+function curveIn(numbers: ReadonlyMap<string, number>, parameter: CurveParameter, known: string): string {
+  const wanted = Object.entries(stopsOf(parameter, known));
+  if (wanted.every(([key, number]) => (numbers.get(key) ?? 0) === number)) return known;
+  const stops =
+    parameter.default === ''
+      ? wanted.map(([key]) => numbers.get(key) ?? 0).flatMap((number) => (number ? [unpackedStop(number)] : []))
+      : Array.from({ length: MAX_STOPS }, (_, index) => ({
+          at: numbers.get(`density.${index}.age`) ?? 1,
+          value: numbers.get(`density.${index}.value`) ?? 0,
+        }));
   return writeCurve(stops.filter(({ at }, index) => index === 0 || at > stops[index - 1].at));
 }
 

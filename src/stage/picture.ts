@@ -123,8 +123,9 @@ export class Picture {
     }
   }
 
-  /** The settings that decide whether more code must be loaded. */
-  get kind(): PictureKind {
+  /** The settings that decide whether more code must be loaded. @param simulator whose smoke is drawn */
+  kindOf(simulator: Simulator): PictureKind {
+    this.smoke.followLooks(simulator);
     return { ...this.smoke.style, view: this.chosenView };
   }
 

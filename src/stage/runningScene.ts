@@ -56,7 +56,7 @@ export class RunningScene implements FrameTasks {
     this.picture.quality = options.quality ?? 1;
     this.picture.view = options.view;
     this.completion = completionOf(
-      () => this.picture.kind,
+      () => this.picture.kindOf(this.simulation.simulator),
       () => this.show(),
       (error) => this.listeners.notify('error', error),
     );
@@ -250,6 +250,8 @@ export class RunningScene implements FrameTasks {
     if (this.isDisposed) return;
     const { simulation, picture, listeners } = this;
     const { simulator } = simulation;
+    // Emissions can have looks that need more code.
+    if (picture.smoke.followLooks(simulator)) this.completion.begin();
     const isDrawn = picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
     if (isDrawn && listeners.has('frame')) listeners.notify('frame', statsOf(simulation, picture));
   }

@@ -13,11 +13,13 @@ import {
   type EmissionOptions,
 } from '../simulator/emitterOptions.ts';
 import type { SimulatorFactory } from '../simulator/load.ts';
+import { stylesOf } from '../simulator/lookStyles.ts';
+import { splitState } from '../simulator/savedLooks.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
-import { noteOf, takeOf, type Take } from './take.ts';
+import { noteOf, stylesIn, takeOf, type Take } from './take.ts';
 
 /** What moves a rigid between steps. */
 export interface Mover {
@@ -70,7 +72,7 @@ export class Simulation {
 
   /** The inputs since the start, with the values at the start as the note. */
   take(): Uint8Array {
-    return this.simulator.take(noteOf(this.startValues));
+    return this.simulator.take(noteOf(this.startValues, stylesOf(this.simulator.styles)));
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */
@@ -95,6 +97,7 @@ export class Simulation {
   replay(take: Uint8Array, values: Values): void {
     const next = this.create(values);
     try {
+      next.addStyles(stylesIn(this.factory.readTake(take).note));
       next.replay(take);
     } catch (error) {
       next.dispose();
@@ -107,7 +110,7 @@ export class Simulation {
   restore(bytes: Uint8Array, values: Values): Values {
     this.simulator.restore(bytes);
     this.states.clear();
-    this.startValues = this.valuesIn(values);
+    this.startValues = this.valuesIn({ ...values, ...splitState(bytes).values });
     this.reset();
     return this.startValues;
   }
@@ -125,15 +128,18 @@ export class Simulation {
     return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
   }
 
-  /** Passes the simulator its share of `changed`. */
-  set(changed: Values): void {
-    const inputs = simulatorValues(changed);
+  /**
+   * Passes the simulator its share of `changed`.
+   * @param all values after the change
+   */
+  set(changed: Values, all = changed): void {
+    const inputs = simulatorValues(changed, all);
     if (Object.keys(inputs).length > 0) this.input((simulator) => simulator.inputValues(inputs));
   }
 
-  /** Resets optional parameters to what the scene sets, or to their defaults. */
-  unset(keys: readonly string[]): void {
-    this.set(Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default])));
+  /** What optional parameters have that are not set: what the scene sets, or their defaults. */
+  unsetValues(keys: readonly string[]): Values {
+    return Object.fromEntries(keys.map((key) => [key, this.rig[key] ?? findParameter(key)!.default]));
   }
 
   /** How many objects can be dropped; 0 in scenes without any. */

@@ -269,9 +269,9 @@ export class Stage {
     return stage;
   }
 
-  /** Serializes the simulator's state. */
+  /** Serializes the simulator's state, with the colours and the ink of emitters' looks. */
   save(): Uint8Array {
-    return this.#running.simulation.simulator.save();
+    return this.#running.simulation.simulator.save(this.#running.values.all);
   }
 
   /**

@@ -47,9 +47,10 @@ export class StageValues {
   /** See `Stage.unset`. @throws ParameterError for a key that is not optional */
   unset(keys: readonly string[]): void {
     keys.forEach(requireOptional);
-    this.followers.simulation.unset(keys);
-    const kept = Object.entries(this.now).filter(([key]) => !keys.includes(key));
-    this.followers.show(() => this.adoptValues(Object.fromEntries(kept)));
+    const { simulation } = this.followers;
+    const kept = Object.fromEntries(Object.entries(this.now).filter(([key]) => !keys.includes(key)));
+    simulation.set(simulation.unsetValues(keys), kept);
+    this.followers.show(() => this.adoptValues(kept));
   }
 
   /** Applies values that the simulator already has. */
@@ -73,8 +74,8 @@ export class StageValues {
   private change(after: Values): void {
     const { simulation } = this.followers;
     const before = this.now;
-    simulation.unset(this.without(after));
-    simulation.set(differing(before, after));
+    // At once, because the simulator may reject them: at most 15 looks.
+    simulation.set({ ...simulation.unsetValues(this.without(after)), ...differing(before, after) }, after);
     const capacity = after['simulation.maxParticles'] as number;
     if (capacity !== before['simulation.maxParticles']) {
       simulation.input((simulator) => simulator.inputCapacity(capacity));

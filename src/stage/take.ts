@@ -4,6 +4,7 @@ import type { Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { defaults, differing, isAccepted } from '../parameters/values.ts';
 import type { TakeInfo } from '../simulator/input.ts';
+import { numbersOfStyles, type LookStyle } from '../simulator/lookStyles.ts';
 
 /** A recording of all inputs by step, with everything needed to replay them to the same hash at every step. */
 export interface Take {
@@ -25,9 +26,17 @@ export interface Take {
   toBytes(): Uint8Array<ArrayBuffer>;
 }
 
-/** The note for these start values. It omits defaults, to keep links to takes short. */
-export function noteOf(values: Values): string {
-  return JSON.stringify({ values: differing(defaults(), values) });
+/**
+ * The note for these start values. It omits defaults, to keep links to takes short.
+ * @param looks the colours and the ink of emitters that are started during the take
+ */
+export function noteOf(values: Values, looks: readonly LookStyle[] = []): string {
+  return JSON.stringify({ values: differing(defaults(), values), ...(looks.length > 0 && { looks }) });
+}
+
+/** The numbers of the looks of a note, which are known from then on. */
+export function stylesIn(note: string): number[] {
+  return numbersOfStyles(readNote(note).looks);
 }
 
 /** @throws SimulatorError when the note was not written by a stage */
@@ -37,7 +46,7 @@ export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Tak
 
 /** Values from an untrusted note: unknown keys are ignored, invalid values throw. */
 function valuesOf(note: string): Values {
-  const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
+  const found = Object.entries(readNote(note).values).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
     if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
@@ -46,10 +55,10 @@ function valuesOf(note: string): Values {
   return { ...defaults(), ...Object.fromEntries(found) };
 }
 
-function readNote(note: string): object {
+function readNote(note: string): { values: object; looks?: unknown } {
   try {
-    const { values } = JSON.parse(note) as { values?: unknown };
-    if (typeof values === 'object' && values !== null) return values;
+    const { values, looks } = JSON.parse(note) as { values?: unknown; looks?: unknown };
+    if (typeof values === 'object' && values !== null) return { values, looks };
   } catch {
     // Reported below, as for well-formed JSON without values.
   }

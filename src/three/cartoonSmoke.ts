@@ -197,7 +197,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
     this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
-      () => this.shown.style,
+      () => {
+        this.shown.followLooks(simulator);
+        return this.shown.style;
+      },
       () => {},
       miss,
     );
@@ -310,7 +313,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       this.handles.show(this.clock.blend);
       this.shown.bake(BAKING_MS);
       this.markVisible();
-      this.showGlow();
+      this.showLatest();
     } catch (error) {
       this.reportOnce(error);
     }
@@ -330,7 +333,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.handles.show(this.clock.blend);
     this.shown.bake();
     this.markVisible();
-    this.showGlow();
+    this.showLatest();
   }
 
   /**
@@ -344,7 +347,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     requireChangeable(values);
     this.simulator.set(this.overrides.over(simulatorValues(values)));
     this.change({ ...this.shown.values, ...values });
-    this.showGlow();
+    this.showLatest();
   }
 
   /**
@@ -379,7 +382,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     this.simulator.inputClear();
     this.markVisible();
-    this.showGlow();
+    this.showLatest();
     return this;
   }
 
@@ -427,7 +430,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     if (!this.glow) {
       this.glow = new GlowLights();
-      this.showGlow();
+      this.showLatest();
     }
     return this.glow.lights;
   }
@@ -538,7 +541,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.clock.settle();
     this.handles.show(this.clock.blend);
     this.markVisible();
-    this.showGlow();
+    this.showLatest();
   }
 
   /** Draws smoke. The next `update` reports why it could not be drawn. */
@@ -580,9 +583,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     if (!isVisible) this.drawn = NOTHING;
   }
 
-  /** Moves the lights at glowing smoke to those of the current frame. */
-  private showGlow(): void {
+  /** Takes over the looks of the current frame, and moves the lights at glowing smoke. */
+  private showLatest(): void {
     const { frame, simulator, shown, clock } = this;
+    if (shown.followLooks(simulator)) this.completion.begin();
     this.glow?.show({ object: this, frame, simulator, style: shown.style, blend: clock.blend });
   }
 

@@ -4,6 +4,7 @@
  */
 import {
   type Camera,
+  type DataTexture,
   EqualStencilFunc,
   Matrix4,
   PerspectiveCamera,
@@ -69,6 +70,8 @@ export interface LabPuff {
   variation?: number;
   /** 0 to 15. */
   tint?: number;
+  /** Index of its look, 0 to 15. */
+  look?: number;
   /** 0 to 255. */
   seed?: number;
   age?: number;
@@ -177,7 +180,7 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       variation: puff.variation ?? 0,
       seed: puff.seed ?? 0,
       temperature: Math.round(((puff.temperature ?? 0) / TEMPERATURE_MAX) * ATTRIBUTE_BITS.temperature.max),
-      tint: puff.tint ?? 0,
+      tint: (puff.tint ?? 0) + 16 * (puff.look ?? 0),
       erosion: Math.round((puff.erosion ?? 0) * ATTRIBUTE_BITS.erosion.max),
     };
     for (const [name, value] of Object.entries(fields)) {
@@ -244,6 +247,11 @@ export class Lab {
   /** The WebGL error since the last call; 0 for none. */
   get error(): number {
     return this.device.renderer.getContext().getError();
+  }
+
+  /** The ramp texture. */
+  get ramps(): DataTexture {
+    return this.smoke.passes.body.material.uniforms.ramps.value as DataTexture;
   }
 
   /** Draw calls of the latest picture. */

@@ -15,6 +15,23 @@ const words: Readonly<
   Record<string, { readonly label: string; readonly fields: Readonly<Record<string, FieldWords>> }>
 > = source;
 
+/** What the panel says of the colours and the ink of a look, which the simulator does not read. */
+const lookWords: Readonly<Record<string, FieldWords>> = {
+  'look.colors': {
+    label: 'Own tones',
+    text: 'Colours of its smoke from shadow to full light, instead of those of the smoke.',
+  },
+  'look.ageColors': {
+    label: 'Own colours by age',
+    text: 'Colours of its smoke over the life of a puff, instead of those of the smoke.',
+  },
+  'look.heatColors': {
+    label: 'Own colours by heat',
+    text: 'Colours of its smoke from temperature 0 to 1, instead of those of the smoke.',
+  },
+  'look.inkWeight': { label: 'Ink weight', text: 'Factor on the width of the lines of its smoke.' },
+};
+
 /** Label of an item, such as 'Vortex 2' for the second vortex. */
 export function itemLabel(list: string, index: number): string {
   return `${words[list].label} ${index + 1}`;
@@ -52,7 +69,7 @@ export function startValues(list: string, index: number): Record<string, number>
 export function itemWords(row: Parameter): AnyWords | undefined {
   const [, list, index, field, axis] = /^(\w+)\.(\d)\.(.+?)(?:\.([xyz]))?$/.exec(row.key) ?? [];
   if (!list) return undefined;
-  const { label, text } = words[list].fields[field];
+  const { label, text } = words[list].fields[field] ?? lookWords[field];
   const shown = { group: `${list}.${index}`, label: axis ? `${label} ${axis}` : label, text };
   if (row.kind === 'integer') return { ...shown, step: 1 };
   if (row.kind !== 'number') return shown;

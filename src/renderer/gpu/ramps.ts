@@ -7,7 +7,7 @@ import {
   type Color as ThreeColor,
   type IUniform,
 } from 'three';
-import { RAMP_ROWS, RAMP_TEXELS } from '../../base/constants.ts';
+import { COLUMN_ROWS, RAMP_ROWS, RAMP_TEXELS } from '../../base/constants.ts';
 
 /** A display-encoded colour, each channel 0 to 255. */
 export type Color = readonly [red: number, green: number, blue: number];
@@ -68,28 +68,33 @@ export const FIRST_BORDER = 0.3;
  * texture coordinate gives the max. The colours are those in the light of the frame, see {@link inLight}. Each material has
  * four rows: in shadow, in the light, then both again where the fill light reaches. Nearest filtering keeps the colours
  * exact. Alpha is the share of the filled tone, and in the first texel the share that glows. The last row holds the
- * {@link Bands}.
+ * {@link Bands}. With looks, ramps are in several columns, the last rows hold the bands of each look, and the alpha of the
+ * second texel is the N.L from which lit smoke differs from smoke in shadow.
  */
 export class RampTexture {
   readonly texture: DataTexture;
-  private materials: number;
+  private size: RampSize;
 
   /** @param materials number of ramps */
   constructor(materials: number) {
-    this.materials = materials;
-    this.texture = new DataTexture(bytesFor(materials), RAMP_TEXELS, rowsFor(materials), RGBAFormat, UnsignedByteType);
+    this.size = { materials, bands: 1 };
+    const { data, width, height } = imageFor(this.size);
+    this.texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
     this.texture.wrapS = ClampToEdgeWrapping;
     this.texture.wrapT = ClampToEdgeWrapping;
     this.texture.minFilter = NearestFilter;
     this.texture.magFilter = NearestFilter;
   }
 
-  /** Changes the number of ramps. All ramps must be written again afterwards. */
-  resize(materials: number): void {
-    if (materials === this.materials) return;
-    this.materials = materials;
+  /**
+   * Changes the number of ramps. All ramps must be written again afterwards.
+   * @param bands number of rows of bands: one, or one for each look
+   */
+  resize(materials: number, bands = 1): void {
+    if (materials === this.size.materials && bands === this.size.bands) return;
+    this.size = { materials, bands };
     this.texture.dispose();
-    this.texture.image = { data: bytesFor(materials), width: RAMP_TEXELS, height: rowsFor(materials) };
+    this.texture.image = imageFor(this.size);
   }
 
   write(material: number, ramp: Ramp, illumination?: Illumination): void {
@@ -102,14 +107,20 @@ export class RampTexture {
       this.writeRow(first + row, tones, isBlended, shown, 0);
       if (filled) this.writeRow(first + 2 + row, [{ ...tones[0], color: filled }, ...tones.slice(1)], isBlended, shown);
     });
-    const [start, end] = [first, first + 2].map((row) => 4 * RAMP_TEXELS * row);
-    if (!filled) this.data.copyWithin(end, start, end);
-    this.data[4 * RAMP_TEXELS * first + 3] = Math.round(255 * glow);
+    if (!filled) {
+      for (const row of [first, first + 1])
+        this.data.copyWithin(this.placeOf(row + 2), this.placeOf(row), this.placeOf(row) + 4 * RAMP_TEXELS);
+    }
+    const start = this.placeOf(first);
+    this.data[start + 3] = Math.round(255 * glow);
+    if (this.size.bands > 1) this.data[start + 7] = borderOf(ramp);
     this.texture.needsUpdate = true;
   }
 
-  writeBands({ ages, temperatures }: Bands): void {
-    const first = RAMP_TEXELS * RAMP_ROWS * this.materials;
+  /** @param look index of the look that has the bands */
+  writeBands({ ages, temperatures }: Bands, look = 0): void {
+    const { width, height } = this.texture.image;
+    const first = width * (height - this.size.bands + look);
     for (let byte = 0; byte < RAMP_TEXELS; ++byte) {
       const [age, heat] = [ages[byte], temperatures[byte]];
       this.data.set([age & 255, age >> 8, heat & 255, heat >> 8], 4 * (first + byte));
@@ -125,16 +136,23 @@ export class RampTexture {
     return this.texture.image.data as Uint8Array;
   }
 
+  /** Index of the first byte of a row of a ramp. */
+  private placeOf(row: number): number {
+    const rows = rowsOf(this.size);
+    return 4 * ((row % rows) * this.texture.image.width + RAMP_TEXELS * Math.floor(row / rows));
+  }
+
   /** @param fill share of the filled tone in the first one */
   private writeRow(row: number, tones: readonly Tone[], isBlended: boolean, shown: Shown, fill = 1): void {
     const flat = tones.map(({ color }, tone) => shown(color, tone === 0 ? fill : 0));
     const isFlat = !isBlended || tones.length === 1;
+    const start = this.placeOf(row);
     for (let texel = 0; texel < RAMP_TEXELS; ++texel) {
       const facing = texel / RAMP_TEXELS;
       const tone = toneAt(tones, facing);
       const share = tone === 0 ? fill * (isFlat ? 1 : 1 - shareAt(tones, tone, facing)) : 0;
       const color = isFlat ? flat[tone] : shown(blendedAt(tones, facing), share);
-      this.data.set([...color, Math.round(255 * share)], (row * RAMP_TEXELS + texel) * 4);
+      this.data.set([...color, Math.round(255 * share)], start + 4 * texel);
     }
   }
 }
@@ -156,12 +174,27 @@ export function isChanged(illumination?: Illumination): boolean {
   return illumination !== undefined && [...illumination.direct, ...illumination.ambient].some((factor) => factor !== 1);
 }
 
-function rowsFor(materials: number): number {
-  return RAMP_ROWS * materials + 1;
+/** Numbers of ramps and of rows of bands. */
+interface RampSize {
+  readonly materials: number;
+  readonly bands: number;
 }
 
-function bytesFor(materials: number): Uint8Array<ArrayBuffer> {
-  return new Uint8Array(4 * RAMP_TEXELS * rowsFor(materials));
+/** Rows of ramps in a column. */
+function rowsOf({ materials, bands }: RampSize): number {
+  return Math.min(RAMP_ROWS * materials, bands > 1 ? COLUMN_ROWS : Infinity);
+}
+
+function imageFor(size: RampSize): { data: Uint8Array<ArrayBuffer>; width: number; height: number } {
+  const rows = rowsOf(size);
+  const width = RAMP_TEXELS * Math.ceil((RAMP_ROWS * size.materials) / rows);
+  const height = rows + size.bands;
+  return { data: new Uint8Array(4 * width * height), width, height };
+}
+
+/** N.L from which lit smoke differs from smoke in shadow, in 255ths, rounded up, as shading is compared with it; 0 for all. */
+function borderOf({ lit, isBlended }: Ramp): number {
+  return lit.length === 1 ? 0 : Math.ceil(255 * lit[isBlended ? 0 : 1].from - 1e-6);
 }
 
 /** The tone of a ramp at a value of max(0, N.L). */

@@ -14,6 +14,7 @@ import type { Targets } from './targets.ts';
  * unshaded puffs of constant depth, and lines one pixel wide at discontinuities of the depth buffer. No shadows.
  */
 export class SellePass {
+  private readonly eye: FrameView;
   private readonly puffs: PuffTextures;
   private readonly common;
   private readonly lineUniforms;
@@ -21,6 +22,7 @@ export class SellePass {
   private readonly rows: DrawnRows;
 
   constructor(eye: FrameView, puffs: PuffTextures, ramps: RampTexture) {
+    this.eye = eye;
     this.puffs = puffs;
     this.common = {
       ...eye.uniforms,
@@ -59,7 +61,7 @@ export class SellePass {
     const { layers, colorCoverage } = this.puffs.billboards;
     this.common.colorCoverage.value = colorCoverage;
     this.common.pad.value = layers.pad;
-    this.rows.draw(renderer, geometry);
+    this.eye.asVariant(this.rows, () => this.rows.draw(renderer, geometry));
     this.lineUniforms.threshold.value = outlines ? innerLine * meanRadiusOf(places) : Infinity;
     this.lineUniforms.unlit.value = targets.unlit;
     this.lineUniforms.lit.value = targets.lit;

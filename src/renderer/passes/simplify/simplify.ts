@@ -55,8 +55,8 @@ export class SimplifyPass {
     const [fields, tiles, flatTiles] = [this.fields, this.tiles, this.flatTiles].map(({ texture: value }) => ({
       value,
     }));
-    const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles };
-    const tones = { ...common, fields, ramps: { value: ramps.texture } };
+    const common = { ...eye.uniforms, ...this.uniforms, tiles, flatTiles, ramps: { value: ramps.texture } };
+    const tones = { ...common, fields };
     this.passes = [
       new FullScreen(tilesShader, common),
       new FullScreen(flatShader, common),

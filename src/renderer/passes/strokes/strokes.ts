@@ -59,6 +59,7 @@ export function strokeMaterials({ uniforms }: FrameView, isDeformed: boolean): r
  * order does not matter.
  */
 export class StrokesPass {
+  private readonly eye: FrameView;
   private readonly puffs: PuffTextures;
   private readonly uniforms;
   readonly arcs = new StrokeArcs();
@@ -75,6 +76,7 @@ export class StrokesPass {
     const { separations, ranges, coverage } = this;
     ranges.texture.format = RGBAIntegerFormat;
     ranges.texture.type = UnsignedShortType;
+    this.eye = eye;
     this.puffs = puffs;
     this.uniforms = { ...eye.uniforms, ...strokeUniforms(separations.texture, ranges.texture) };
     this.kinds = {
@@ -99,7 +101,7 @@ export class StrokesPass {
    * @param drawing index of the drawing, for the boil of lines
    */
   draw(renderer: WebGLRenderer, targets: Targets, bodies: RowTextures, drawing: number, surfaces?: SurfaceDepth): void {
-    const { uniforms, coverage, arcs, puffs } = this;
+    const { uniforms, coverage, arcs, puffs, eye } = this;
     uniforms.rowPlaces.value = bodies.places;
     uniforms.rowAttributes.value = bodies.attributes;
     uniforms.depth.value = targets.depth;
@@ -113,7 +115,7 @@ export class StrokesPass {
     const kind = this.kinds[puffs.isDeformed ? 'deformed' : 'plain'];
     if (arcs.count > 0) this.compare(renderer, kind);
     begin(renderer, coverage);
-    if (arcs.count > 0) kind.drawStrokes(renderer, arcs.count);
+    if (arcs.count > 0) eye.asVariant(kind.strokes, () => kind.drawStrokes(renderer, arcs.count));
     renderer.setRenderTarget(targets.renderTarget);
   }
 
