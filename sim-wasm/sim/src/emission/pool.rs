@@ -11,7 +11,7 @@ use crate::layout::bytes::{Reader, SnapshotSection, Writer};
 use crate::layout::error::{ParameterError, RestoreError};
 use crate::layout::limits::{POOL_LIMIT, STEP};
 use crate::layout::parameters::accept;
-use crate::layout::parameters::emitter::{Emitter, Look};
+use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::field::Meta;
 use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
 use crate::layout::parameters::table::Parameters;
@@ -105,11 +105,8 @@ impl Births {
             } else if emitter.size <= 0.0 {
                 return Err(error_of(index));
             }
-            if let Some((parameters, particles, step)) = around.filter(|_| emitter.look != Look::NONE) {
-                looks::check(
-                    looks::of_emitters(parameters, self, step, Some((slot, &emitter))),
-                    particles,
-                )?;
+            if let Some((parameters, particles, step)) = around.filter(|_| emitter.has_look()) {
+                looks::needs(parameters, self, particles, step, Some((slot, &emitter)))?;
             }
             self.allocated()[slot] = emitter;
             if !numbers.is_empty() && count > 0 {
@@ -120,14 +117,17 @@ impl Births {
         Ok(())
     }
 
-    /// The emitters of the pool that may emit in step `step` or later.
-    pub(crate) fn active(&self, step: u64) -> impl Iterator<Item = (usize, &Emitter)> {
-        let slots = self.pool.iter().enumerate();
-        slots.filter(move |(slot, emitter)| {
-            let is_idle = [emitter.share, emitter.per_metre, emitter.burst_count] == [0.0; 3];
-            let waits = self.debts[LIST_LIMIT + slot].waiting > 0;
-            (waits || !is_idle) && !self.is_over(*slot, step)
-        })
+    /// The emitters of the pool by slot.
+    pub(crate) fn pool(&self) -> &[Emitter] {
+        &self.pool
+    }
+
+    /// Whether the emitter of a slot may emit in step `step` or later.
+    pub(crate) fn is_active(&self, slot: usize, step: u64) -> bool {
+        let emitter = &self.pool[slot];
+        let is_idle = emitter.share + emitter.per_metre + emitter.burst_count == 0.0;
+        let waits = self.debts[LIST_LIMIT + slot].waiting > 0;
+        (waits || !is_idle) && !self.is_over(slot, step)
     }
 
     /// Writes what [`Births::write`] leaves out, which older states do not have: the later numbers of emitters of the
@@ -298,8 +298,9 @@ fn read_numbers(reader: &mut Reader, numbers: &mut [f64]) -> Result<(), RestoreE
 }
 
 /// Whether an emitter differs from those of older states.
+#[inline(never)]
 fn has_later(emitter: &Emitter) -> bool {
-    emitter.per_metre > 0.0 || emitter.look != Look::NONE
+    emitter.per_metre > 0.0 || emitter.has_look()
 }
 
 /// Number of a tint, and of the first number of a look.

@@ -109,8 +109,7 @@ impl ParticleMotion {
             match (self.integrator, laws) {
                 (Integrator::AirAndSlip, None) => self.air_and_slip(&mut tile),
                 (Integrator::AirAndSlip, Some(laws)) => self.air_and_slip_by_looks(&mut tile, laws),
-                (Integrator::Paper, None) => self.paper(&mut tile, |_| (f32x4::ONE, f32x4::ONE)),
-                (Integrator::Paper, Some(laws)) => self.paper_by_looks(&mut tile, laws),
+                (Integrator::Paper, laws) => self.paper(&mut tile, laws),
             }
             if let Some(entrainment) = &self.entrainment {
                 entrainment.act(tile.columns().slipped, particles, first);
@@ -197,9 +196,9 @@ impl ParticleMotion {
 
     #[inline(always)]
     fn air_and_slip(&self, tile: &mut Tile) {
-        let lift = |_, heat| self.lift.acceleration(heat);
+        let lift = |heat, _| self.lift.acceleration(heat);
         if tile.is_dragged {
-            let factors = |_, resistance| Factors::of_rates(self.rate + resistance, self.dt);
+            let factors = |resistance, _: &_| Factors::of_rates(self.rate + resistance, self.dt);
             self.push(tile, factors, lift);
         } else if tile.is_pushed {
             self.push(tile, |_, _| self.drag, lift);
@@ -212,17 +211,16 @@ impl ParticleMotion {
     /// Same for a tile of which particles have looks that move otherwise.
     #[inline(never)]
     fn air_and_slip_by_looks(&self, tile: &mut Tile, laws: &MotionLaws) {
-        let (is_dragged, looks, gravity) = (tile.is_dragged, tile.looks, tile.gravity);
-        let factors = |block: usize, resistance| {
-            let [kept, first, second, factor] = laws.drag(&looks[block]);
+        let is_dragged = tile.is_dragged;
+        let factors = |resistance, looks: &_| {
+            let [kept, first, second, factor] = laws.drag(looks);
             if is_dragged {
                 Factors::of_rates((self.rate + resistance) * factor, self.dt)
             } else {
                 Factors { kept, first, second }
             }
         };
-        let lift = |block: usize, heat| self.lift.acceleration_by(heat, gravity[block]);
-        self.push(tile, factors, lift);
+        self.push(tile, factors, |heat, gravity| self.lift.acceleration_by(heat, gravity));
         self.move_on(tile);
     }
 
@@ -263,41 +261,37 @@ impl ParticleMotion {
     /// Integrates slip with an acceleration per particle.
     ///
     /// # Arguments
-    /// * `factors` - The factors by the block and the rate of drag of particles, without the global one.
-    /// * `lift` - The global acceleration along y by the block and the temperature.
+    /// * `factors` - The factors by the rate of drag of particles, without the global one, and their looks.
+    /// * `lift` - The global acceleration along y by the temperature and the factor on gravity.
     #[inline(always)]
-    fn push(&self, tile: &mut Tile, factors: impl Fn(usize, f32x4) -> Factors, lift: impl Fn(usize, f32x4) -> f32x4) {
+    fn push(
+        &self,
+        tile: &mut Tile,
+        factors: impl Fn(f32x4, &[u8; LANES]) -> Factors,
+        lift: impl Fn(f32x4, f32x4) -> f32x4,
+    ) {
         let Columns {
             slip,
             slipped,
             push,
             resistance,
+            looks,
+            gravity,
             heat,
             ..
         } = tile.columns();
         for (block, slip) in slip.iter_mut().enumerate() {
-            let Factors { kept, first, second } = factors(block, resistance[block]);
+            let Factors { kept, first, second } = factors(resistance[block], &looks[block]);
             let mut push = push[block];
-            push.y += lift(block, heat[block]);
+            push.y += lift(heat[block], gravity[block]);
             slipped[block] = *slip * first + push * second;
             *slip = *slip * kept + push * first;
         }
     }
 
-    /// Same as `paper` for a tile of which particles have looks that move otherwise.
-    #[inline(never)]
-    fn paper_by_looks(&self, tile: &mut Tile, laws: &MotionLaws) {
-        let (looks, gravity) = (tile.looks, tile.gravity);
-        self.paper(tile, |block| {
-            let [.., drag] = laws.drag(&looks[block]);
-            (drag, gravity[block])
-        });
-    }
-
-    /// Explicit Euler oscillates for k h above 1: the product is limited to 1. `looks` returns the factors on drag and on
-    /// gravity of a block.
+    /// Explicit Euler oscillates for k h above 1: the product is limited to 1.
     #[inline(always)]
-    fn paper(&self, tile: &mut Tile, looks: impl Fn(usize) -> (f32x4, f32x4)) {
+    fn paper(&self, tile: &mut Tile, laws: Option<&MotionLaws>) {
         self.forces.act(Phase::Swirl, tile);
         let dt = f32x4::splat(self.dt);
         let Columns {
@@ -308,11 +302,16 @@ impl ParticleMotion {
             slipped,
             push,
             resistance,
+            looks,
+            gravity,
             heat,
             ..
         } = tile.columns();
         for (block, velocity) in slip.iter_mut().enumerate() {
-            let (drag, gravity) = looks(block);
+            let (drag, gravity) = match laws {
+                None => (f32x4::ONE, f32x4::ONE),
+                Some(laws) => (laws.drag(&looks[block])[3], gravity[block]),
+            };
             let share = smaller((self.rate + resistance[block]) * drag * dt, f32x4::ONE);
             ahead[block] = place[block] + *velocity * dt;
             slipped[block] = (*velocity - flow[block]) * dt;

@@ -359,6 +359,7 @@ impl Particles {
     }
 
     /// See [`Looks::index_for`].
+    #[inline(never)]
     pub(crate) fn look_for(&mut self, entry: &PuffLook, parameters: &Parameters) -> u32 {
         let living = &self.attributes[..self.alive];
         let looks = self.looks.as_mut();

@@ -52,6 +52,8 @@ pub struct Columns<'t> {
     pub push: &'t mut [Vector4],
     /// Rate of drag (1/s), without the global drag.
     pub resistance: &'t mut [f32x4],
+    /// Indices of looks, if the tile has looks.
+    pub looks: &'t [[u8; LANES]],
     /// Factor on gravity, if the tile has looks.
     pub gravity: &'t [f32x4],
     /// Temperature.
@@ -162,6 +164,7 @@ impl Tile {
             slipped: &mut self.slipped[..len],
             push: &mut self.push[..len],
             resistance: &mut self.resistance[..len],
+            looks: &self.looks[..len],
             gravity: &self.gravity[..len],
             heat: &self.heat[..len],
             weight: &mut self.weight[..len],

@@ -131,10 +131,7 @@ impl Simulator {
 
     /// Checks that there are not too many looks with these parameters.
     pub(crate) fn check_looks(&self, parameters: &Parameters) -> Result<(), ParameterError> {
-        looks::check(
-            looks::of_emitters(parameters, &self.births, self.steps, None),
-            &self.particles,
-        )
+        looks::needs(parameters, &self.births, &self.particles, self.steps, None).map(|_| ())
     }
 
     pub(crate) fn put_parameters(&mut self, changed: &Parameters) {
@@ -160,23 +157,24 @@ impl Simulator {
         if let Some(looks) = &mut particles.looks {
             looks.prepare(parameters);
         }
-        let thins = self.allow_looks();
+        let strands = self.allow_looks();
         let radii = RadiusLaw::new(&self.parameters);
         let needed = FlowLaw::new(&self.parameters).is_needed(&self.particles, &radii);
-        self.particles.follow(needed || thins);
+        self.particles.follow(needed || strands);
     }
 
     /// Allocates what the looks of emitters need. Returns true if puffs of any of them end as strands.
     fn allow_looks(&mut self) -> bool {
-        let looks = looks::of_emitters(&self.parameters, &self.births, self.steps, None);
-        let Some(thins) = looks.map(|(look, _)| look.thins()).reduce(|any, one| any | one) else {
-            return false;
-        };
-        self.particles.allow_looks(&self.parameters);
-        if thins {
+        let needs = looks::needs(&self.parameters, &self.births, &self.particles, self.steps, None);
+        // Only a forged state has too many.
+        let needs = needs.unwrap_or_default();
+        if needs.looks {
+            self.particles.allow_looks(&self.parameters);
+        }
+        if needs.strands {
             self.particles.follow(true);
         }
-        thins
+        needs.strands
     }
 
     /// The current parameters.

@@ -18,6 +18,7 @@ pub enum Act {
     Release(u32),
     Clear,
     Emit(Option<u64>, f64, f64),
+    Look(u32, u32),
 }
 
 /// Parameters that users change, with ranges of strong effects.
@@ -28,6 +29,8 @@ const TURNED: &[(&str, f64, f64)] = &[
     ("forces.turbulence", 0.0, 3.0),
     ("vortices.2.circulation", -5.0, 5.0),
     ("emitters.0.speed", 0.0, 5.0),
+    ("emitters.1.perMetre", 0.0, 200.0),
+    ("emitters.1.position.x", -0.5, 0.5),
 ];
 
 /// Any input.
@@ -44,6 +47,7 @@ pub fn act() -> impl Strategy<Value = Act> {
         1 => (0_u32..2).prop_map(Act::Release),
         1 => Just(Act::Clear),
         2 => (prop::option::of(0_u64..3000), 0.0..0.3, 0.0..400.0).prop_map(|(changed, delay, rate)| Act::Emit(changed, delay, rate)),
+        2 => (0..3_u32, 0..4_u32).prop_map(|(emitter, look)| Act::Look(emitter, look)),
     ]
 }
 
@@ -63,8 +67,27 @@ pub fn perform(simulator: &mut Simulator, act: &Act) {
         Act::Clear => simulator.input_clear(),
         Act::Emit(changed, delay, rate) => {
             let start = if changed.is_some() { f64::NAN } else { *delay };
-            let numbers = emitter(&[("share", *rate), ("envelope.start", start), ("envelope.duration", 0.2)]);
+            let emission = [("share", *rate), ("envelope.start", start), ("envelope.duration", 0.2)];
+            let look = [("look.drag", 0.5), ("look.style", 9.0)];
+            let changes = [&emission[..], if *rate > 200.0 { &look } else { &[] }].concat();
+            let numbers = emitter(&changes);
             simulator.input_emission(&numbers, *changed).map(|_| ())
+        }
+        Act::Look(emitter, look) => {
+            let look = f64::from(*look);
+            let numbers = [
+                ("style", look),
+                ("drag", 1.0 + look),
+                ("lifetime", 0.4 * look),
+                ("dissolve", look),
+            ];
+            let keys = numbers.map(|(name, _)| format!("emitters.{emitter}.look.{name}"));
+            let entries: Vec<_> = keys
+                .iter()
+                .zip(numbers)
+                .map(|(key, (_, value))| (key.as_str(), value))
+                .collect();
+            simulator.input_values(&entries)
         }
         #[cfg(feature = "rigids")]
         Act::Move(rigid, [x, y, z]) => simulator.input_pose(*rigid, [*x, *y, *z, 0.0, 0.1, 0.0, 1.0]),

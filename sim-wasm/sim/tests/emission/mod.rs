@@ -1,7 +1,9 @@
 //! Births.
 
 mod births;
+mod looks;
 mod moments;
+mod per_metre;
 mod pool;
 #[cfg(feature = "rigids")]
 mod riding;

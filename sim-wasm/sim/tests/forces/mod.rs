@@ -4,6 +4,7 @@ mod closed_forms;
 mod edges;
 mod explosions;
 mod jets;
+mod looks;
 mod orbits;
 #[cfg(feature = "rigids")]
 mod riding;

@@ -5,3 +5,4 @@ mod company;
 mod curves;
 mod flow;
 mod hold;
+mod looks;

@@ -1,6 +1,7 @@
 //! The simulator as a whole: state, errors, takes.
 
 mod errors;
+mod looks;
 mod page_table;
 mod parts;
 mod properties;

@@ -34,7 +34,7 @@ pub struct Emitter {
 }
 
 /// `emitters.#.look.*`: how its puffs differ from the rest of the smoke. By default they do not.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Look {
     /// 0: that of the smoke, as all zeros here.
     pub lifetime: f64,
@@ -75,6 +75,27 @@ impl Look {
     }
 }
 
+impl PartialEq for Look {
+    // Once for all comparisons, which are not frequent.
+    #[inline(never)]
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |look: &Self| {
+            [
+                look.lifetime,
+                look.growth_time,
+                look.dissolve,
+                look.drag,
+                look.buoyancy,
+                look.gravity,
+                look.style,
+            ]
+        };
+        numbers(self) == numbers(other)
+            && self.size_curve == other.size_curve
+            && self.density_curve == other.density_curve
+    }
+}
+
 impl Default for Look {
     fn default() -> Self {
         Self::NONE
@@ -85,6 +106,13 @@ impl Default for Look {
 const FACTOR: [f64; 2] = [0.0, 10.0];
 /// Greatest number of a style.
 const MAX_STYLE: f64 = u32::MAX as f64;
+
+impl Emitter {
+    /// Whether its puffs differ from the rest of the smoke.
+    pub fn has_look(&self) -> bool {
+        self.look != Look::NONE
+    }
+}
 
 impl Item for Emitter {
     const LABEL: &'static str = "Emitter";

@@ -37,8 +37,8 @@ pub struct Field<Item> {
 
 enum Accessor<Item> {
     Number(fn(&mut Item) -> &mut f64),
-    Vector(fn(&mut Item) -> &mut [f64; 3]),
-    Stops(fn(&mut Item) -> &mut Stops),
+    /// The numbers, and their key suffixes.
+    Numbers(fn(&mut Item) -> &mut [f64], &'static [&'static str]),
 }
 
 /// Maximum number of stops of a curve.
@@ -142,8 +142,7 @@ impl<Item> Field<Item> {
     pub fn parts(&self) -> &'static [&'static str] {
         match self.accessor {
             Accessor::Number(_) => &[""],
-            Accessor::Vector(_) => &PARTS,
-            Accessor::Stops(_) => &STOPS,
+            Accessor::Numbers(_, parts) => parts,
         }
     }
 
@@ -151,8 +150,7 @@ impl<Item> Field<Item> {
     pub fn value<'i>(&self, item: &'i mut Item, part: usize) -> &'i mut f64 {
         match self.accessor {
             Accessor::Number(of) => of(item),
-            Accessor::Vector(of) => &mut of(item)[part],
-            Accessor::Stops(of) => &mut of(item)[part],
+            Accessor::Numbers(of, _) => &mut of(item)[part],
         }
     }
 }
@@ -174,9 +172,9 @@ pub const fn vector<Item>(
     unit: &'static str,
     range: [f64; 2],
     default: [f64; 3],
-    of: fn(&mut Item) -> &mut [f64; 3],
+    of: fn(&mut Item) -> &mut [f64],
 ) -> Field<Item> {
-    Field::new(key, unit, range, default, Accessor::Vector(of))
+    Field::new(key, unit, range, default, Accessor::Numbers(of, &PARTS))
 }
 
 /// Steps of the age and of the value of a packed stop.
@@ -186,9 +184,9 @@ pub const STOP_VALUE: f64 = 131_072.0;
 
 /// The packed stops of a curve over life. 0 is no stop; others are 1 + age + [`STOP_VALUE`] * value, both in
 /// [`STOP_STEPS`].
-pub const fn stops<Item>(key: &'static str, of: fn(&mut Item) -> &mut Stops) -> Field<Item> {
+pub const fn stops<Item>(key: &'static str, of: fn(&mut Item) -> &mut [f64]) -> Field<Item> {
     let range = [0.0, 1.0 + STOP_STEPS + STOP_VALUE * STOP_STEPS];
-    Field::new(key, "1", range, [0.0; 3], Accessor::Stops(of))
+    Field::new(key, "1", range, [0.0; 3], Accessor::Numbers(of, &STOPS))
         .whole()
         .rare()
 }

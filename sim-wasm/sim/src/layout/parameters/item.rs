@@ -46,15 +46,22 @@ pub trait Item: Copy + Default + 'static {
 #[inline(never)]
 pub fn item<I: Item>() -> I {
     let mut item = I::default();
-    for field in I::FIELDS.iter().chain(I::LATER) {
-        for part in 0..field.parts().len() {
-            *field.value(&mut item, part) = field.meta.default(part);
-        }
+    set_defaults(&mut item, I::FIELDS);
+    if !I::LATER.is_empty() {
+        set_defaults(&mut item, I::LATER);
     }
     if let Some(scope) = item.scope() {
         *scope = self::item();
     }
     item
+}
+
+fn set_defaults<I>(item: &mut I, fields: &[Field<I>]) {
+    for field in fields {
+        for part in 0..field.parts().len() {
+            *field.value(item, part) = field.meta.default(part);
+        }
+    }
 }
 
 /// A list of which items `0..len` exist.

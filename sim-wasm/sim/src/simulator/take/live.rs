@@ -93,8 +93,10 @@ impl Simulator {
         let Some(emission) = self.births.emission(numbers, changed, self.steps)? else {
             return Ok(None);
         };
-        let looks = looks::of_emitters(&self.parameters, &self.births, self.steps, Some(emission.emitter()));
-        looks::check(looks, &self.particles)?;
+        if emission.is_long() {
+            let changed = Some(emission.emitter());
+            looks::needs(&self.parameters, &self.births, &self.particles, self.steps, changed)?;
+        }
         let number = emission.number();
         self.apply_input(Input::Emit(Box::new(emission)))?;
         Ok(Some(number))
