@@ -230,6 +230,20 @@ export type ListValues = {
     /** Tint: Number of the tint of new puffs; 0 is none. There are three colours, which repeat: 4 is as 1. */ tint: number;
     /** Share: Share of the emission rate, relative to the other emitters. */ share: number;
     /** Burst: Number of puffs emitted at once at each start. */ 'burst.count': number;
+    /** Puffs per metre: Number of puffs for each metre that the emitter travels, besides the emission rate. */ perMetre: number;
+    /** Own lifetime: Lifetime of its puffs, which grow within a quarter of it; 0 is that of the smoke. */ 'look.lifetime': number;
+    /** Own growth time: Time in which its puffs reach their size; 0 is that of the smoke. */ 'look.growthTime': number;
+    /** Size over life: Fraction of its size that a puff has at each age. */ 'look.sizeCurve': string;
+    /** Own density over life: How dense its puffs are at each age, instead of the density of the smoke. */ 'look.densityCurve': string;
+    /** Own dissolution: How its puffs end: as the rest of the smoke, or in another way. */ 'look.dissolve':
+      'smoke' | 'shrink' | 'erode' | 'tear' | 'thin';
+    /** Drag: Factor on the drag of its puffs. */ 'look.drag': number;
+    /** Buoyancy: Factor on the buoyancy of its puffs. */ 'look.buoyancy': number;
+    /** Gravity: Factor on the gravity of its puffs. */ 'look.gravity': number;
+    /** Own tones: Colours of its smoke from shadow to full light, instead of those of the smoke. */ 'look.colors': string;
+    /** Own colours by age: Colours of its smoke over the life of a puff, instead of those of the smoke. */ 'look.ageColors': string;
+    /** Own colours by heat: Colours of its smoke from temperature 0 to 1, instead of those of the smoke. */ 'look.heatColors': string;
+    /** Ink weight: Factor on the width of the lines of its smoke. */ 'look.inkWeight': number;
   };
   colliders: {
     /** Shape: Shape that smoke collides with. */ shape: 'plane' | 'ball' | 'box' | 'capsule';

@@ -54,8 +54,8 @@ export function styleOfNumber(number: number): LookStyle | undefined {
 /** The styles with these numbers, for a take or a saved state. @param numbers in the order of their first use */
 export function stylesOf(numbers: Iterable<number>): LookStyle[] {
   let length = 0;
-  const latest = [...numbers].reverse().flatMap((number) => styles.get(number) ?? []);
-  return latest.filter((style) => (length += JSON.stringify(style).length) < MOST_CHARACTERS).reverse();
+  const latest = [...numbers].toReversed().flatMap((number) => styles.get(number) ?? []);
+  return latest.filter((style) => (length += JSON.stringify(style).length) < MOST_CHARACTERS).toReversed();
 }
 
 /** The numbers of styles of untrusted data, which are known from then on. Invalid parts of them follow the smoke. */

@@ -17,7 +17,11 @@ export interface SavedLooks {
 }
 
 /** @param values of which those of looks are saved */
-export function withSavedLooks(state: Uint8Array, styles: Iterable<number>, values: AnyValues): Uint8Array<ArrayBuffer> {
+export function withSavedLooks(
+  state: Uint8Array,
+  styles: Iterable<number>,
+  values: AnyValues,
+): Uint8Array<ArrayBuffer> {
   const looks = Object.entries(values).filter(([key]) => isOfLookStyle(key));
   const text = JSON.stringify({ styles: stylesOf(styles), values: Object.fromEntries(looks) });
   const tail = new TextEncoder().encode(`${text}${String(text.length).padStart(DIGITS)}${MARK}`);

@@ -20,10 +20,23 @@ export function isSimulatorRejection(error: unknown): error is SimulatorRejectio
 /** The public error for a rejection: ParameterError if it has a key, otherwise SimulatorError. */
 export function errorOfSimulator(rejection: SimulatorRejection): Error {
   if (rejection.key === '') return new SimulatorError(rejection.message);
-  const ranged = rejection.min <= rejection.max;
-  return new ParameterError(
-    rejection.key,
-    rejection.value,
-    ranged ? `a number from ${rejection.min} to ${rejection.max}` : rejection.message,
-  );
+  const { key, value, min, max, message } = rejection;
+  if (key === LOOK) return new ParameterError(key, value, TOO_MANY_LOOKS);
+  return new ParameterError(key, value, min <= max ? `a number from ${min} to ${max}` : message);
+}
+
+/** Key of the rejection of a look too many, and what it takes. */
+const LOOK = 'look';
+const TOO_MANY_LOOKS =
+  'at most 15 different looks of emitters and of their puffs at a time; another one once all puffs of one are gone';
+
+/** Names the call in the error of a look too many. */
+export function namingLook<Result>(call: string, act: () => Result): Result {
+  try {
+    return act();
+  } catch (error) {
+    if (error instanceof ParameterError && error.key === LOOK)
+      throw new ParameterError(`${call}.${LOOK}`, error.value, error.accepted);
+    throw error;
+  }
 }

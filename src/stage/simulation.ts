@@ -16,6 +16,7 @@ import type { SimulatorFactory } from '../simulator/load.ts';
 import { stylesOf } from '../simulator/lookStyles.ts';
 import { splitState } from '../simulator/savedLooks.ts';
 import type { Simulator } from '../simulator/simulator.ts';
+import { namingLook } from '../simulator/simulatorError.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
@@ -97,8 +98,8 @@ export class Simulation {
   replay(take: Uint8Array, values: Values): void {
     const next = this.create(values);
     try {
-      next.addStyles(stylesIn(this.factory.readTake(take).note));
       next.replay(take);
+      next.addStyles(stylesIn(this.factory.readTake(take).note));
     } catch (error) {
       next.dispose();
       throw error;
@@ -172,11 +173,11 @@ export class Simulation {
   /**
    * Starts an emission.
    * @returns its number
-   * @throws ParameterError for an invalid option, or when there are too many
+   * @throws ParameterError for an invalid option, or when there are too many emissions or looks
    */
   emit(options: EmissionOptions): number {
     const numbers = emissionNumbers(options);
-    const emission = this.input((simulator) => simulator.inputEmission(numbers));
+    const emission = namingLook('emit', () => this.input((simulator) => simulator.inputEmission(numbers)));
     if (emission >= 0) return emission;
     throw new ParameterError('emit', EMISSION_LIMIT + 1, `at most ${EMISSION_LIMIT} emissions at a time`);
   }
@@ -184,7 +185,7 @@ export class Simulation {
   /** Changes an emission unless it is over. @throws ParameterError for an invalid option */
   changeEmission(emission: number, options: EmissionChange): void {
     const numbers = changeNumbers(options);
-    this.input((simulator) => simulator.inputEmission(numbers, emission));
+    namingLook('changeEmission', () => this.input((simulator) => simulator.inputEmission(numbers, emission)));
   }
 
   /** Whether the log of a take has applied or undone inputs since the last call. */

@@ -34,9 +34,13 @@ export function noteOf(values: Values, looks: readonly LookStyle[] = []): string
   return JSON.stringify({ values: differing(defaults(), values), ...(looks.length > 0 && { looks }) });
 }
 
-/** The numbers of the looks of a note, which are known from then on. */
+/** The numbers of the looks of an untrusted note, which are known from then on. */
 export function stylesIn(note: string): number[] {
-  return numbersOfStyles(readNote(note).looks);
+  try {
+    return numbersOfStyles((JSON.parse(note) as { looks?: unknown } | null)?.looks);
+  } catch {
+    return [];
+  }
 }
 
 /** @throws SimulatorError when the note was not written by a stage */
@@ -46,7 +50,7 @@ export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Tak
 
 /** Values from an untrusted note: unknown keys are ignored, invalid values throw. */
 function valuesOf(note: string): Values {
-  const found = Object.entries(readNote(note).values).flatMap(([key, value]): [string, Value][] => {
+  const found = Object.entries(readNote(note)).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
     if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
@@ -55,10 +59,10 @@ function valuesOf(note: string): Values {
   return { ...defaults(), ...Object.fromEntries(found) };
 }
 
-function readNote(note: string): { values: object; looks?: unknown } {
+function readNote(note: string): object {
   try {
-    const { values, looks } = JSON.parse(note) as { values?: unknown; looks?: unknown };
-    if (typeof values === 'object' && values !== null) return { values, looks };
+    const { values } = JSON.parse(note) as { values?: unknown };
+    if (typeof values === 'object' && values !== null) return values;
   } catch {
     // Reported below, as for well-formed JSON without values.
   }

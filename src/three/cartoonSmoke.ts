@@ -22,6 +22,7 @@ import { Clock } from '../simulator/clock.ts';
 import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
 import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
+import { splitState } from '../simulator/savedLooks.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
 import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
@@ -265,20 +266,21 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requirePlaced();
     const own = emitter === undefined ? this.table : emitter;
     if (typeof own === 'object') return this.handles.add(new PooledEmitter(this.emitters, object, own));
-    const { simulator, overrides, frame } = this;
+    const { simulator, overrides, frame, emitters } = this;
     const release = (item: string) => this.itemMotion.release(item);
-    const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
+    const context = { simulator, overrides, frame, emitters, release, set: (values: Values) => this.set(values) };
     return this.handles.add(new TableEmitter(context, object, own));
   }
 
   /**
    * Emits puffs at once in the next step. While smoke is full they wait. At most 256 bursts wait; the next one replaces
    * the oldest.
+   * @returns resolves in the step in which the last of these puffs ends by its lifetime, and when all puffs are cleared
    * @throws ParameterError for an unknown option or an invalid value
    */
-  burst(options: BurstOptions): void {
+  burst(options: BurstOptions): Promise<void> {
     this.requirePlaced();
-    this.emitters.burst(options);
+    return this.emitters.burst(options);
   }
 
   /**
@@ -345,8 +347,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   set(values: Values): void {
     this.requireAlive();
     requireChangeable(values);
-    this.simulator.set(this.overrides.over(simulatorValues(values)));
-    this.change({ ...this.shown.values, ...values });
+    const after = { ...this.shown.values, ...values };
+    this.simulator.set(this.overrides.over(simulatorValues(values, after)));
+    this.change(after);
     this.showLatest();
   }
 
@@ -381,6 +384,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   override clear(): this {
     this.requireAlive();
     this.simulator.inputClear();
+    this.emitters.resolve(() => true);
     this.markVisible();
     this.showLatest();
     return this;
@@ -399,13 +403,16 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const { simulator } = this;
     const values: AnyValues = this.shown.values;
     const numbers = simulator.parameters();
-    const plain = [...numbers.keys()].flatMap((key) => {
-      const value = values[key] ?? findParameter(key)?.default;
+    const initial = [...numbers.keys(), ...Object.keys(values)].flatMap((key) => {
+      const value = findParameter(key)?.default;
       return value === undefined ? [] : [[key, value] as const];
     });
-    simulator.set(simulatorValues(Object.fromEntries(plain)));
-    const bytes = simulator.save();
-    simulator.set(Object.fromEntries(numbers));
+    const defaults: AnyValues = Object.fromEntries(initial);
+    const plain = simulatorValues({ ...defaults, ...values });
+    simulator.set(plain);
+    const bytes = simulator.save(values);
+    // The simulator leaves out some numbers that have their defaults.
+    simulator.set({ ...simulatorValues(defaults), ...Object.fromEntries(numbers) });
     return bytes;
   }
 
@@ -417,7 +424,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restore(bytes: Uint8Array): void {
     this.requireAlive();
     this.restoreState(bytes);
-    this.useValues(valuesIn(this.simulator, this.shown.values, {}));
+    const { values } = splitState(bytes);
+    this.useValues(valuesIn(this.simulator, { ...this.shown.values, ...values }, {}));
     this.shown.keepVariations(this.simulator.variationsAlive);
   }
 
@@ -480,6 +488,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     // Before three.js 0.186 objects have no dispose(), which does no more than this.
     this.dispatchEvent({ type: 'dispose' });
     this.isDisposed = true;
+    this.emitters.resolve(() => true);
     this.removeFromParent();
     this.simulator.dispose();
     this.stopListening();
@@ -529,6 +538,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     simulator.restore(before);
     this.handles.pause();
     simulator.restore(bytes, false);
+    this.emitters.resolve(() => true);
   }
 
   /** Applies values and handles to a simulator that took another state, and shows it. */
@@ -600,6 +610,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       this.itemMotion.place((from + to) / 2);
       this.parts.place(from, to);
       this.simulator.step();
+      this.emitters.settle();
     }
   }
 

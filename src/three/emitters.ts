@@ -15,7 +15,8 @@ import {
   type EmitterOptions,
 } from '../simulator/emitterOptions.ts';
 import type { Simulator } from '../simulator/simulator.ts';
-import { Handle, type SmokeHandle } from './handle.ts';
+import { namingLook } from '../simulator/simulatorError.ts';
+import { Handle, type Handles, type SmokeHandle } from './handle.ts';
 import type { Overrides } from './overrides.ts';
 import type { SmokeFrame } from './smokeSpace.ts';
 import { worldPose, type ObjectPart, type ObjectParts } from './objectParts.ts';
@@ -31,14 +32,24 @@ export interface EmitterHandle extends SmokeHandle {
   /**
    * Emits puffs at once in the next step, besides its rate; nothing while it is paused.
    * @param count whole number from 1 to 20,000
+   * @returns resolves in the step in which the last of these puffs ends by its lifetime, also if it was removed before; when
+   * all puffs are cleared; and when the handle pauses before they are emitted
    */
-  burst(count: number): void;
+  burst(count: number): Promise<void>;
 }
 
 /** Emitters of the simulator's pool, which follow those of the table: those of objects come first, then bursts in turn. */
 const OBJECT_SLOTS = 128;
 const BURST_SLOTS = 256;
 const NO_NUMBERS = new Float64Array();
+
+/** A burst whose promise has not resolved. */
+interface Burst {
+  readonly emitter: number;
+  /** Number of steps at which its last puff ends; -1 while births wait. */
+  end: number;
+  resolve(): void;
+}
 
 /** The emitters of one smoke outside the parameter table. */
 export class EmitterPool {
@@ -48,6 +59,7 @@ export class EmitterPool {
   readonly used = new Set<number>();
   private readonly isTaken: boolean[] = Array.from({ length: OBJECT_SLOTS }, () => false);
   private bursts = 0;
+  private unfinished: Burst[] = [];
 
   constructor(simulator: Simulator, parts: ObjectParts) {
     this.simulator = simulator;
@@ -73,10 +85,42 @@ export class EmitterPool {
   }
 
   /** Emits puffs in the next step. The oldest of the bursts that still wait gives way if there are too many. */
-  burst(options: BurstOptions): void {
+  burst(options: BurstOptions): Promise<void> {
     const numbers = burstNumbers(placedIn(options, this.parts.frame));
-    const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts++ % BURST_SLOTS);
-    this.simulator.setEmitter(index, numbers, options.count);
+    const index = LIST_LIMIT + OBJECT_SLOTS + (this.bursts % BURST_SLOTS);
+    namingLook('burst', () => this.simulator.setEmitter(index, numbers, options.count));
+    if (this.bursts++ >= BURST_SLOTS) this.resolveUnborn(index);
+    return this.endOf(index);
+  }
+
+  /** Resolves when the puffs end that an emitter emits at once in the next step. */
+  endOf(emitter: number): Promise<void> {
+    return new Promise((resolve) => this.unfinished.push({ emitter, end: -1, resolve }));
+  }
+
+  /** Resolves the promises of bursts whose puffs have ended. Call it after each step. */
+  settle(): void {
+    if (this.unfinished.length === 0) return;
+    const { steps } = this.simulator;
+    for (const burst of this.unfinished) if (burst.end < 0) burst.end = this.simulator.burstEnd(burst.emitter);
+    this.resolve(({ end }) => end >= 0 && end <= steps);
+  }
+
+  /** Resolves the promises of bursts, such as those of an emitter without its births that wait. */
+  resolve(isOver: (burst: Pick<Burst, 'emitter' | 'end'>) => boolean): void {
+    const over = this.unfinished.filter(isOver);
+    this.unfinished = this.unfinished.filter((burst) => !over.includes(burst));
+    for (const burst of over) burst.resolve();
+  }
+
+  /** Drops the births of an emitter that wait. */
+  drop(index: number): void {
+    this.simulator.setEmitter(index, NO_NUMBERS);
+    this.resolveUnborn(index);
+  }
+
+  private resolveUnborn(index: number): void {
+    this.resolve(({ emitter, end }) => emitter === index && end < 0);
   }
 }
 
@@ -103,22 +147,44 @@ export class PooledEmitter extends Handle implements EmitterHandle {
 
   set(values: EmitterOptions): void {
     this.requireUsable('set');
-    this.own = emitterNumbers('emitFrom', values, this.own);
-    if (this.part) this.write();
+    const before = this.own;
+    this.own = emitterNumbers('emitFrom', values, before);
+    try {
+      if (this.part) this.write();
+    } catch (error) {
+      this.own = before;
+      throw error;
+    }
   }
 
-  burst(count: number): void {
+  burst(count: number): Promise<void> {
     this.requireUsable('burst');
     requireCount('emitFrom.burst', count);
-    if (this.isActive) this.pool.simulator.setEmitter(this.index, NO_NUMBERS, count);
+    if (!this.isActive) return Promise.resolve();
+    this.pool.simulator.setEmitter(this.index, NO_NUMBERS, count);
+    return this.pool.endOf(this.index);
+  }
+
+  override join(handles: Handles): void {
+    try {
+      super.join(handles);
+    } catch (error) {
+      this.release();
+      throw error;
+    }
   }
 
   protected start(): void {
     const { parts } = this.pool;
     this.requireSound(parts.frame.toSmoke(worldPose(this.object, pose)));
     this.part = parts.add(pose);
+    try {
+      this.write();
+    } catch (error) {
+      this.stop();
+      throw error;
+    }
     this.table?.overrides.reserve('emitters.0');
-    this.write();
   }
 
   protected override follow(): void {
@@ -132,7 +198,7 @@ export class PooledEmitter extends Handle implements EmitterHandle {
     this.pool.parts.remove(this.part!);
     this.part = undefined;
     this.pool.used.delete(this.index);
-    this.pool.simulator.setEmitter(this.index, NO_NUMBERS);
+    this.pool.drop(this.index);
   }
 
   protected override release(): void {
@@ -143,8 +209,8 @@ export class PooledEmitter extends Handle implements EmitterHandle {
     const base = (this.base = this.table?.read() ?? this.own);
     const numbers = this.own.map((number, index) => (Number.isNaN(number) ? base[index] : number));
     numbers[RIGID] = this.part!.number;
+    namingLook('emitFrom', () => this.pool.simulator.setEmitter(this.index, numbers));
     this.pool.used.add(this.index);
-    this.pool.simulator.setEmitter(this.index, numbers);
   }
 }
 
@@ -177,6 +243,7 @@ export interface TableContext {
   readonly simulator: Simulator;
   readonly overrides: Overrides;
   readonly frame: SmokeFrame;
+  readonly emitters: EmitterPool;
   /** Takes an item of the table from what carries it. */
   release(item: string): void;
   /** Changes values of the parameter table. */
@@ -199,15 +266,16 @@ export class TableEmitter extends Handle implements EmitterHandle {
 
   set(values: EmitterOptions): void {
     this.requireUsable('set');
-    this.context.set(tableValues('emitFrom', this.emitter, values));
+    namingLook('emitFrom', () => this.context.set(tableValues('emitFrom', this.emitter, values)));
   }
 
-  burst(count: number): void {
+  burst(count: number): Promise<void> {
     this.requireUsable('burst');
     requireCount('emitFrom.burst', count);
-    if (!this.isActive) return;
+    if (!this.isActive) return Promise.resolve();
     this.write();
     this.context.simulator.setEmitter(this.emitter, NO_NUMBERS, count);
+    return this.context.emitters.endOf(this.emitter);
   }
 
   override move(): void {

@@ -6,6 +6,7 @@ const SILENCE: Readonly<Record<string, number>> = {
   'envelope.duration': 1e-9,
   'envelope.period': 0,
   'burst.count': 0,
+  perMetre: 0,
 };
 
 /**

@@ -61,8 +61,9 @@ export class HandledSmoke {
   }
 
   set(values: Values): void {
-    this.simulator.set(this.overrides.over(simulatorValues(values)));
-    this.values = { ...this.values, ...values };
+    const after = { ...this.values, ...values };
+    this.simulator.set(this.overrides.over(simulatorValues(values, after)));
+    this.values = after;
   }
 
   /** Adds an object to the scene. */
@@ -75,9 +76,9 @@ export class HandledSmoke {
   emitFrom(object: Object3D, options: EmitterOptions | number = {}) {
     this.place();
     if (typeof options === 'object') return this.handles.add(new PooledEmitter(this.pool, object, options));
-    const { simulator, overrides, frameOfSmoke: frame } = this;
+    const { simulator, overrides, frameOfSmoke: frame, pool: emitters } = this;
     const release = (item: string) => this.itemMotion.release(item);
-    const context = { simulator, overrides, frame, release, set: (values: Values) => this.set(values) };
+    const context = { simulator, overrides, frame, emitters, release, set: (values: Values) => this.set(values) };
     return this.handles.add(new TableEmitter(context, object, options));
   }
 
@@ -112,6 +113,7 @@ export class HandledSmoke {
       this.itemMotion.place((step + 0.5) / count);
       this.parts.place(step / count, (step + 1) / count);
       this.simulator.step();
+      this.pool.settle();
     }
     this.handles.show(1);
   }
