@@ -88,14 +88,14 @@ impl Simulator {
         self.simulator.glow(blend, colors)
     }
 
-    /// True if emitters have or had looks: then rows have `look` and `lookTint` instead of `tint`.
+    /// True if emitters have or had looks.
     #[wasm_bindgen(getter = hasLooks)]
     pub fn has_looks(&self) -> bool {
         self.simulator.has_looks()
     }
 
-    /// Style and tint of each look from 1 to 15, two numbers each; 0 and 0 for those that no puff has had. See
-    /// `sim::particles::looks`.
+    /// Style, tint and dissolution of each look from 1 to 15, three numbers each as in the table; 0 for those that no puff
+    /// has had. Empty unless there are looks. See `sim::particles::looks`.
     #[wasm_bindgen(js_name = lookStyles)]
     pub fn look_styles(&self) -> Vec<f64> {
         self.simulator.look_styles()

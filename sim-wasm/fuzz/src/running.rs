@@ -16,6 +16,10 @@ const LIVELY: &[(&str, f64)] = &[
     ("emission.lifetime", 1.0),
     ("emitters.0.share", 1.0),
     ("emitters.0.speed", 2.0),
+    ("emitters.1.look.drag", 2.0),
+    ("emitters.1.look.lifetime", 0.3),
+    ("emitters.1.tint", 4.0),
+    ("emitters.1.perMetre", 50.0),
     ("turbulence.speed", 0.5),
     ("turbulence.octaves", 2.0),
     ("vortices.0.circulation", 2.0),
@@ -43,9 +47,24 @@ pub fn lively() -> Simulator {
     for step in 0..12 {
         let _ = simulator.input_steer(step % 8, f64::from(step) / 12.0);
         let _ = simulator.input_values(&[("forces.wind.x", f64::from(step))]);
+        let _ = simulator.input_values(&[("emitters.1.position.x", f64::from(step) / 50.0)]);
+        let _ = simulator.input_emission(&emitter(step), None);
         simulator.step();
     }
     simulator
+}
+
+/// The numbers of an emitter of the pool that ends soon; every other one has a look.
+fn emitter(step: u32) -> Vec<f64> {
+    let rows = parameters::rows();
+    let own = rows.iter().filter_map(|row| Some((row.key.strip_prefix("emitters.#.")?, row.default)));
+    own.map(|(key, default)| match key {
+        "share" => 100.0,
+        "envelope.duration" => 0.1,
+        "look.style" | "look.dissolve" => f64::from(step % 2),
+        _ => default,
+    })
+    .collect()
 }
 
 impl Running {

@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 use sim::arrange::row_layout::{
-    AGE, Attributes, CASTER_AGE, EROSION, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT, TURN,
-    TURN_LARGEST, VARIATION,
+    AGE, Attributes, CASTER_AGE, EROSION, LOOK, NO_ROTATION, ROLL, SEED, STRETCH, STRETCH_AXIS, TEMPERATURE, TINT,
+    TURN, TURN_LARGEST, VARIATION,
 };
 
-use crate::scene::{Bands, Puffs};
+use crate::scene::{Look, Puffs, Style};
 
 const TINTS: usize = 3;
 const SEEDS: f64 = 256.0;
@@ -51,8 +51,15 @@ impl PackedAttributes {
         SEED.of(self.0)
     }
 
+    /// Its look, if it differs from that of the smoke.
+    pub fn look(self, style: &Style) -> Option<&Look> {
+        style.looks.get((LOOK.of(self.0) as usize).checked_sub(1)?)
+    }
+
     /// Index of the smoke ramp: one of the tints in turn, or without a tint by age and temperature.
-    pub fn ramp(self, bands: &Bands) -> usize {
+    pub fn ramp(self, style: &Style) -> usize {
+        let own = self.look(style).and_then(|look| look.bands.as_ref());
+        let bands = own.unwrap_or(&style.bands);
         match TINT.of(self.0) {
             // The ramps have 256 ages.
             0 => bands.ages[(AGE.of(self.0) >> 8) as usize] + bands.temperatures[TEMPERATURE.of(self.0) as usize],

@@ -111,6 +111,7 @@ impl<'a> Body<'a> {
             drawing,
             ..
         } = scene.style;
+        let ink_pixels = ink_pixels * attributes.look(&scene.style).map_or(1.0, |look| look.ink_weight);
         Some(Self {
             scene,
             row,
@@ -255,7 +256,7 @@ impl<'a> Body<'a> {
     /// `height`: world height (m). `whole`: the form of the whole smoke, and its cosine to the light.
     fn shade(&self, place: DVec3, height: f64, normal: DVec3, screen: f64, whole: Option<(&Form, f64)>) -> Shade {
         let style = &self.scene.style;
-        let ramp = &style.smoke_ramps[self.attributes.ramp(&style.bands)];
+        let ramp = &style.smoke_ramps[self.attributes.ramp(style)];
         let gradient = gradient_factor(style, &self.along(place.y, height, screen));
         Shade::of_puff(style, &self.illumination, ramp, normal, self.light, whole).graded(gradient)
     }

@@ -75,9 +75,12 @@ pub struct Style {
     pub smoke_color: Triple,
     /// World heights between which the gradient `height` runs (m).
     pub gradient_heights: [f64; 2],
-    /// Ramps of smoke without a tint, of the three tints, then of each band of age and temperature.
+    /// Ramps of smoke without a tint, of the three tints, then of each band of age and temperature, also of looks.
     pub smoke_ramps: Vec<Ramp>,
     pub bands: Bands,
+    /// Looks of puffs by their index, from 1 on; those of others are that of the smoke.
+    #[serde(default)]
+    pub looks: Vec<Look>,
     /// Width of the rim along silhouettes that face away from the light, 0 to 1.
     pub rim: f64,
     pub rim_color: Triple,
@@ -133,11 +136,21 @@ pub enum Volumes {
     Counted,
 }
 
-/// Numbers by byte; their sum is the ramp of smoke without a tint.
+/// Numbers by byte; their sum is the ramp of smoke without a tint, or of a look without one.
 #[derive(Deserialize)]
 pub struct Bands {
     pub ages: Vec<usize>,
     pub temperatures: Vec<usize>,
+}
+
+/// Colours and ink of puffs of an emitter.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Look {
+    /// Those of its puffs without a tint, instead of those of the smoke.
+    pub bands: Option<Bands>,
+    /// Factor on the width of lines.
+    pub ink_weight: f64,
 }
 
 #[derive(Clone, Copy, Deserialize)]

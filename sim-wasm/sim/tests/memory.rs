@@ -73,8 +73,16 @@ fn memory_is_taken_at_creation_only() {
     // About 19 kB of it are the table of puff rotations for culling, independent of the number of puffs.
     assert!(fixed < 81_920, "{fixed} bytes whatever the capacity");
 
-    let shedders = [("shedders.0.rate", 2000.0), ("shedders.0.strength", 1.0)];
-    let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)], &shedders]);
+    let others = [
+        ("shedders.0.rate", 2000.0),
+        ("shedders.0.strength", 1.0),
+        // Their puffs get looks within the steps; torn ones have columns of motion.
+        ("emitters.0.look.drag", 2.0),
+        ("emitters.1.look.dissolve", 3.0),
+        ("emitters.1.tint", 3.0),
+        ("emitters.2.perMetre", 100.0),
+    ];
+    let mut simulator = simulator(3000, 1, &[LIVELY, &[("emission.rate", 6000.0)], &others]);
     let views = views();
     let before = CALLS.get();
     for _ in 0..300 {
@@ -87,6 +95,7 @@ fn memory_is_taken_at_creation_only() {
     assert!(simulator.alive() > 2900 && simulator.waiting() > 0);
     assert_eq!(simulator.vortex_particles(), 1024);
     assert!(simulator.coverage_shape()[1] > 1.0, "the grid has rows");
+    assert!(simulator.look_styles()[..6].contains(&3.0), "puffs have looks");
     assert_eq!(calls, 0, "allocations in 300 steps and 600 arrangements");
     println!("{a_particle} bytes a particle and {fixed} bytes besides");
 }

@@ -1,6 +1,7 @@
 /** The measurements of `npm run bench -- sim`, in one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureCollisions } from './collide/collisions.ts';
+import { measureLooks } from './looks.ts';
 import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
 import { measureAgainstCompat } from './collide/versusCompat.ts';
@@ -12,6 +13,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
   return [
     ...(await measureAgainstOthers(quick)),
     ...(await measureParts(quick)),
+    ...(await measureLooks(quick)),
     ...(await measureSizes(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),

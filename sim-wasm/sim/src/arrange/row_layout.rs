@@ -55,11 +55,10 @@ pub const VARIATION: Bits = Bits::new(1, 0, 8);
 pub const SEED: Bits = Bits::new(1, 8, 8);
 /// Temperature in 255ths of [`MAX_TEMPERATURE`].
 pub const TEMPERATURE: Bits = Bits::new(1, 16, 8);
-/// Tint, 0 for none, while there are no looks.
-pub const TINT: Bits = Bits::new(1, 24, 8);
-/// In the place of the tint while there are looks: the look, 0 for none, and the tint.
-pub const LOOK: Bits = Bits::new(1, 24, 4);
-pub const LOOK_TINT: Bits = Bits::new(1, 28, 4);
+/// Tint, 0 for none. A puff with a look has none, unless a collider has tinted it.
+pub const TINT: Bits = Bits::new(1, 24, 4);
+/// Index of the look, 0 for none.
+pub const LOOK: Bits = Bits::new(1, 28, 4);
 
 /// In rows for the light, in the place of temperature and tint: the age as in [`AGE`].
 pub const CASTER_AGE: Bits = Bits::new(1, 16, 16);
@@ -93,7 +92,6 @@ pub const ATTRIBUTE_BITS: &[(&str, Bits)] = &[
     ("temperature", TEMPERATURE),
     ("tint", TINT),
     ("look", LOOK),
-    ("lookTint", LOOK_TINT),
     ("casterAge", CASTER_AGE),
     ("quaternionX", TURN[0]),
     ("quaternionY", TURN[1]),

@@ -2,8 +2,8 @@
 
 use crate::arrange::deformation;
 use crate::arrange::row_layout::{
-    AGE, Attributes, Bits, CASTER_AGE, END, EROSION, LOOK, LOOK_TINT, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED,
-    TEMPERATURE, TINT, VARIATION,
+    AGE, Attributes, Bits, CASTER_AGE, END, EROSION, LOOK, MAX_TEMPERATURE, PLACE_FLOATS, ROLL, SEED, TEMPERATURE,
+    TINT, VARIATION,
 };
 use crate::particles::Particles;
 use crate::particles::following::FlowLaw;
@@ -107,10 +107,7 @@ impl RowSampler {
     /// The packed attributes of particle `i` for the eye, by its [`RowSampler::shape`].
     pub fn body(&self, particles: &Particles, i: usize, [shape, constant, turn, stretch]: Attributes) -> Attributes {
         let heat = TEMPERATURE.packed(fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE));
-        let tint = match particles.looks {
-            None => TINT.packed(particles.tint(i)),
-            Some(_) => LOOK.packed(particles.look(i)) | LOOK_TINT.packed(particles.tint(i)),
-        };
+        let tint = TINT.packed(particles.tint(i)) | LOOK.packed(particles.look(i));
         [shape, constant | heat | tint, turn, stretch]
     }
 }

@@ -165,7 +165,7 @@ impl Births {
             let count = waiting.min(part as u64).min(source.room() as u64);
             for number in 0..count {
                 let seconds = source.spawn(around.dt * (number as f64 + 0.5) / count as f64);
-                let end = around.step + libm::ceil(seconds / around.dt) as u64;
+                let end = around.step.saturating_add(libm::ceil(seconds / around.dt) as u64);
                 debt.end = debt.end.max(end);
             }
             debt.waiting -= count;

@@ -5,6 +5,7 @@
 //! has an emitter of size 0 and rate 0. Slots are saved; as of all emitters, only what they owe is part of the hash.
 
 use std::ops::Range;
+use std::slice::from_mut;
 
 use crate::emission::{Births, Debt, looks};
 use crate::layout::bytes::{Reader, SnapshotSection, Writer};
@@ -13,7 +14,7 @@ use crate::layout::limits::{POOL_LIMIT, STEP};
 use crate::layout::parameters::accept;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::field::Meta;
-use crate::layout::parameters::item::{LIST_LIMIT, Slot, meta, value};
+use crate::layout::parameters::item::{self as items, Item, LIST_LIMIT};
 use crate::layout::parameters::table::Parameters;
 use crate::layout::quantise::within;
 use crate::particles::Particles;
@@ -284,7 +285,8 @@ fn read_owed(reader: &mut Reader) -> Result<f64, RestoreError> {
 fn write_emitter(body: &mut Writer, emitter: &Emitter, numbers: Range<usize>) {
     let mut emitter = *emitter;
     for number in numbers {
-        body.number(*value(&mut emitter, place_of(number).1));
+        let (.., place) = number_of(number);
+        body.number(items::numbers(from_mut(&mut emitter))[place]);
     }
 }
 
@@ -340,18 +342,18 @@ fn emitter_from(numbers: &[f64], before: &Emitter) -> Result<Emitter, ParameterE
     let mut emitter = *before;
     let is_changed = before.size > 0.0;
     for number in 0..EMITTER_NUMBERS {
-        let (meta, at) = place_of(number);
+        let (meta, part, place) = number_of(number);
         let given = match numbers.get(number) {
             Some(given) => *given,
             None if number < FIRST_NUMBERS || is_changed => f64::NAN,
-            None => meta.default(at.part),
+            None => meta.default(part),
         };
         let max = match meta.key {
             "share" => MAX_RATE,
             "envelope.start" => LATEST,
             _ => meta.max,
         };
-        let value = value(&mut emitter, at);
+        let value = &mut items::numbers(from_mut(&mut emitter))[place];
         if !(is_changed && given.is_nan()) {
             *value = accept(meta.key, &Meta { max, ..*meta }, given)?;
         }
@@ -364,19 +366,19 @@ fn step_of(emitter: &Emitter) -> u64 {
     libm::round(emitter.scope.start / STEP) as u64
 }
 
-/// The parameter of number 0..[`EMITTER_NUMBERS`] of an emitter.
+/// The parameter of number 0..[`EMITTER_NUMBERS`] of an emitter, the index of the number within it, and its place among
+/// the numbers of an emitter in memory.
 #[cold]
 #[inline(never)]
-fn place_of(number: usize) -> (&'static Meta, Slot) {
-    let (mut field, mut part) = (0, number);
-    loop {
-        let (meta, parts) = meta::<Emitter>(field).expect("an emitter has this many numbers");
-        if part < parts.len() {
-            return (meta, Slot { field, part });
+fn number_of(number: usize) -> (&'static Meta, usize, usize) {
+    let mut part = number;
+    for (field, place) in items::fields(&Emitter::GROUPS) {
+        if part < field.parts.len() {
+            return (&field.meta, part, place + part);
         }
-        part -= parts.len();
-        field += 1;
+        part -= field.parts.len();
     }
+    unreachable!("an emitter has this many numbers");
 }
 
 #[cold]

@@ -86,12 +86,9 @@ impl Looks {
         place.map_or(0, |place| place as u32 + 1)
     }
 
-    /// Style and tint of each look, two numbers each.
-    pub fn styles(&self) -> Vec<f64> {
-        self.entries
-            .iter()
-            .flat_map(|(look, tint)| [look.style, *tint])
-            .collect()
+    /// Style, tint and dissolution of each look, as in the table.
+    pub fn styles(&self) -> [[f64; 3]; LOOK_LIMIT] {
+        self.entries.map(|(look, tint)| [look.style, tint, look.dissolve])
     }
 
     /// Whether puffs of any look are eroded.

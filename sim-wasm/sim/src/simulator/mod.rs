@@ -123,7 +123,7 @@ impl Simulator {
     /// Sets all `entries`, or none of them if one is invalid.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
         let mut changed = self.parameters;
-        changed.set_all(entries)?;
+        entries.iter().try_for_each(|(key, value)| changed.set(key, *value))?;
         self.check_looks(&changed)?;
         self.put_parameters(&changed);
         Ok(())
@@ -218,7 +218,10 @@ impl Simulator {
 
     /// See [`Looks::styles`]; none without looks.
     pub fn look_styles(&self) -> Vec<f64> {
-        self.particles.looks.as_ref().map_or(Vec::new(), |looks| looks.styles())
+        match &self.particles.looks {
+            None => Vec::new(),
+            Some(looks) => looks.styles().as_flattened().to_vec(),
+        }
     }
 
     /// Starts or changes an emission.

@@ -39,7 +39,7 @@ fn styles(simulator: &Simulator) -> BTreeMap<u64, usize> {
     for i in 0..simulator.alive() {
         let style = match simulator.particles().look(i) as usize {
             0 => 0,
-            look => styles[2 * (look - 1)] as u64,
+            look => styles[3 * (look - 1)] as u64,
         };
         *counts.entry(style).or_insert(0) += 1;
     }
@@ -140,7 +140,7 @@ fn an_index_is_reused_when_its_last_puff_is_dead() {
     next(&mut simulator).unwrap();
     steps(&mut simulator, 1);
     assert_eq!(indices(&simulator), (1..=15).collect());
-    assert_eq!(simulator.look_styles()[12], 99.0, "it has the index that became free");
+    assert_eq!(simulator.look_styles()[18], 99.0, "it has the index that became free");
     assert!(put(&mut simulator, 21, 98.0, 2.0, 1).is_err());
     steps(&mut simulator, 300);
     assert_eq!(simulator.alive(), 0);

@@ -3,7 +3,7 @@
 use crate::common::{STILL, simulator, steps};
 use proptest::prelude::*;
 use sim::Simulator;
-use sim::arrange::row_layout::{EROSION, LOOK, LOOK_TINT, STRETCH, TINT};
+use sim::arrange::row_layout::{EROSION, LOOK, STRETCH, TINT};
 use sim::arrange::view_layout::ViewNumbers;
 use sim::layout::parameters::Parameters;
 use sim::layout::parameters::emitter::Look;
@@ -173,7 +173,7 @@ fn each_row_has_the_radius_the_erosion_and_the_stretch_of_its_look() {
             let expected = [0, 1, 2, 3, 4, 0, 5, 6][emitter];
             assert_eq!(LOOK.of(*attributes), expected, "of emitter {emitter}");
             // The tint of a look is that of the look.
-            assert_eq!(LOOK_TINT.of(*attributes), if emitter == 5 { 6 } else { 0 });
+            assert_eq!(TINT.of(*attributes), if emitter == 5 { 6 } else { 0 });
             let shown = |i: &usize| match &particles.held {
                 Some(held) => [held.x[*i], held.y[*i], held.z[*i]] == place[..3],
                 None => [particles.x[*i], particles.y[*i], particles.z[*i]] == place[..3],
@@ -204,8 +204,9 @@ fn each_row_has_the_radius_the_erosion_and_the_stretch_of_its_look() {
         assert_eq!(simulator.whole(), 88 - eroded);
     }
     let styles = simulator.look_styles();
-    assert_eq!(styles.len(), 30);
-    assert_eq!(styles[10..14], [4e9, 3.0, 0.0, 0.0]);
+    assert_eq!(styles.len(), 45);
+    assert_eq!(styles[3..6], [0.0, 0.0, 4.0]);
+    assert_eq!(styles[15..21], [4e9, 3.0, 0.0, 0.0, 0.0, 0.0]);
 }
 
 #[test]

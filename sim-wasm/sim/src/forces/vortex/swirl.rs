@@ -152,7 +152,7 @@ fn bernoulli(q: f32x4) -> f32x4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::layout::parameters::item::item;
+    use crate::layout::parameters::Parameters;
     use crate::layout::scope::StepTime;
     use crate::layout::scope::parts::Parts;
 
@@ -182,12 +182,13 @@ mod tests {
 
     #[test]
     fn velocity_follows_the_formula() {
+        let mut parameters = Parameters::default();
+        parameters.set("vortices.0.circulation", 3.0).unwrap();
         let vortex = Vortex {
-            circulation: 3.0,
             core_radius: 0.4,
             reach: 5.0,
             position: [1.0, 0.0, 0.0],
-            ..item()
+            ..parameters.lists.vortices.items()[0]
         };
         let rankine = Vortex { profile: 1.0, ..vortex };
         for r in (0..60).map(|i| 1e-4 * 1.21_f64.powi(i)) {

@@ -1,10 +1,15 @@
 //! Parameters of `colliders.#`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{DIRECTION, Field, LENGTH, PLACE, SHARE, number, vector};
 use crate::layout::parameters::item::Item;
 
 /// `colliders.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct ColliderParameters {
     pub shape: f64,
     pub position: [f64; 3],
@@ -20,31 +25,31 @@ pub struct ColliderParameters {
 
 impl Item for ColliderParameters {
     const LABEL: &'static str = "Obstacle";
-    const FIELDS: &'static [Field<Self>] = &[
-        number("shape", "1", [0.0, 3.0], 0.0, |c: &mut Self| &mut c.shape)
+    const FIELDS: &'static [Field] = &[
+        number("shape", "1", [0.0, 3.0], 0.0, offset_of!(Self, shape))
             .named(&["plane", "ball", "box", "capsule"])
             .says("Shape", "Shape that smoke collides with."),
-        vector("position", "m", PLACE, [0.0; 3], |c: &mut Self| &mut c.position)
+        vector("position", "m", PLACE, [0.0; 3], offset_of!(Self, position))
             .says("Position", "Centre, or a point on the plane."),
-        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |c: &mut Self| &mut c.axis)
+        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], offset_of!(Self, axis))
             .says("Axis", "Normal of the plane, or the up axis of a box or capsule."),
-        vector("halfExtents", "m", LENGTH, [0.5; 3], |c: &mut Self| &mut c.half_extents).says(
+        vector("halfExtents", "m", LENGTH, [0.5; 3], offset_of!(Self, half_extents)).says(
             "Half sides",
             "Half sides of a box. For a capsule, y is half the length of its straight part.",
         ),
-        number("radius", "m", LENGTH, 0.5, |c: &mut Self| &mut c.radius).says("Radius", "Radius of a ball or capsule."),
-        number("restitution", "1", SHARE, 0.1, |c: &mut Self| &mut c.restitution)
+        number("radius", "m", LENGTH, 0.5, offset_of!(Self, radius)).says("Radius", "Radius of a ball or capsule."),
+        number("restitution", "1", SHARE, 0.1, offset_of!(Self, restitution))
             .says("Bounce", "Fraction of the normal speed that smoke keeps when it bounces."),
-        number("friction", "1", SHARE, 0.2, |c: &mut Self| &mut c.friction)
+        number("friction", "1", SHARE, 0.2, offset_of!(Self, friction))
             .says("Friction", "Fraction of the tangential speed that smoke loses."),
-        number("roughness", "1", SHARE, 0.0, |c: &mut Self| &mut c.roughness).says(
+        number("roughness", "1", SHARE, 0.0, offset_of!(Self, roughness)).says(
             "Roughness",
             "How much the distances of puffs from the surface vary: the largest is this fraction of the size that a puff has lost.",
         ),
-        number("action", "1", [0.0, 2.0], 0.0, |c: &mut Self| &mut c.action)
+        number("action", "1", [0.0, 2.0], 0.0, offset_of!(Self, action))
             .named(&["bounce", "kill", "tint"])
             .says("On contact", "What happens to smoke on contact."),
-        number("tint", "1", [1.0, 15.0], 1.0, |c: &mut Self| &mut c.tint)
+        number("tint", "1", [1.0, 15.0], 1.0, offset_of!(Self, tint))
             .whole()
             .says(
                 "Tint",

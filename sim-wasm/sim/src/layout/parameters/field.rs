@@ -29,16 +29,14 @@ pub struct Meta {
     pub text: &'static str,
 }
 
-/// A parameter of an `Item`.
-pub struct Field<Item> {
+/// A parameter of an item.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
     pub meta: Meta,
-    accessor: Accessor<Item>,
-}
-
-enum Accessor<Item> {
-    Number(fn(&mut Item) -> &mut f64),
-    /// The numbers, and their key suffixes.
-    Numbers(fn(&mut Item) -> &mut [f64], &'static [&'static str]),
+    /// Key suffix of each of its numbers.
+    pub parts: &'static [&'static str],
+    /// Offset of its first number in the item (bytes).
+    pub offset: usize,
 }
 
 /// Maximum number of stops of a curve.
@@ -57,13 +55,14 @@ impl Meta {
     }
 }
 
-impl<Item> Field<Item> {
+impl Field {
     const fn new(
         key: &'static str,
         unit: &'static str,
         range: [f64; 2],
         default: [f64; 3],
-        accessor: Accessor<Item>,
+        parts: &'static [&'static str],
+        offset: usize,
     ) -> Self {
         let meta = Meta {
             key,
@@ -82,7 +81,7 @@ impl<Item> Field<Item> {
             #[cfg(not(target_family = "wasm"))]
             text: "",
         };
-        Self { meta, accessor }
+        Self { meta, parts, offset }
     }
 
     /// Accepts whole numbers only.
@@ -137,44 +136,16 @@ impl<Item> Field<Item> {
         }
         self
     }
-
-    /// Key suffix of each number.
-    pub fn parts(&self) -> &'static [&'static str] {
-        match self.accessor {
-            Accessor::Number(_) => &[""],
-            Accessor::Numbers(_, parts) => parts,
-        }
-    }
-
-    /// Mutable access to number `part`.
-    pub fn value<'i>(&self, item: &'i mut Item, part: usize) -> &'i mut f64 {
-        match self.accessor {
-            Accessor::Number(of) => of(item),
-            Accessor::Numbers(of, _) => &mut of(item)[part],
-        }
-    }
 }
 
-/// A parameter of one number.
-pub const fn number<Item>(
-    key: &'static str,
-    unit: &'static str,
-    range: [f64; 2],
-    default: f64,
-    of: fn(&mut Item) -> &mut f64,
-) -> Field<Item> {
-    Field::new(key, unit, range, [default; 3], Accessor::Number(of))
+/// A parameter of one number at an offset (bytes) in its item.
+pub const fn number(key: &'static str, unit: &'static str, range: [f64; 2], default: f64, offset: usize) -> Field {
+    Field::new(key, unit, range, [default; 3], &[""], offset)
 }
 
 /// A parameter of three numbers with the same range.
-pub const fn vector<Item>(
-    key: &'static str,
-    unit: &'static str,
-    range: [f64; 2],
-    default: [f64; 3],
-    of: fn(&mut Item) -> &mut [f64],
-) -> Field<Item> {
-    Field::new(key, unit, range, default, Accessor::Numbers(of, &PARTS))
+pub const fn vector(key: &'static str, unit: &'static str, range: [f64; 2], default: [f64; 3], offset: usize) -> Field {
+    Field::new(key, unit, range, default, &PARTS, offset)
 }
 
 /// Steps of the age and of the value of a packed stop.
@@ -184,11 +155,9 @@ pub const STOP_VALUE: f64 = 131_072.0;
 
 /// The packed stops of a curve over life. 0 is no stop; others are 1 + age + [`STOP_VALUE`] * value, both in
 /// [`STOP_STEPS`].
-pub const fn stops<Item>(key: &'static str, of: fn(&mut Item) -> &mut [f64]) -> Field<Item> {
+pub const fn stops(key: &'static str, offset: usize) -> Field {
     let range = [0.0, 1.0 + STOP_STEPS + STOP_VALUE * STOP_STEPS];
-    Field::new(key, "1", range, [0.0; 3], Accessor::Numbers(of, &STOPS))
-        .whole()
-        .rare()
+    Field::new(key, "1", range, [0.0; 3], &STOPS, offset).whole().rare()
 }
 
 /// Range of a world position (m), the same as for objects of a three.js scene.

@@ -15,8 +15,9 @@ pub mod shedder;
 pub mod table;
 
 use crate::layout::error::ParameterError;
+#[cfg(not(target_family = "wasm"))]
+use crate::layout::parameters::field::Field;
 use crate::layout::parameters::field::Meta;
-use crate::layout::parameters::item::Slot;
 use crate::layout::parameters::table::{Section, sections};
 
 pub use item::LIST_LIMIT;
@@ -36,10 +37,8 @@ pub struct Row {
 impl Parameters {
     /// Sets one parameter. An unknown key, or a value that is not finite or out of range, is an error.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), ParameterError> {
-        let (section, index, slot) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
-        let (meta, _) = section.meta(slot.field).expect("what was found exists");
-        let value = accept(key, meta, value)?;
-        *section.value(self, index, slot) = value;
+        let (section, index, meta, place) = find(key).ok_or_else(|| ParameterError::unknown_key(key, value))?;
+        *section.number(self, index, place) = accept(key, meta, value)?;
         section.lengthen(self, index + 1);
         Ok(())
     }
@@ -58,10 +57,10 @@ impl Parameters {
         let mut copy = *self;
         let mut entries = Vec::new();
         for section in sections() {
-            for index in 0..section.len(self) {
-                for_each_slot(section, |meta, end, slot| {
-                    let value = *section.value(&mut copy, index, slot);
-                    if !(meta.rare && value == meta.default(slot.part)) {
+            for index in 0..section.len(&mut copy) {
+                for_each_number(section, |meta, part, end, place| {
+                    let value = *section.number(&mut copy, index, place);
+                    if !(meta.rare && value == meta.default(part)) {
                         entries.push((key_of(section, &index.to_string(), meta, end), value));
                     }
                 });
@@ -84,32 +83,28 @@ pub(crate) fn accept(key: &str, meta: &Meta, value: f64) -> Result<f64, Paramete
     Ok(value + 0.0)
 }
 
-fn find(key: &str) -> Option<(&'static dyn Section, usize, Slot)> {
+/// The section of a parameter, the index of its item, its description and the place of its number.
+fn find(key: &str) -> Option<(&'static Section, usize, &'static Meta, usize)> {
     let (name, rest) = key.split_once('.')?;
-    sections().filter(|section| section.name() == name).find_map(|section| {
-        let (index, rest) = if section.is_list() {
+    sections().filter(|section| section.name == name).find_map(|section| {
+        let (index, rest) = if section.is_list {
             let (digit, rest) = rest.split_once('.')?;
             (index(digit)?, rest)
         } else {
             (0, rest)
         };
-        Some((section, index, slot_named(section, rest)?))
+        let (meta, place) = number_named(section, rest)?;
+        Some((section, index, meta, place))
     })
 }
 
-/// Finds the parameter of `section` by its key after name and index.
-// Works on `dyn Section`: a generic search would be compiled once per section.
-fn slot_named(section: &dyn Section, key: &str) -> Option<Slot> {
-    fields(section).enumerate().find_map(|(field, (meta, ends))| {
-        let end = key.strip_prefix(meta.key)?;
-        let part = ends.iter().position(|part| *part == end)?;
-        Some(Slot { field, part })
+/// Finds a number of `section` by its key after name and index.
+fn number_named(section: &Section, key: &str) -> Option<(&'static Meta, usize)> {
+    section.fields().find_map(|(field, place)| {
+        let end = key.strip_prefix(field.meta.key)?;
+        let part = field.parts.iter().position(|part| *part == end)?;
+        Some((&field.meta, place + part))
     })
-}
-
-/// Descriptions and key suffixes of all parameters of `section`.
-fn fields(section: &dyn Section) -> impl Iterator<Item = (&'static Meta, &'static [&'static str])> {
-    (0..).map_while(|field| section.meta(field))
 }
 
 /// Parses one digit below [`LIST_LIMIT`].
@@ -121,17 +116,18 @@ fn index(text: &str) -> Option<usize> {
     (index < LIST_LIMIT).then_some(index)
 }
 
-fn for_each_slot(section: &dyn Section, mut visit: impl FnMut(&'static Meta, &'static str, Slot)) {
-    for (field, (meta, ends)) in fields(section).enumerate() {
-        for (part, end) in ends.iter().enumerate() {
-            visit(meta, end, Slot { field, part });
+/// Visits each number of an item: its parameter, its index and its key suffix within that, its place.
+fn for_each_number(section: &Section, mut visit: impl FnMut(&'static Meta, usize, &'static str, usize)) {
+    for (field, place) in section.fields() {
+        for (part, end) in field.parts.iter().enumerate() {
+            visit(&field.meta, part, end, place + part);
         }
     }
 }
 
-fn key_of(section: &dyn Section, index: &str, meta: &Meta, end: &str) -> String {
-    let mut key = String::from(section.name());
-    if section.is_list() {
+fn key_of(section: &Section, index: &str, meta: &Meta, end: &str) -> String {
+    let mut key = String::from(section.name);
+    if section.is_list {
         key.push('.');
         key.push_str(index);
     }
@@ -145,11 +141,11 @@ fn key_of(section: &dyn Section, index: &str, meta: &Meta, end: &str) -> String 
 pub fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     for section in sections() {
-        for_each_slot(section, |meta, end, slot| {
+        for_each_number(section, |meta, part, end, _| {
             rows.push(Row {
                 key: key_of(section, "#", meta, end),
-                default: meta.default(slot.part),
-                is_of_list: section.is_list(),
+                default: meta.default(part),
+                is_of_list: section.is_list,
                 meta,
             });
         });
@@ -161,7 +157,9 @@ pub fn rows() -> Vec<Row> {
 #[cfg(not(target_family = "wasm"))]
 pub fn lists_as_json() -> String {
     lists_as_json_by(|section| {
-        let lines = fields(section).map(|(meta, ends)| format!("    {}", field_as_json(meta, ends)));
+        let lines = section
+            .fields()
+            .map(|(field, _)| format!("    {}", field_as_json(field)));
         format!("[\n{}\n  ]", lines.collect::<Vec<_>>().join(",\n"))
     })
 }
@@ -171,17 +169,19 @@ pub fn lists_as_json() -> String {
 #[cfg(not(target_family = "wasm"))]
 pub fn list_words_as_json() -> String {
     lists_as_json_by(|section| {
-        let lines = fields(section).map(|(meta, _)| format!("      {}", words_as_json(section, meta)));
-        let (label, lines) = (section.label(), lines.collect::<Vec<_>>().join(",\n"));
+        let lines = section
+            .fields()
+            .map(|(field, _)| format!("      {}", words_as_json(section, &field.meta)));
+        let (label, lines) = (section.label, lines.collect::<Vec<_>>().join(",\n"));
         format!("{{\n    \"label\": \"{label}\",\n    \"fields\": {{\n{lines}\n    }}\n  }}")
     })
 }
 
 #[cfg(not(target_family = "wasm"))]
-fn lists_as_json_by(json: impl Fn(&dyn Section) -> String) -> String {
-    let lists = sections().filter(|section| section.is_list());
+fn lists_as_json_by(json: impl Fn(&Section) -> String) -> String {
+    let lists = sections().filter(|section| section.is_list);
     let lists: Vec<String> = lists
-        .map(|section| format!("  \"{}\": {}", section.name(), json(section)))
+        .map(|section| format!("  \"{}\": {}", section.name, json(section)))
         .collect();
     format!("{{\n{}\n}}\n", lists.join(",\n"))
 }
@@ -208,7 +208,8 @@ pub fn singles_as_json() -> String {
 }
 
 #[cfg(not(target_family = "wasm"))]
-fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
+fn field_as_json(field: &Field) -> String {
+    let meta = &field.meta;
     let Meta {
         key,
         unit,
@@ -218,7 +219,7 @@ fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
         names,
         ..
     } = meta;
-    let default: Vec<f64> = (0..ends.len()).map(|part| meta.default(part)).collect();
+    let default: Vec<f64> = (0..field.parts.len()).map(|part| meta.default(part)).collect();
     format!(
         "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}, \
          \"whole\": {whole}, \"names\": {names:?} }}"
@@ -226,7 +227,7 @@ fn field_as_json(meta: &Meta, ends: &[&str]) -> String {
 }
 
 #[cfg(not(target_family = "wasm"))]
-fn words_as_json(section: &dyn Section, meta: &Meta) -> String {
+fn words_as_json(section: &Section, meta: &Meta) -> String {
     let Meta {
         key,
         start,
@@ -234,7 +235,8 @@ fn words_as_json(section: &dyn Section, meta: &Meta) -> String {
         text,
         ..
     } = meta;
-    let start = start.or_else(|| section.start(key));
+    let of_section = || section.starts.iter().find(|(named, _)| named == key);
+    let start = start.or_else(|| of_section().map(|(_, value)| *value));
     let start = start.map(|start| format!(", \"start\": {start}")).unwrap_or_default();
     format!("\"{key}\": {{ \"label\": \"{label}\", \"text\": \"{text}\"{start} }}")
 }

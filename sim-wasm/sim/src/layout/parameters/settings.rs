@@ -1,12 +1,17 @@
 //! Sections that exist once. Their labels and texts are in `src/parameters/rows`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{Field, PLACE, number, vector};
 use crate::layout::parameters::item::Item;
 
 const MULTIPLIER: [f64; 2] = [0.0, 10.0];
 
 /// `emission.*`: settings of all emitters.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Emission {
     pub rate: f64,
     pub lifetime: f64,
@@ -19,20 +24,21 @@ pub struct Emission {
 }
 
 impl Item for Emission {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "particles/s", [0.0, 20_000.0], 28.0, |e: &mut Self| &mut e.rate),
-        number("lifetime", "s", [0.1, 60.0], 7.0, |e: &mut Self| &mut e.lifetime),
-        number("growthTime", "s", [0.0, 30.0], 2.6, |e: &mut Self| &mut e.growth_time),
-        number("entrainment", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.entrainment),
-        number("dissolve", "1", [0.0, 3.0], 0.0, |e: &mut Self| &mut e.dissolve)
+    const FIELDS: &'static [Field] = &[
+        number("rate", "particles/s", [0.0, 20_000.0], 28.0, offset_of!(Self, rate)),
+        number("lifetime", "s", [0.1, 60.0], 7.0, offset_of!(Self, lifetime)),
+        number("growthTime", "s", [0.0, 30.0], 2.6, offset_of!(Self, growth_time)),
+        number("entrainment", "1", [0.0, 1.0], 0.0, offset_of!(Self, entrainment)),
+        number("dissolve", "1", [0.0, 3.0], 0.0, offset_of!(Self, dissolve))
             .named(&["shrink", "erode", "tear", "thin"]),
-        number("company", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.company),
-        number("sizeSpread", "1", [0.0, 1.0], 0.0, |e: &mut Self| &mut e.size_spread),
+        number("company", "1", [0.0, 1.0], 0.0, offset_of!(Self, company)),
+        number("sizeSpread", "1", [0.0, 1.0], 0.0, offset_of!(Self, size_spread)),
     ];
 }
 
 /// `puff.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Puff {
     pub size: f64,
     pub variations: f64,
@@ -42,17 +48,18 @@ pub struct Puff {
 }
 
 impl Item for Puff {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("size", "1", [0.1, 4.0], 1.0, |p: &mut Self| &mut p.size),
-        number("variations", "1", [1.0, 32.0], 4.0, |p: &mut Self| &mut p.variations).whole(),
-        number("turn", "1", [0.0, 2.0], 0.0, |p: &mut Self| &mut p.turn),
-        number("stretch", "1", [1.0, 4.0], 1.0, |p: &mut Self| &mut p.stretch),
-        number("billow", "1", [0.0, 1.0], 0.0, |p: &mut Self| &mut p.billow),
+    const FIELDS: &'static [Field] = &[
+        number("size", "1", [0.1, 4.0], 1.0, offset_of!(Self, size)),
+        number("variations", "1", [1.0, 32.0], 4.0, offset_of!(Self, variations)).whole(),
+        number("turn", "1", [0.0, 2.0], 0.0, offset_of!(Self, turn)),
+        number("stretch", "1", [1.0, 4.0], 1.0, offset_of!(Self, stretch)),
+        number("billow", "1", [0.0, 1.0], 0.0, offset_of!(Self, billow)),
     ];
 }
 
 /// `forces.*`: multipliers of each kind of force, and the global wind.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Multipliers {
     pub gravity: f64,
     pub buoyancy: f64,
@@ -63,72 +70,80 @@ pub struct Multipliers {
 }
 
 impl Item for Multipliers {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("gravity", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.gravity),
-        number("buoyancy", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.buoyancy),
-        number("turbulence", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.turbulence),
-        number("vortex", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.vortex),
-        number("drag", "1", MULTIPLIER, 1.0, |f: &mut Self| &mut f.drag),
-        vector("wind", "m/s", [-50.0, 50.0], [0.0; 3], |f: &mut Self| &mut f.wind),
+    const FIELDS: &'static [Field] = &[
+        number("gravity", "1", MULTIPLIER, 1.0, offset_of!(Self, gravity)),
+        number("buoyancy", "1", MULTIPLIER, 1.0, offset_of!(Self, buoyancy)),
+        number("turbulence", "1", MULTIPLIER, 1.0, offset_of!(Self, turbulence)),
+        number("vortex", "1", MULTIPLIER, 1.0, offset_of!(Self, vortex)),
+        number("drag", "1", MULTIPLIER, 1.0, offset_of!(Self, drag)),
+        vector("wind", "m/s", [-50.0, 50.0], [0.0; 3], offset_of!(Self, wind)),
     ];
 }
 
 /// `gravity.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct UniformGravity {
     pub acceleration: f64,
 }
 
 impl Item for UniformGravity {
-    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [0.0, 100.0], 0.0, |g: &mut Self| {
-        &mut g.acceleration
-    })];
+    const FIELDS: &'static [Field] = &[number(
+        "acceleration",
+        "m/s2",
+        [0.0, 100.0],
+        0.0,
+        offset_of!(Self, acceleration),
+    )];
 }
 
 /// `buoyancy.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct UniformBuoyancy {
     pub acceleration: f64,
     pub cooling_time: f64,
 }
 
 impl Item for UniformBuoyancy {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [0.0, 100.0], 1.5, |b: &mut Self| {
-            &mut b.acceleration
-        }),
-        number("coolingTime", "s", [0.01, 1000.0], 4.0, |b: &mut Self| {
-            &mut b.cooling_time
-        }),
+    const FIELDS: &'static [Field] = &[
+        number(
+            "acceleration",
+            "m/s2",
+            [0.0, 100.0],
+            1.5,
+            offset_of!(Self, acceleration),
+        ),
+        number("coolingTime", "s", [0.01, 1000.0], 4.0, offset_of!(Self, cooling_time)),
     ];
 }
 
 /// `style.*`: the style settings that affect rows.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Style {
     pub hold: f64,
 }
 
 impl Item for Style {
-    const FIELDS: &'static [Field<Self>] = &[number("hold", "1", [1.0, 4.0], 1.0, |s: &mut Self| &mut s.hold).whole()];
+    const FIELDS: &'static [Field] = &[number("hold", "1", [1.0, 4.0], 1.0, offset_of!(Self, hold)).whole()];
 }
 
 /// `simulation.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct SimulationSettings {
     pub integrator: f64,
 }
 
 impl Item for SimulationSettings {
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            number("integrator", "1", [0.0, 1.0], 0.0, |s: &mut Self| &mut s.integrator)
-                .named(&["airAndSlip", "paper"]),
-        ];
+    const FIELDS: &'static [Field] =
+        &[number("integrator", "1", [0.0, 1.0], 0.0, offset_of!(Self, integrator)).named(&["airAndSlip", "paper"])];
 }
 
 /// `wind.*`: variation of `forces.wind.*` with height and time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Weather {
     pub gusts: f64,
     pub gust_time: f64,
@@ -137,16 +152,17 @@ pub struct Weather {
 }
 
 impl Item for Weather {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("gusts", "m/s", [0.0, 20.0], 0.0, |w: &mut Self| &mut w.gusts),
-        number("gustTime", "s", [0.1, 60.0], 2.0, |w: &mut Self| &mut w.gust_time),
-        number("shear", "1/m", [-10.0, 10.0], 0.0, |w: &mut Self| &mut w.shear),
-        number("height", "m", PLACE, 0.0, |w: &mut Self| &mut w.height),
+    const FIELDS: &'static [Field] = &[
+        number("gusts", "m/s", [0.0, 20.0], 0.0, offset_of!(Self, gusts)),
+        number("gustTime", "s", [0.1, 60.0], 2.0, offset_of!(Self, gust_time)),
+        number("shear", "1/m", [-10.0, 10.0], 0.0, offset_of!(Self, shear)),
+        number("height", "m", PLACE, 0.0, offset_of!(Self, height)),
     ];
 }
 
 /// `turbulence.*`: the global turbulence.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Pattern {
     pub speed: f64,
     pub scale: f64,
@@ -155,25 +171,26 @@ pub struct Pattern {
 }
 
 impl Item for Pattern {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("speed", "m/s", [0.0, 20.0], 0.13, |t: &mut Self| &mut t.speed),
-        number("scale", "m", [0.05, 20.0], 0.9, |t: &mut Self| &mut t.scale),
-        number("octaves", "1", [0.0, 4.0], 2.0, |t: &mut Self| &mut t.octaves).whole(),
-        number("evolution", "1/s", [0.0, 10.0], 0.25, |t: &mut Self| &mut t.evolution),
+    const FIELDS: &'static [Field] = &[
+        number("speed", "m/s", [0.0, 20.0], 0.13, offset_of!(Self, speed)),
+        number("scale", "m", [0.05, 20.0], 0.9, offset_of!(Self, scale)),
+        number("octaves", "1", [0.0, 4.0], 2.0, offset_of!(Self, octaves)).whole(),
+        number("evolution", "1/s", [0.0, 10.0], 0.25, offset_of!(Self, evolution)),
     ];
 }
 
 /// `drag.*`: the global drag.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Resistance {
     pub rate: f64,
     pub quadratic: f64,
 }
 
 impl Item for Resistance {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("rate", "1/s", [0.0, 1000.0], 1.5, |d: &mut Self| &mut d.rate),
-        number("quadratic", "1/m", [0.0, 1000.0], 0.0, |d: &mut Self| &mut d.quadratic),
+    const FIELDS: &'static [Field] = &[
+        number("rate", "1/s", [0.0, 1000.0], 1.5, offset_of!(Self, rate)),
+        number("quadratic", "1/m", [0.0, 1000.0], 0.0, offset_of!(Self, quadratic)),
     ];
 }
 

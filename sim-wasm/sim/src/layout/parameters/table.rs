@@ -1,133 +1,101 @@
 //! The sections of the table in order.
+//!
+//! Items consist of numbers only, so a section finds a parameter by its place: code for each type of item would be a part
+//! of the module that pages load.
+
+use std::slice::from_mut;
+
+use bytemuck::Zeroable;
 
 use crate::layout::parameters::collider::ColliderParameters;
 use crate::layout::parameters::density_stop::Stop;
 use crate::layout::parameters::emitter::Emitter;
-use crate::layout::parameters::field::Meta;
+use crate::layout::parameters::field::Field;
 use crate::layout::parameters::forces::Lists;
+use crate::layout::parameters::forces::attractor::Attractor;
+use crate::layout::parameters::forces::buoyancy::Buoyancy;
+use crate::layout::parameters::forces::drag::Drag;
+use crate::layout::parameters::forces::explosion::Explosion;
 use crate::layout::parameters::forces::for_each_force_list;
-use crate::layout::parameters::item::{Item, List, Slot, item};
-use crate::layout::parameters::item::{meta, value};
+use crate::layout::parameters::forces::gravity::Gravity;
+use crate::layout::parameters::forces::jet::Jet;
+use crate::layout::parameters::forces::orbit::Orbit;
+use crate::layout::parameters::forces::speed_limit::SpeedLimit;
+use crate::layout::parameters::forces::spiral::Spiral;
+use crate::layout::parameters::forces::turbulence::Turbulence;
+use crate::layout::parameters::forces::vortex::Vortex;
+use crate::layout::parameters::forces::wind::Wind;
+use crate::layout::parameters::item::{Groups, Item, List, fields, numbers};
 use crate::layout::parameters::settings::{
     Emission, Multipliers, Pattern, Puff, Resistance, SimulationSettings, Style, UniformBuoyancy, UniformGravity,
     Weather,
 };
 use crate::layout::parameters::shedder::Shedder;
 
-#[cfg(not(target_family = "wasm"))]
-use crate::layout::parameters::item::start;
-
-/// A section with items of any type.
-pub trait Section: Sync {
+/// A single group of parameters, or a list of groups.
+#[derive(Clone, Copy, Debug)]
+pub struct Section {
     /// First part of its keys.
-    fn name(&self) -> &'static str;
-
-    /// Returns true if an index follows the name in its keys.
-    fn is_list(&self) -> bool;
-
+    pub name: &'static str,
+    /// True if an index follows the name in its keys.
+    pub is_list: bool,
     /// Label of one item.
-    fn label(&self) -> &'static str;
+    pub label: &'static str,
+    /// Initial values of scope parameters in a newly added item, by key.
+    pub starts: &'static [(&'static str, f64)],
+    groups: Groups,
+    /// Count of the numbers of an item.
+    stride: usize,
+    /// The numbers of all items that can exist.
+    numbers: fn(&mut Parameters) -> &mut [f64],
+    /// The number of existing items of a list.
+    len: Option<fn(&mut Parameters) -> &mut usize>,
+}
 
-    /// Initial value of a parameter in a newly added item, unless the parameter has its own.
-    #[cfg(not(target_family = "wasm"))]
-    fn start(&self, key: &str) -> Option<f64>;
+impl Section {
+    const fn new<I: Item>(
+        name: &'static str,
+        numbers: fn(&mut Parameters) -> &mut [f64],
+        len: Option<fn(&mut Parameters) -> &mut usize>,
+    ) -> Self {
+        Self {
+            name,
+            is_list: len.is_some(),
+            label: I::LABEL,
+            starts: I::STARTS,
+            groups: I::GROUPS,
+            stride: size_of::<I>() / size_of::<f64>(),
+            numbers,
+            len,
+        }
+    }
+
+    /// The parameters of an item in order, each with the index of its first number for [`Section::number`].
+    pub fn fields(&self) -> impl Iterator<Item = (&'static Field, usize)> {
+        fields(&self.groups)
+    }
 
     /// Number of existing items; 1 for a single group.
-    fn len(&self, parameters: &Parameters) -> usize;
-
-    /// Extends the list to `len` items.
-    fn lengthen(&self, parameters: &mut Parameters, len: usize);
-
-    /// Description and key suffixes of parameter `field`; none beyond the last.
-    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])>;
-
-    /// Mutable access to the value in item `index`.
-    fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64;
-}
-
-/// A section that exists once.
-pub struct Single<I: Item> {
-    pub name: &'static str,
-    pub of: fn(&mut Parameters) -> &mut I,
-}
-
-/// A section that is a list.
-pub struct Many<I: Item> {
-    pub name: &'static str,
-    pub of: fn(&mut Parameters) -> &mut List<I>,
-    pub len: fn(&Parameters) -> usize,
-}
-
-impl<I: Item> Section for Single<I> {
-    fn name(&self) -> &'static str {
-        self.name
+    pub fn len(&self, parameters: &mut Parameters) -> usize {
+        self.len.map_or(1, |len| *len(parameters))
     }
 
-    fn is_list(&self) -> bool {
-        false
+    /// Extends a list to `len` items. A list never becomes shorter.
+    pub fn lengthen(&self, parameters: &mut Parameters, len: usize) {
+        if let Some(own) = self.len {
+            let own = own(parameters);
+            *own = len.max(*own);
+        }
     }
 
-    fn label(&self) -> &'static str {
-        I::LABEL
-    }
-
-    #[cfg(not(target_family = "wasm"))]
-    fn start(&self, key: &str) -> Option<f64> {
-        start::<I>(key)
-    }
-
-    fn len(&self, _parameters: &Parameters) -> usize {
-        1
-    }
-
-    fn lengthen(&self, _parameters: &mut Parameters, _len: usize) {}
-
-    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
-        meta::<I>(field)
-    }
-
-    fn value<'p>(&self, parameters: &'p mut Parameters, _index: usize, slot: Slot) -> &'p mut f64 {
-        value((self.of)(parameters), slot)
-    }
-}
-
-impl<I: Item> Section for Many<I> {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn is_list(&self) -> bool {
-        true
-    }
-
-    fn label(&self) -> &'static str {
-        I::LABEL
-    }
-
-    #[cfg(not(target_family = "wasm"))]
-    fn start(&self, key: &str) -> Option<f64> {
-        start::<I>(key)
-    }
-
-    fn len(&self, parameters: &Parameters) -> usize {
-        (self.len)(parameters)
-    }
-
-    fn lengthen(&self, parameters: &mut Parameters, len: usize) {
-        (self.of)(parameters).lengthen(len);
-    }
-
-    fn meta(&self, field: usize) -> Option<(&'static Meta, &'static [&'static str])> {
-        meta::<I>(field)
-    }
-
-    fn value<'p>(&self, parameters: &'p mut Parameters, index: usize, slot: Slot) -> &'p mut f64 {
-        value((self.of)(parameters).item_mut(index), slot)
+    /// A number of item `index`, existing or not.
+    pub fn number<'p>(&self, parameters: &'p mut Parameters, index: usize, place: usize) -> &'p mut f64 {
+        &mut (self.numbers)(parameters)[index * self.stride + place]
     }
 }
 
 /// All parameters, in the units of the table and within their ranges.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
 pub struct Parameters {
     pub emission: Emission,
     pub puff: Puff,
@@ -150,78 +118,63 @@ pub struct Parameters {
 impl Default for Parameters {
     /// The defaults of the table, with empty lists.
     fn default() -> Self {
-        Self {
-            emission: item(),
-            puff: item(),
-            forces: item(),
-            gravity: item(),
-            buoyancy: item(),
-            drag: item(),
-            wind: item(),
-            turbulence: item(),
-            simulation: item(),
-            style: item(),
-            emitters: List::default(),
-            colliders: List::default(),
-            density: List::default(),
-            shedders: List::default(),
-            lists: Lists::default(),
+        let mut parameters = Self::zeroed();
+        for section in sections() {
+            for (field, place) in section.fields() {
+                for part in 0..field.parts.len() {
+                    let numbers = (section.numbers)(&mut parameters).iter_mut();
+                    for number in numbers.skip(place + part).step_by(section.stride) {
+                        *number = field.meta.default(part);
+                    }
+                }
+            }
         }
+        parameters
     }
-}
-
-const fn once<I: Item>(name: &'static str, of: fn(&mut Parameters) -> &mut I) -> Single<I> {
-    Single { name, of }
 }
 
 macro_rules! force_sections {
     ($($(#[$doc:meta])* $list:ident: $Force:ty,)*) => {
-        const FORCES: &[&dyn Section] = &[$(
-            &Many {
-                name: stringify!($list),
-                of: |p| &mut p.lists.$list,
-                len: |p| p.lists.$list.items().len(),
-            },
+        const FORCES: &[Section] = &[$(
+            Section::new::<$Force>(
+                stringify!($list),
+                |p| numbers(&mut p.lists.$list.items),
+                Some(|p| &mut p.lists.$list.len),
+            ),
         )*];
     };
 }
 
 for_each_force_list!(force_sections);
 
-const OWN: &[&dyn Section] = &[
-    &once("emission", |p| &mut p.emission),
-    &once("puff", |p| &mut p.puff),
-    &once("forces", |p| &mut p.forces),
-    &once("gravity", |p| &mut p.gravity),
-    &once("buoyancy", |p| &mut p.buoyancy),
-    &once("drag", |p| &mut p.drag),
-    &once("wind", |p| &mut p.wind),
-    &once("turbulence", |p| &mut p.turbulence),
-    &once("simulation", |p| &mut p.simulation),
-    &once("style", |p| &mut p.style),
-    &Many {
-        name: "emitters",
-        of: |p| &mut p.emitters,
-        len: |p| p.emitters.items().len(),
-    },
-    &Many {
-        name: "colliders",
-        of: |p| &mut p.colliders,
-        len: |p| p.colliders.items().len(),
-    },
-    &Many {
-        name: "density",
-        of: |p| &mut p.density,
-        len: |p| p.density.items().len(),
-    },
-    &Many {
-        name: "shedders",
-        of: |p| &mut p.shedders,
-        len: |p| p.shedders.items().len(),
-    },
-];
+macro_rules! own_sections {
+    ($($single:ident: $Single:ty,)* ; $($list:ident: $Item:ty,)*) => {
+        const OWN: &[Section] = &[
+            $(Section::new::<$Single>(stringify!($single), |p| numbers(from_mut(&mut p.$single)), None),)*
+            $(Section::new::<$Item>(stringify!($list), |p| numbers(&mut p.$list.items), Some(|p| &mut p.$list.len)),)*
+        ];
+    };
+}
+
+own_sections! {
+    emission: Emission,
+    puff: Puff,
+    forces: Multipliers,
+    gravity: UniformGravity,
+    buoyancy: UniformBuoyancy,
+    drag: Resistance,
+    wind: Weather,
+    turbulence: Pattern,
+    simulation: SimulationSettings,
+    style: Style,
+    ;
+    emitters: Emitter,
+    colliders: ColliderParameters,
+    density: Stop,
+    shedders: Shedder,
+}
 
 /// All sections.
-pub(super) fn sections() -> impl Iterator<Item = &'static dyn Section> {
-    OWN.iter().chain(FORCES).copied()
+pub(super) fn sections() -> impl Iterator<Item = &'static Section> {
+    OWN.iter().chain(FORCES)
 }

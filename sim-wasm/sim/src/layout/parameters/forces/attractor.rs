@@ -1,10 +1,15 @@
 //! Parameters of `attractors.#`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{Field, PLACE, number, vector};
-use crate::layout::parameters::item::{Item, Scope};
+use crate::layout::parameters::item::{Group, Item, Scope};
 
 /// `attractors.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Attractor {
     pub acceleration: f64,
     pub core_radius: f64,
@@ -14,26 +19,27 @@ pub struct Attractor {
 }
 
 impl Item for Attractor {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |a: &mut Self| {
-            &mut a.acceleration
-        })
+    const FIELDS: &'static [Field] = &[
+        number(
+            "acceleration",
+            "m/s2",
+            [-100.0, 100.0],
+            0.0,
+            offset_of!(Self, acceleration),
+        )
         .starts_at(3.0)
         .says(
             "Pull",
             "Acceleration of smoke towards the centre; negative is away from it.",
         ),
-        number("coreRadius", "m", [0.01, 50.0], 0.1, |a: &mut Self| &mut a.core_radius)
+        number("coreRadius", "m", [0.01, 50.0], 0.1, offset_of!(Self, core_radius))
             .says("Core", "Radius within which the pull fades towards the centre."),
-        number("reach", "m", [0.05, 1000.0], 5.0, |a: &mut Self| &mut a.reach)
+        number("reach", "m", [0.05, 1000.0], 5.0, offset_of!(Self, reach))
             .says("Reach", "Distance at which the pull has faded to nothing."),
-        vector("position", "m", PLACE, [0.0; 3], |a: &mut Self| &mut a.position)
-            .says("Position", "Centre of the pull."),
+        vector("position", "m", PLACE, [0.0; 3], offset_of!(Self, position)).says("Position", "Centre of the pull."),
     ];
 
     const LABEL: &'static str = "Attractor";
 
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
+    const SCOPE: Group = Group::new(offset_of!(Self, scope), Scope::FIELDS);
 }

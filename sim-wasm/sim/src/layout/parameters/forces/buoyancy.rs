@@ -1,10 +1,15 @@
 //! Parameters of `buoyancies.#`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{Field, number};
-use crate::layout::parameters::item::{Item, Scope};
+use crate::layout::parameters::item::{Group, Item, Scope};
 
 /// `buoyancies.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Buoyancy {
     pub acceleration: f64,
     pub scope: Scope,
@@ -12,16 +17,18 @@ pub struct Buoyancy {
 
 impl Item for Buoyancy {
     const LABEL: &'static str = "Buoyancy";
-    const FIELDS: &'static [Field<Self>] = &[number("acceleration", "m/s2", [-100.0, 100.0], 0.0, |b: &mut Self| {
-        &mut b.acceleration
-    })
+    const FIELDS: &'static [Field] = &[number(
+        "acceleration",
+        "m/s2",
+        [-100.0, 100.0],
+        0.0,
+        offset_of!(Self, acceleration),
+    )
     .starts_at(1.0)
     .says(
         "Acceleration",
         "Upward acceleration of smoke at temperature 1 in the region.",
     )];
 
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
+    const SCOPE: Group = Group::new(offset_of!(Self, scope), Scope::FIELDS);
 }

@@ -1,10 +1,15 @@
 //! Parameters of `gravities.#`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{Field, vector};
-use crate::layout::parameters::item::{Item, Scope};
+use crate::layout::parameters::item::{Group, Item, Scope};
 
 /// `gravities.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Gravity {
     pub acceleration: [f64; 3],
     pub scope: Scope,
@@ -12,16 +17,15 @@ pub struct Gravity {
 
 impl Item for Gravity {
     const LABEL: &'static str = "Gravity";
-    const FIELDS: &'static [Field<Self>] =
-        &[
-            vector("acceleration", "m/s2", [-100.0, 100.0], [0.0; 3], |g: &mut Self| {
-                &mut g.acceleration
-            })
-            .starts_at(1.0)
-            .says("Acceleration", "Acceleration of all smoke in the region."),
-        ];
+    const FIELDS: &'static [Field] = &[vector(
+        "acceleration",
+        "m/s2",
+        [-100.0, 100.0],
+        [0.0; 3],
+        offset_of!(Self, acceleration),
+    )
+    .starts_at(1.0)
+    .says("Acceleration", "Acceleration of all smoke in the region.")];
 
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
+    const SCOPE: Group = Group::new(offset_of!(Self, scope), Scope::FIELDS);
 }

@@ -13,6 +13,8 @@ pub mod turbulence;
 pub mod vortex;
 pub mod wind;
 
+use bytemuck::Zeroable;
+
 use crate::layout::parameters::forces::attractor::Attractor;
 use crate::layout::parameters::forces::buoyancy::Buoyancy;
 use crate::layout::parameters::forces::drag::Drag;
@@ -64,7 +66,7 @@ macro_rules! lists {
     ($($(#[$doc:meta])* $list:ident: $Force:ty,)*) => {
         /// The lists of forces.
         #[allow(non_snake_case, reason = "lists are called as they are in the table")]
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
         pub struct Lists {
             $($(#[$doc])* pub $list: List<$Force>,)*
         }

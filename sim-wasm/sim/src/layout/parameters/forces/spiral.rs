@@ -1,10 +1,15 @@
 //! Parameters of `spirals.#`.
 
+use std::mem::offset_of;
+
+use bytemuck::{Pod, Zeroable};
+
 use crate::layout::parameters::field::{DIRECTION, Field, PLACE, number, vector};
-use crate::layout::parameters::item::{Item, Scope};
+use crate::layout::parameters::item::{Group, Item, Scope};
 
 /// `spirals.#.*`.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Spiral {
     pub turn: f64,
     pub inward: f64,
@@ -17,33 +22,29 @@ pub struct Spiral {
 }
 
 impl Item for Spiral {
-    const FIELDS: &'static [Field<Self>] = &[
-        number("turn", "rad/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.turn)
+    const FIELDS: &'static [Field] = &[
+        number("turn", "rad/s", [-50.0, 50.0], 0.0, offset_of!(Self, turn))
             .starts_at(3.0)
             .says("Rotation speed", "Angular velocity of the air about the axis."),
-        number("inward", "m/s", [-20.0, 20.0], 0.0, |s: &mut Self| &mut s.inward).says(
+        number("inward", "m/s", [-20.0, 20.0], 0.0, offset_of!(Self, inward)).says(
             "Inward speed",
             "Speed of the air towards the axis; negative is away from it.",
         ),
-        number("along", "m/s", [-50.0, 50.0], 0.0, |s: &mut Self| &mut s.along)
+        number("along", "m/s", [-50.0, 50.0], 0.0, offset_of!(Self, along))
             .says("Axial speed", "Speed of the air along the axis."),
-        number("coreRadius", "m", [0.01, 50.0], 0.25, |s: &mut Self| &mut s.core_radius).says(
+        number("coreRadius", "m", [0.01, 50.0], 0.25, offset_of!(Self, core_radius)).says(
             "Core",
             "Distance from the axis within which the inward flow slows down.",
         ),
-        number("reach", "m", [0.05, 1000.0], 2.0, |s: &mut Self| &mut s.reach).says(
+        number("reach", "m", [0.05, 1000.0], 2.0, offset_of!(Self, reach)).says(
             "Reach",
             "Distance from the axis at which the spiral has faded to nothing.",
         ),
-        vector("position", "m", PLACE, [0.0; 3], |s: &mut Self| &mut s.position)
-            .says("Position", "A point on the axis."),
-        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], |s: &mut Self| &mut s.axis)
-            .says("Axis", "Direction of the axis."),
+        vector("position", "m", PLACE, [0.0; 3], offset_of!(Self, position)).says("Position", "A point on the axis."),
+        vector("axis", "1", DIRECTION, [0.0, 1.0, 0.0], offset_of!(Self, axis)).says("Axis", "Direction of the axis."),
     ];
 
     const LABEL: &'static str = "Spiral";
 
-    fn scope(&mut self) -> Option<&mut Scope> {
-        Some(&mut self.scope)
-    }
+    const SCOPE: Group = Group::new(offset_of!(Self, scope), Scope::FIELDS);
 }
