@@ -50,6 +50,15 @@ fn perform(simulator: &mut Simulator, name: &str, arguments: &[Argument]) {
                 .expect("WASM took it");
         }
         ("placeParts", [Floats(numbers)]) => simulator.place_parts(numbers).expect("WASM took it"),
+        ("setEmitter", [Number(index), Doubles(numbers), Number(count)]) => {
+            let result = simulator.set_emitter(*index as u32, numbers, *count as u32);
+            result.expect("WASM took it");
+        }
+        ("inputEmission", [Doubles(numbers), Number(changed)]) => {
+            let changed = (*changed >= 0.0).then_some(*changed as u64);
+            simulator.input_emission(numbers, changed).expect("WASM took it");
+        }
+        ("lookStyles" | "burstEnd", _) => (),
         ("step", [Number(count)]) => (0..*count as u32).for_each(|_| simulator.step()),
         ("hash", []) => println!("{:016x}", simulator.hash()),
         _ => panic!(

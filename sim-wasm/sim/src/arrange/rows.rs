@@ -107,7 +107,11 @@ impl RowSampler {
     /// The packed attributes of particle `i` for the eye, by its [`RowSampler::shape`].
     pub fn body(&self, particles: &Particles, i: usize, [shape, constant, turn, stretch]: Attributes) -> Attributes {
         let heat = TEMPERATURE.packed(fraction(particles.temperature[i] / MAX_TEMPERATURE, TEMPERATURE));
-        let tint = TINT.packed(particles.tint(i)) | LOOK.packed(particles.look(i));
+        let own = particles.attributes[i] >> 28;
+        let tint = match &particles.looks {
+            None => TINT.packed(own),
+            Some(looks) => TINT.packed(u32::from(looks.tints[i])) | LOOK.packed(own),
+        };
         [shape, constant | heat | tint, turn, stretch]
     }
 }

@@ -7,7 +7,7 @@ use crate::layout::error::ParameterError;
 use crate::layout::parameters::emitter::Emitter;
 use crate::layout::parameters::table::Parameters;
 use crate::particles::Particles;
-use crate::particles::looks::{INDICES, LOOK_LIMIT, PuffLook, present};
+use crate::particles::looks::{LOOK_LIMIT, PuffLook, present};
 
 /// What emitters need for their looks.
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,31 +34,31 @@ pub(crate) fn needs(
     changed: Option<(usize, &Emitter)>,
 ) -> Result<Needs, ParameterError> {
     let mut needs = Needs::default();
-    let mut all = ArrayVec::<PuffLook, INDICES>::new();
-    let slot = changed.map(|(slot, _)| slot);
-    let mut add = |emitter: &Emitter| {
-        needs.looks = true;
-        needs.strands |= emitter.look.thins();
-        add(&mut all, &(emitter.look, emitter.tint))
-    };
-    for emitter in parameters.emitters.items() {
-        if emitter.has_look() {
-            add(emitter)?;
+    let mut all = ArrayVec::new();
+    let (table, pool) = (parameters.emitters.items(), births.pool());
+    let is_kept = |slot: usize| births.is_active(slot, step) && changed.is_none_or(|(own, _)| own != slot);
+    // One loop: code for each kind of emitter would take more space.
+    for number in 0..=table.len() + pool.len() {
+        let emitter = match number.checked_sub(table.len()) {
+            None => &table[number],
+            Some(slot) if slot < pool.len() => &pool[slot],
+            Some(_) => match changed {
+                None => break,
+                Some((_, emitter)) => emitter,
+            },
+        };
+        let slot = number.wrapping_sub(table.len());
+        if emitter.has_look() && (slot >= pool.len() || is_kept(slot)) {
+            needs.looks = true;
+            needs.strands |= emitter.look.thins();
+            add(&mut all, &(emitter.look, emitter.tint))?;
         }
-    }
-    for (own, emitter) in births.pool().iter().enumerate() {
-        if emitter.has_look() && births.is_active(own, step) && Some(own) != slot {
-            add(emitter)?;
-        }
-    }
-    if let Some((_, emitter)) = changed {
-        add(emitter)?;
     }
     if let Some(looks) = particles.looks.as_ref().filter(|_| needs.looks) {
         let present = present(&particles.attributes[..particles.alive()]);
         for (place, look) in looks.entries.iter().enumerate() {
             if present >> (place + 1) & 1 == 1 {
-                self::add(&mut all, look)?;
+                add(&mut all, look)?;
             }
         }
     }
@@ -66,12 +66,9 @@ pub(crate) fn needs(
 }
 
 #[inline(never)]
-fn add(all: &mut ArrayVec<PuffLook, INDICES>, look: &PuffLook) -> Result<(), ParameterError> {
-    if !all.contains(look) {
-        all.push(*look);
+fn add(all: &mut ArrayVec<PuffLook, LOOK_LIMIT>, look: &PuffLook) -> Result<(), ParameterError> {
+    if all.contains(look) || all.try_push(*look).is_ok() {
+        return Ok(());
     }
-    if all.len() > LOOK_LIMIT {
-        return Err(ParameterError::too_many_looks());
-    }
-    Ok(())
+    Err(ParameterError::too_many_looks())
 }

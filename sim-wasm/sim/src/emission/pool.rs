@@ -135,21 +135,16 @@ impl Births {
     /// pool, and places. Nothing without either.
     #[cold]
     pub(crate) fn write_later(&self, body: &mut Writer) {
+        let free = Emitter::default();
         for (index, debt) in self.debts.iter().enumerate() {
-            let slot = index.checked_sub(LIST_LIMIT);
-            let emitter = slot.and_then(|slot| self.pool.get(slot)).copied().unwrap_or_default();
-            if debt.place.is_some() || has_later(&emitter) {
+            let emitter = self.pool.get(index.wrapping_sub(LIST_LIMIT)).unwrap_or(&free);
+            if debt.place.is_some() || has_later(emitter) {
                 body.short(index as u16);
-                write_emitter(body, &emitter, FIRST_NUMBERS..EMITTER_NUMBERS);
-                body.byte(u8::from(debt.place.is_some()));
-                debt.place.iter().flatten().for_each(|part| body.word(part.to_bits()));
+                write_emitter(body, emitter, FIRST_NUMBERS..EMITTER_NUMBERS);
+                let place = debt.place.unwrap_or([NO_PLACE; 3]);
+                place.iter().for_each(|part| body.word(part.to_bits()));
             }
         }
-    }
-
-    /// Whether there is anything that [`Births::write_later`] writes.
-    pub(crate) fn has_later(&self) -> bool {
-        self.pool.iter().any(has_later) || self.debts.iter().any(|debt| debt.place.is_some())
     }
 
     /// Reads what [`Births::write_later`] wrote.
@@ -157,20 +152,15 @@ impl Births {
     pub(crate) fn read_later(&mut self, reader: &mut Reader) -> Result<(), RestoreError> {
         while reader.end().is_err() {
             let index = within(usize::from(reader.short()?), 0, LIST_LIMIT + POOL_LIMIT - 1)?;
-            let mut numbers = [f64::NAN; EMITTER_NUMBERS];
-            read_numbers(reader, &mut numbers[FIRST_NUMBERS..])?;
-            if let Some(emitter) = index.checked_sub(LIST_LIMIT).and_then(|slot| self.pool.get_mut(slot))
-                && emitter.size > 0.0
-            {
-                *emitter = emitter_from(&numbers, emitter)?;
+            let mut spare = UNNAMED;
+            let emitter = self.pool.get_mut(index.wrapping_sub(LIST_LIMIT));
+            let emitter = emitter.filter(|emitter| emitter.size > 0.0).unwrap_or(&mut spare);
+            read_later_numbers(reader, emitter)?;
+            let mut place = [0.0; 3];
+            for part in &mut place {
+                *part = reader.float()?;
             }
-            if reader.byte()? != 0 {
-                let mut place = [0.0; 3];
-                for part in &mut place {
-                    *part = reader.float()?;
-                }
-                self.debts[index].place = Some(place);
-            }
+            self.debts[index].place = (place != [NO_PLACE; 3]).then_some(place);
         }
         Ok(())
     }
@@ -305,34 +295,38 @@ fn has_later(emitter: &Emitter) -> bool {
     emitter.per_metre > 0.0 || emitter.has_look()
 }
 
-/// Number of a tint, and of the first number of a look.
-const TINT: usize = 22;
-const LOOK: usize = FIRST_NUMBERS + 1;
+/// The place of an emitter without one.
+const NO_PLACE: f32 = f32::MAX;
+/// An emitter that is not free, of which only some numbers matter.
+const UNNAMED: Emitter = Emitter {
+    size: 1.0,
+    ..Emitter::FREE
+};
 
 /// Writes a look and the tint of its emitter.
 #[cold]
 pub(crate) fn write_look(body: &mut Writer, (look, tint): &PuffLook) {
-    let emitter = Emitter {
-        look: *look,
-        tint: *tint,
-        ..Emitter::default()
-    };
-    write_emitter(body, &emitter, TINT..TINT + 1);
-    write_emitter(body, &emitter, LOOK..EMITTER_NUMBERS);
+    body.byte(*tint as u8);
+    let emitter = Emitter { look: *look, ..UNNAMED };
+    write_emitter(body, &emitter, FIRST_NUMBERS..EMITTER_NUMBERS);
 }
 
 /// Reads what [`write_look`] wrote.
 #[cold]
 pub(crate) fn read_look(reader: &mut Reader) -> Result<PuffLook, RestoreError> {
+    let tint = reader.byte()? & 15;
+    let mut emitter = UNNAMED;
+    read_later_numbers(reader, &mut emitter)?;
+    Ok((emitter.look, f64::from(tint)))
+}
+
+#[cold]
+#[inline(never)]
+fn read_later_numbers(reader: &mut Reader, emitter: &mut Emitter) -> Result<(), RestoreError> {
     let mut numbers = [f64::NAN; EMITTER_NUMBERS];
-    read_numbers(reader, &mut numbers[TINT..=TINT])?;
-    read_numbers(reader, &mut numbers[LOOK..])?;
-    let before = Emitter {
-        size: 1.0,
-        ..Emitter::default()
-    };
-    let emitter = emitter_from(&numbers, &before)?;
-    Ok((emitter.look, emitter.tint))
+    read_numbers(reader, &mut numbers[FIRST_NUMBERS..])?;
+    *emitter = emitter_from(&numbers, emitter)?;
+    Ok(())
 }
 
 /// An emitter with these numbers, of which the later ones may be missing. NaN keeps that of `before`, unless that is a

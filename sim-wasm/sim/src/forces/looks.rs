@@ -18,6 +18,7 @@ pub struct MotionLaws {
 
 impl MotionLaws {
     /// The laws in steps of `dt` seconds at a global rate of drag (1/s); none if no look moves otherwise than the smoke.
+    #[inline(never)]
     pub fn new(looks: &Looks, rate: f64, dt: f64) -> Option<Self> {
         if looks.entries.iter().all(|(look, _)| look.moves_as_smoke()) {
             return None;
@@ -27,13 +28,8 @@ impl MotionLaws {
             lift: [[1.0; LANES]; INDICES],
         };
         let entries = [NO_LOOK].into_iter().chain(looks.entries);
-        let common = drag::factors(rate, dt);
         for ((look, _), (drag, lift)) in entries.zip(laws.drag.iter_mut().zip(&mut laws.lift)) {
-            let [kept, first, second] = if look.drag == 1.0 {
-                common
-            } else {
-                drag::factors(rate * look.drag, dt)
-            };
+            let [kept, first, second] = drag::factors(rate * look.drag, dt);
             *drag = [kept, first, second, look.drag].map(|number| number as f32);
             [lift[0], lift[1], ..] = [look.buoyancy as f32, look.gravity as f32];
         }
@@ -45,6 +41,7 @@ impl MotionLaws {
     ///
     /// # Arguments
     /// * `attributes` - The packed attributes of all particles.
+    #[inline(never)]
     pub fn load(&self, tile: &mut Tile, attributes: &[u32], first: usize) -> bool {
         let own = &attributes.as_chunks::<LANES>().0[first..];
         tile.has_looks = own

@@ -106,10 +106,9 @@ impl ParticleMotion {
             let laws = laws.filter(|laws| laws.load(&mut tile, &particles.attributes, first));
             self.air(&mut tile, vortex_particles);
             self.forces.act(Phase::Push, &mut tile);
-            match (self.integrator, laws) {
-                (Integrator::AirAndSlip, None) => self.air_and_slip(&mut tile),
-                (Integrator::AirAndSlip, Some(laws)) => self.air_and_slip_by_looks(&mut tile, laws),
-                (Integrator::Paper, laws) => self.paper(&mut tile, laws),
+            match self.integrator {
+                Integrator::AirAndSlip => self.air_and_slip(&mut tile, laws),
+                Integrator::Paper => self.paper(&mut tile, laws),
             }
             if let Some(entrainment) = &self.entrainment {
                 entrainment.act(tile.columns().slipped, particles, first);
@@ -194,39 +193,16 @@ impl ParticleMotion {
         }
     }
 
+    /// `laws`: those of looks, if any particle of the tile moves by them.
     #[inline(always)]
-    fn air_and_slip(&self, tile: &mut Tile) {
-        let lift = |heat, _| self.lift.acceleration(heat);
-        if tile.is_dragged {
-            let factors = |resistance, _: &_| Factors::of_rates(self.rate + resistance, self.dt);
-            self.push(tile, factors, lift);
+    fn air_and_slip(&self, tile: &mut Tile, laws: Option<&MotionLaws>) {
+        if tile.is_dragged || laws.is_some() {
+            self.push_by_rates(tile, laws);
         } else if tile.is_pushed {
-            self.push(tile, |_, _| self.drag, lift);
+            self.push(tile, |_, _| self.drag, |heat, _| self.lift.acceleration(heat));
         } else {
             self.glide(tile);
         }
-        self.move_on(tile);
-    }
-
-    /// Same for a tile of which particles have looks that move otherwise.
-    #[inline(never)]
-    fn air_and_slip_by_looks(&self, tile: &mut Tile, laws: &MotionLaws) {
-        let is_dragged = tile.is_dragged;
-        let factors = |resistance, looks: &_| {
-            let [kept, first, second, factor] = laws.drag(looks);
-            if is_dragged {
-                Factors::of_rates((self.rate + resistance) * factor, self.dt)
-            } else {
-                Factors { kept, first, second }
-            }
-        };
-        self.push(tile, factors, |heat, gravity| self.lift.acceleration_by(heat, gravity));
-        self.move_on(tile);
-    }
-
-    /// Moves particles by the air and by the slip, which is known.
-    #[inline(always)]
-    fn move_on(&self, tile: &mut Tile) {
         self.forces.act(Phase::Swirl, tile);
         self.forces.act(Phase::Limit, tile);
         let dt = f32x4::splat(self.dt);
@@ -256,6 +232,28 @@ impl ParticleMotion {
             *slip = *slip * self.drag.kept;
             slip.y += lift * self.drag.first;
         }
+    }
+
+    /// Integrates slip with an acceleration, a rate of drag and factors on both for each particle.
+    #[inline(never)]
+    fn push_by_rates(&self, tile: &mut Tile, laws: Option<&MotionLaws>) {
+        let is_dragged = tile.is_dragged;
+        let factors = |resistance, looks: &_| {
+            let mut rates = self.rate + resistance;
+            if let Some(laws) = laws {
+                let [kept, first, second, factor] = laws.drag(looks);
+                if !is_dragged {
+                    return Factors { kept, first, second };
+                }
+                rates *= factor;
+            }
+            Factors::of_rates(rates, self.dt)
+        };
+        let lift = |heat, gravity| match laws {
+            None => self.lift.acceleration(heat),
+            Some(_) => self.lift.acceleration_by(heat, gravity),
+        };
+        self.push(tile, factors, lift);
     }
 
     /// Integrates slip with an acceleration per particle.

@@ -5,7 +5,6 @@
 //! apart to the right, so that the curve never jumps; stops moved beyond the end of life are ignored. Over the last 5 %
 //! of life the density is at most 20 (1 - t), so every particle dies at density 0.
 
-use arrayvec::ArrayVec;
 use wide::f32x4;
 
 use crate::layout::parameters::density_stop::Stop;
@@ -103,18 +102,23 @@ impl Curve {
     }
 }
 
-/// The stops of a curve that is packed, see [`crate::layout::parameters::field::stops`].
-pub fn unpacked(packed: &Stops) -> ArrayVec<Stop, LIST_LIMIT> {
-    let stop = |packed: &f64| {
-        let rest = packed - 1.0;
-        let value = libm::floor(rest / STOP_VALUE);
-        let age = (rest - value * STOP_VALUE) / STOP_STEPS;
-        Stop {
-            age: clamped(age, 0.0, 1.0),
-            value: value / STOP_STEPS,
+/// The stops of a curve that is packed, see [`crate::layout::parameters::field::stops`], and their number.
+#[inline(never)]
+pub fn unpacked(packed: &Stops) -> ([Stop; LIST_LIMIT], usize) {
+    let (mut stops, mut count) = ([Stop::default(); LIST_LIMIT], 0);
+    for packed in packed {
+        if *packed > 0.0 {
+            let rest = packed - 1.0;
+            let value = libm::floor(rest / STOP_VALUE);
+            let age = (rest - value * STOP_VALUE) / STOP_STEPS;
+            stops[count] = Stop {
+                age: clamped(age, 0.0, 1.0),
+                value: value / STOP_STEPS,
+            };
+            count += 1;
         }
-    };
-    packed.iter().filter(|packed| **packed > 0.0).map(stop).collect()
+    }
+    (stops, count)
 }
 
 /// Stable insertion sort by age: enough for eight stops, and far smaller code than the library's sort.

@@ -86,9 +86,13 @@ impl Looks {
         place.map_or(0, |place| place as u32 + 1)
     }
 
-    /// Style, tint and dissolution of each look, as in the table.
-    pub fn styles(&self) -> [[f64; 3]; LOOK_LIMIT] {
-        self.entries.map(|(look, tint)| [look.style, tint, look.dissolve])
+    /// Style, tint and dissolution of each look, three numbers each as in the table.
+    pub fn styles(&self) -> Vec<f64> {
+        let mut styles = vec![0.0; 3 * LOOK_LIMIT];
+        for (three, (look, tint)) in styles.as_chunks_mut().0.iter_mut().zip(&self.entries) {
+            *three = [look.style, *tint, look.dissolve];
+        }
+        styles
     }
 
     /// Whether puffs of any look are eroded.

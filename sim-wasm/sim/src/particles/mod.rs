@@ -327,7 +327,7 @@ impl Particles {
     }
 
     /// Radii (m) of a block of particles by the law of the smoke and by looks.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn radii(&self, smoke: &RadiusLaw, block: usize, [size, age, lifetime]: [f32x4; 3]) -> f32x4 {
         match &self.looks {
             None => smoke.radii(size, age, lifetime),

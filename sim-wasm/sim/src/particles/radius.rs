@@ -10,7 +10,8 @@
 //!
 //! The radius never jumps: within a step of h seconds it changes by at most size * puff.size * h * (2 / growthTime +
 //! slope / lifetime), the first term only for growthTime above 0. The slope is 1 for the linear law and the steepest
-//! slope of a curve otherwise, at most 50, and 1 / [`ERODED_DENSITY`] times as much for eroded puffs. Entrainment adds puff.size * entrainment * |slip| * h.
+//! slope of a curve otherwise, at most 50, and 1 / [`ERODED_DENSITY`] times as much for eroded puffs. The slope of a curve
+//! of size adds to it. Entrainment adds puff.size * entrainment * |slip| * h.
 
 use wide::f32x4;
 
@@ -66,6 +67,7 @@ impl RadiusLaw {
         let or = |own: f64, common: f64| if own > 0.0 { own } else { common };
         let growth_time = or(look.growth_time, parameters.emission.growth_time) as f32;
         let dissolve = Dissolve::from_parameter(or(look.dissolve, parameters.emission.dissolve + 1.0) - 1.0);
+        let [(densities, own_stops), (sizes, size_stops)] = [&look.density_curve, &look.size_curve].map(unpacked);
         let is_paper = Integrator::from_parameter(parameters.simulation.integrator) == Integrator::Paper;
         let growth_time = if is_paper {
             growth_time
@@ -79,11 +81,12 @@ impl RadiusLaw {
             } else {
                 growth_time
             },
-            curve: match unpacked(&look.density_curve).as_slice() {
-                [] => Curve::new(parameters.density.items()),
-                own => Curve::new(own),
-            },
-            size: Curve::through(&unpacked(&look.size_curve)),
+            curve: Curve::new(if own_stops == 0 {
+                parameters.density.items()
+            } else {
+                &densities[..own_stops]
+            }),
+            size: Curve::through(&sizes[..size_stops]),
             strand: match dissolve {
                 Dissolve::Shrink | Dissolve::Erode => 1.0,
                 Dissolve::Tear => TORN_STRETCH,
@@ -145,6 +148,7 @@ impl RadiusLaw {
     }
 
     /// Radius (m) at density 1; `age` is 0 or more.
+    #[inline(always)]
     pub fn undiminished(&self, size: f32, age: f32, lifetime: f32) -> f32 {
         let full = size * self.puff_size * self.growth(age);
         match &self.size {

@@ -122,16 +122,16 @@ impl Simulator {
 
     /// Sets all `entries`, or none of them if one is invalid.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
-        let mut changed = self.parameters;
-        entries.iter().try_for_each(|(key, value)| changed.set(key, *value))?;
-        self.check_looks(&changed)?;
+        let changed = self.changed_parameters(entries)?;
         self.put_parameters(&changed);
         Ok(())
     }
 
-    /// Checks that there are not too many looks with these parameters.
-    pub(crate) fn check_looks(&self, parameters: &Parameters) -> Result<(), ParameterError> {
-        looks::needs(parameters, &self.births, &self.particles, self.steps, None).map(|_| ())
+    /// The parameters with these entries; an error if one is invalid, or if there would be too many looks.
+    pub(crate) fn changed_parameters(&self, entries: &[(&str, f64)]) -> Result<Parameters, ParameterError> {
+        let changed = self.parameters.changed(entries)?;
+        looks::needs(&changed, &self.births, &self.particles, self.steps, None)?;
+        Ok(changed)
     }
 
     pub(crate) fn put_parameters(&mut self, changed: &Parameters) {
@@ -218,10 +218,7 @@ impl Simulator {
 
     /// See [`Looks::styles`]; none without looks.
     pub fn look_styles(&self) -> Vec<f64> {
-        match &self.particles.looks {
-            None => Vec::new(),
-            Some(looks) => looks.styles().as_flattened().to_vec(),
-        }
+        self.particles.looks.as_ref().map_or(Vec::new(), |looks| looks.styles())
     }
 
     /// Starts or changes an emission.

@@ -102,8 +102,11 @@ pub fn save(simulator: &Simulator) -> Vec<u8> {
     body.section(b"rigi", |body| body.raw(&rigids_bytes(simulator)));
     body.section(b"room", |body| body.word(simulator.capacity() as u32));
     body.section(b"part", |body| write_particles(body, &simulator.particles));
-    if simulator.births.has_later() {
-        body.section(b"more", |body| simulator.births.write_later(body));
+    let mut later = Writer::default();
+    simulator.births.write_later(&mut later);
+    let later = later.finish();
+    if !later.is_empty() {
+        body.section(b"more", |body| body.raw(&later));
     }
     simulator.colliders.write(&mut body);
     body.seal(KIND, VERSION)

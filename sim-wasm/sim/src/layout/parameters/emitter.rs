@@ -12,7 +12,7 @@ pub const MAX_SURFACES: usize = 16;
 
 /// `emitters.#.*`.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct Emitter {
     pub shape: f64,
     pub position: [f64; 3],
@@ -90,9 +90,9 @@ impl PartialEq for Look {
     }
 }
 
-impl Default for Look {
+impl Default for Emitter {
     fn default() -> Self {
-        Self::NONE
+        Self::FREE
     }
 }
 
@@ -104,6 +104,15 @@ const FACTOR: [f64; 2] = [0.0, 10.0];
 const MAX_STYLE: f64 = u32::MAX as f64;
 
 impl Emitter {
+    /// A free slot of the pool: all zeros but the look.
+    pub const FREE: Self = {
+        let zeros: Self = bytemuck::zeroed();
+        Self {
+            look: Look::NONE,
+            ..zeros
+        }
+    };
+
     /// Whether its puffs differ from the rest of the smoke.
     pub fn has_look(&self) -> bool {
         self.look != Look::NONE

@@ -6,6 +6,7 @@ pub struct Meta {
     /// Key after the section's name, such as `coreRadius`. The numbers of a vector add `.x`, `.y` and `.z`.
     pub key: &'static str,
     /// Unit, `1` for plain numbers.
+    #[cfg(not(target_family = "wasm"))]
     pub unit: &'static str,
     pub min: f64,
     pub max: f64,
@@ -56,6 +57,10 @@ impl Meta {
 }
 
 impl Field {
+    #[cfg_attr(
+        target_family = "wasm",
+        allow(unused_variables, reason = "words stay out of the module")
+    )]
     const fn new(
         key: &'static str,
         unit: &'static str,
@@ -66,6 +71,7 @@ impl Field {
     ) -> Self {
         let meta = Meta {
             key,
+            #[cfg(not(target_family = "wasm"))]
             unit,
             min: range[0],
             max: range[1],

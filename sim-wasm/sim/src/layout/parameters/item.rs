@@ -78,12 +78,12 @@ pub(crate) fn numbers<I: Item>(items: &mut [I]) -> &mut [f64] {
 
 /// A list of which items `0..len` exist.
 #[derive(Clone, Copy, Debug, PartialEq, Zeroable)]
-pub struct List<I: Zeroable> {
+pub struct List<I> {
     pub(super) items: [I; LIST_LIMIT],
     pub(super) len: usize,
 }
 
-impl<I: Zeroable> List<I> {
+impl<I> List<I> {
     /// The existing items.
     pub fn items(&self) -> &[I] {
         &self.items[..self.len]

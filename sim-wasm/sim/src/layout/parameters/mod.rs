@@ -45,10 +45,18 @@ impl Parameters {
 
     /// Sets all `entries`, or none of them and returns the first error.
     pub fn set_all(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
-        let mut changed = *self;
-        entries.iter().try_for_each(|(key, value)| changed.set(key, *value))?;
-        *self = changed;
+        *self = self.changed(entries)?;
         Ok(())
+    }
+
+    /// A copy with these entries; the error of the first invalid one.
+    #[inline(never)]
+    pub fn changed(&self, entries: &[(&str, f64)]) -> Result<Self, ParameterError> {
+        let mut changed = *self;
+        for (key, value) in entries {
+            changed.set(key, *value)?;
+        }
+        Ok(changed)
     }
 
     /// All existing keys with their values, except rare ones with their defaults. Setting them on defaults reproduces
@@ -242,6 +250,7 @@ fn words_as_json(section: &Section, meta: &Meta) -> String {
 }
 
 /// The table as text with one line per key: `key min max default whole|real unit`.
+#[cfg(not(target_family = "wasm"))]
 pub fn describe() -> String {
     let line = |row: Row| {
         let Meta {

@@ -122,9 +122,8 @@ impl Default for Parameters {
         for section in sections() {
             for (field, place) in section.fields() {
                 for part in 0..field.parts.len() {
-                    let numbers = (section.numbers)(&mut parameters).iter_mut();
-                    for number in numbers.skip(place + part).step_by(section.stride) {
-                        *number = field.meta.default(part);
+                    for item in (section.numbers)(&mut parameters).chunks_exact_mut(section.stride) {
+                        item[place + part] = field.meta.default(part);
                     }
                 }
             }

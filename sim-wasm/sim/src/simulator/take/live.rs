@@ -27,9 +27,7 @@ impl Simulator {
 
     /// Sets all parameters in `entries`, or none of them if one is invalid.
     pub fn input_values(&mut self, entries: &[(&str, f64)]) -> Result<(), ParameterError> {
-        let mut trial = self.parameters;
-        trial.set_all(entries)?;
-        self.check_looks(&trial)?;
+        self.changed_parameters(entries)?;
         for (key, value) in entries {
             let key = self.recorder.log.number_of(key);
             self.apply_input(Input::Set { key, value: *value })?;
@@ -159,8 +157,7 @@ impl Simulator {
     fn perform(&mut self, input: &Input, log: &crate::simulator::take::log::Log) -> Result<(), ParameterError> {
         match input {
             Input::Set { key, value } => {
-                let mut changed = self.parameters;
-                changed.set(log.key(*key), *value)?;
+                let changed = self.parameters.changed(&[(log.key(*key), *value)])?;
                 self.put_parameters(&changed);
                 Ok(())
             }
