@@ -59,6 +59,7 @@ export type {
   BurstOptions,
   EmissionChange,
   EmissionOptions,
+  EmitterLook,
   EmitterOptions,
   PuffOptions,
   VectorComponents,

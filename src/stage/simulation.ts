@@ -1,6 +1,7 @@
 import { Matrix4, type Vector3 } from 'three';
 import { ParameterError, SimulatorError } from '../base/errors.ts';
 import type { AnyValues, Values } from '../parameters/parameter.ts';
+import { LOOK_STYLE } from '../parameters/lists.ts';
 import { findParameter } from '../parameters/table.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { Scene } from '../scenes/scene.ts';
@@ -135,7 +136,13 @@ export class Simulation {
    */
   set(changed: Values, all = changed): void {
     const inputs = simulatorValues(changed, all);
+    // Other colours of a look that has some are no input, which would end the replay of a take.
+    for (const key in inputs) if (key.endsWith(LOOK_STYLE) && this.has(key, inputs[key])) delete inputs[key];
     if (Object.keys(inputs).length > 0) this.input((simulator) => simulator.inputValues(inputs));
+  }
+
+  private has(key: string, number: number): boolean {
+    return (this.simulator.parameters().get(key) ?? 0) === number;
   }
 
   /** What optional parameters have that are not set: what the scene sets, or their defaults. */

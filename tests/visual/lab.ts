@@ -180,7 +180,8 @@ export function rowsOf(puffs: readonly LabPuff[]): Rows {
       variation: puff.variation ?? 0,
       seed: puff.seed ?? 0,
       temperature: Math.round(((puff.temperature ?? 0) / TEMPERATURE_MAX) * ATTRIBUTE_BITS.temperature.max),
-      tint: (puff.tint ?? 0) + 16 * (puff.look ?? 0),
+      tint: puff.tint ?? 0,
+      look: puff.look ?? 0,
       erosion: Math.round((puff.erosion ?? 0) * ATTRIBUTE_BITS.erosion.max),
     };
     for (const [name, value] of Object.entries(fields)) {

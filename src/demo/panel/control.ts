@@ -25,7 +25,7 @@ export function createControl(
     case 'color':
       return createColor(describedBy, listener);
     case 'curve':
-      return createCurve(describedBy, parameter.label, listener);
+      return createCurve(describedBy, parameter, listener);
     case 'ramp':
       return createRamp(parameter, describedBy, listener, current);
     case 'drawing':

@@ -1,4 +1,5 @@
 import { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from '../../internal.ts';
+import type { CurveParameter } from '../../preset.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
 import { create, createSvg, uniqueId } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
@@ -17,21 +18,33 @@ const ARROWS: Readonly<Record<string, readonly [at: number, value: number]>> = {
   ArrowUp: [0, STEP],
 };
 
+/** Initial stops after a press on the plane of a curve without any. */
+const FIRST_STOPS: readonly Stop[] = [
+  { at: 0, value: 1 },
+  { at: 1, value: 1 },
+];
+
 /**
  * Curve editor. Stops are dragged or moved with the arrow keys. A press on the empty plane adds one; Delete removes
- * one.
+ * one. A curve that can be empty is empty with fewer than two stops.
  */
-export function createCurve(describedBy: string, label: string, listener: ControlListener): Control {
+export function createCurve(
+  describedBy: string,
+  { label, default: initial }: CurveParameter,
+  listener: ControlListener,
+): Control {
   const id = uniqueId();
   const line = createSvg('polyline', { class: 'curve-line' });
   const plane = createSvg('rect', { class: 'curve-plane', x: 0, y: 0, width: WIDTH, height: HEIGHT });
   const handles = createSvg('g', {});
+  const hint = createSvg('text', { class: 'ramp-hint', x: WIDTH / 2, y: HEIGHT / 2 }, strings.ramp.begin);
   const box = `${-MARGIN} ${-MARGIN} ${WIDTH + 2 * MARGIN} ${HEIGHT + 2 * MARGIN}`;
   const drawing = createSvg(
     'svg',
     { id, class: 'curve', viewBox: box, role: 'group', 'aria-label': label },
     plane,
     line,
+    hint,
     handles,
   );
   drawing.setAttribute('aria-describedby', describedBy);
@@ -42,6 +55,10 @@ export function createCurve(describedBy: string, label: string, listener: Contro
   const change = (next: readonly Stop[]) => listener.change(writeCurve(next));
 
   drawing.addEventListener('pointerdown', (event) => {
+    if (stops.length === 0) {
+      change(FIRST_STOPS);
+      return listener.settle();
+    }
     const stop = pointed(drawing, event);
     held = reached(stops, stop);
     const { at, value } = stops[held] ?? stop;
@@ -72,8 +89,10 @@ export function createCurve(describedBy: string, label: string, listener: Contro
       const way = ARROWS[event.key];
       const { at, value } = stops[index];
       if (way) change(moved(stops, index, { at: at + way[0], value: value + way[1] }));
-      else if (event.key !== 'Delete' || stops.length === MIN_STOPS) return;
-      else change(stops.filter((_, other) => other !== index));
+      else if (event.key !== 'Delete') return;
+      else if (stops.length > MIN_STOPS) change(stops.filter((_, other) => other !== index));
+      else if (initial === '') change([]);
+      else return;
       event.preventDefault();
       event.stopPropagation();
     });
@@ -83,6 +102,7 @@ export function createCurve(describedBy: string, label: string, listener: Contro
 
   const show = (text: string | number) => {
     stops = readCurve(String(text)) ?? [];
+    drawing.classList.toggle('is-empty', stops.length === 0);
     while (handles.childElementCount > stops.length) handles.lastElementChild!.remove();
     while (handles.childElementCount < stops.length) handles.append(handleOf(handles.childElementCount));
     line.setAttribute('points', pointsOf(stops));
@@ -121,6 +141,7 @@ export function moved(stops: readonly Stop[], index: number, { at, value }: Stop
 
 /** The curve is constant before the first stop and after the last. */
 function pointsOf(stops: readonly Stop[]): string {
+  if (stops.length === 0) return '';
   const [first, last] = [stops[0], stops[stops.length - 1]];
   const all = [{ at: 0, value: first.value }, ...stops, { at: 1, value: last.value }];
   return all.map(({ at, value }) => `${at * WIDTH},${(1 - value) * HEIGHT}`).join(' ');

@@ -8,11 +8,14 @@ const [WIDTH, HEIGHT, MARGIN] = [240, 28, 8];
 const STEP = 0.02;
 /** Minimum distance between stops: the precision of the ramp's text format, so that two stops can make a hard step. */
 const MIN_GAP = 0.001;
-/** Toggles that blend the colours of ramps. Other ramps are always blended. */
+/** Toggles that blend the colours of ramps, by the ends of their keys. Other ramps are always blended. */
 const BLENDED_BY: Readonly<Record<string, string>> = {
-  'style.ramp': 'style.rampBlend',
-  'style.ageRamp': 'style.softColors',
-  'style.heatRamp': 'style.softColors',
+  ramp: 'style.rampBlend',
+  ageRamp: 'style.softColors',
+  heatRamp: 'style.softColors',
+  colors: 'style.rampBlend',
+  ageColors: 'style.softColors',
+  heatColors: 'style.softColors',
 };
 /** Initial stops after a press on the bar of an empty ramp. */
 const FIRST_STOPS: readonly RampStop[] = [
@@ -42,7 +45,7 @@ export function createRamp(
   listener: ControlListener,
   current: () => AnyValues,
 ): Control {
-  const editor = new RampEditor(label, listener, () => (current()[BLENDED_BY[key]] ?? 1) === 1);
+  const editor = new RampEditor(label, listener, () => (current()[BLENDED_BY[key.split('.').at(-1)!]] ?? 1) === 1);
   editor.drawing.setAttribute('aria-describedby', describedBy);
   if (key === 'style.ramp') editor.element.append(createPaletteButton());
   return { elements: [editor.element], id: editor.drawing.id, show: (text) => editor.show(String(text)) };

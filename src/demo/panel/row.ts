@@ -55,13 +55,15 @@ function unitOf(parameter: Parameter): HTMLElement[] {
 }
 
 /**
- * Parameters that create a new simulator or bake billboards are applied at the end of a gesture; all others at once.
+ * Parameters that create a new simulator, bake billboards or change how smoke of an emitter moves are applied at the end of a
+ * gesture; all others at once. Puffs keep the look that they are born with, and there are at most 15 looks at a time.
  */
 function connect({ key, reader, isBaked }: Parameter, editor: Editor, preview: (value: Value) => void) {
   let waiting: Value | undefined;
   return {
     change(value: Value): void {
-      const isSlow = reader === 'stage' || (isBaked && showsBillboards(editor.state.values));
+      const isOfLook = reader === 'simulator' && key.includes('.look.');
+      const isSlow = reader === 'stage' || isOfLook || (isBaked && showsBillboards(editor.state.values));
       if (!isSlow) return editor.change(key, value, key);
       waiting = value;
       preview(value);

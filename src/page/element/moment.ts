@@ -4,6 +4,7 @@ import type { RemoteStage } from '../../stage/remote/contract.ts';
 import { STEP_SECONDS } from '../../simulator/clock.ts';
 import type { Take } from '../../stage/take.ts';
 import { findParameter } from '../../parameters/table.ts';
+import { isOfLookStyle } from '../../simulator/lookStyles.ts';
 
 /** Limit for pages on which smoke is a side feature. */
 const LONGEST_SECONDS = 600;
@@ -49,8 +50,12 @@ export function linkCapacity(): number {
   return row?.kind === 'integer' ? (row.linkMax ?? row.max) : 0;
 }
 
-/** Values for style, light and camera. The simulator does not read them, so takes do not record them per step. */
+/**
+ * Values for style, light and camera. The simulator does not read them, so takes do not record them per step. The colours
+ * of emitters' looks are those of the take: a change would be an input, which ends the replay.
+ */
 export function lookOf(values: Values): Values {
-  const isLook = (key: string) => ['style', 'light', 'camera'].includes(findParameter(key)!.reader);
+  const isLook = (key: string) =>
+    ['style', 'light', 'camera'].includes(findParameter(key)!.reader) && !isOfLookStyle(key);
   return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
 }

@@ -101,16 +101,17 @@ describe('the layout of rows and views', () => {
   });
 
   it('is the one that shaders read', () => {
-    const { temperature, ...others } = ATTRIBUTE_BITS;
+    const { temperature, look, ...others } = ATTRIBUTE_BITS;
     // Words 2 and 3 are read as vectors; pictures of deformed puffs show whether they match.
     const words = Object.entries(others).filter(([, { word }]) => word < 2);
     expect(Object.fromEntries(fieldsIn('lib/attributes.glsl'))).toEqual(Object.fromEntries(words));
     // The ramps have 256 ages.
     const age = { ...others.age, shift: others.age.shift + 8, max: 0xff };
     expect(fieldsIn('lib/material.glsl').map(([, bits]) => bits)).toEqual([age, temperature]);
+    expect(fieldsIn('looks/looks.glsl')).toEqual([['look', look]]);
     const files = readdirSync(SHADERS, { recursive: true, encoding: 'utf8' }).filter((file) => /\.\w+$/.test(file));
     const readers = files.filter((file) => fieldsIn(file).length > 0).sort();
-    expect(readers).toEqual(['lib/attributes.glsl', 'lib/material.glsl']);
+    expect(readers).toEqual(['lib/attributes.glsl', 'lib/material.glsl', 'looks/looks.glsl']);
 
     const source = readFileSync(new URL('lib/attributes.glsl', SHADERS), 'utf8');
     expect(source).toContain(`& 0x${others.roll.max.toString(16)}u) * (6.28318530718 / ${others.roll.max + 1}.0)`);
