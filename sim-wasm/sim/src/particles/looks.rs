@@ -125,3 +125,38 @@ impl Looks {
         f32x4::new(std::array::from_fn(radius))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::layout::parameters::field::STOP_STEPS;
+
+    #[test]
+    fn lanes_of_any_looks_have_the_radii_of_single_particles() {
+        let parameters = Parameters::default();
+        let mut looks = Looks::new(4);
+        let large = 1.0 + STOP_STEPS * 131_072.0;
+        looks.entries[0].0.size_curve = [large / 2.0, 3e9 + 40_000.0, 0.0, 2e9 + 50_000.0, 0.0, 0.0, 0.0, 0.0];
+        looks.entries[1].0.density_curve[0] = large;
+        looks.entries[14].0.growth_time = 3.0;
+        looks.prepare(&parameters);
+        for own in [[1, 1, 1, 1], [2, 2, 2, 2], [0, 1, 2, 15], [15, 15, 0, 0]] {
+            let attributes = own.map(|look: u32| look << SHIFT | 0x0123_4567);
+            for step in -5..300 {
+                let ages = [0.0, 0.2, 0.4, 0.6].map(|more| step as f32 / 60.0 + more);
+                let [size, lifetime] = [0.4, 3.1].map(f32x4::splat);
+                let radii = looks.radii(&attributes, size, f32x4::new(ages), lifetime).to_array();
+                for (lane, radius) in radii.into_iter().enumerate() {
+                    let single = looks.radius_law(attributes[lane]).radius(0.4, ages[lane], 3.1);
+                    assert_eq!(
+                        radius.to_bits(),
+                        single.to_bits(),
+                        "look {} at {}",
+                        own[lane],
+                        ages[lane]
+                    );
+                }
+            }
+        }
+    }
+}

@@ -109,6 +109,40 @@ fn nothing_shines_without_heat_or_particles() {
 }
 
 #[test]
+fn looks_have_colours_of_their_own() {
+    let settings = [
+        ("emission.rate", 0.0),
+        ("emitters.0.burst.count", 10.0),
+        ("emitters.0.look.style", 3.0),
+        ("emitters.1.burst.count", 20.0),
+        ("emitters.1.look.style", 4.0),
+        ("emitters.2.burst.count", 30.0),
+        ("emitters.3.burst.count", 40.0),
+        ("emitters.3.tint", 2.0),
+    ];
+    let mut simulator = simulator(2000, 1, &[STILL, FULL, &settings]);
+    steps(&mut simulator, 1);
+    let area = |look: u32| -> f32 {
+        let particles = simulator.particles();
+        let own = (0..100).filter(|i| particles.look(*i) == look && particles.tint(*i) == 0);
+        let radius = |i: usize| particles.size[i] * (1.0 - particles.age[i] / particles.lifetime[i]);
+        own.map(|i| radius(i) * radius(i)).sum()
+    };
+    let light = |colors: &[f32]| -> f32 {
+        let numbers = simulator.glow(1.0, colors);
+        (0..LAMPS).map(|lamp| numbers[LAMP_FLOATS * lamp + 7]).sum()
+    };
+    let of_brightness = |brightness: f32| vec![brightness; 4 * (HEATS + 1)];
+    let all = [of_brightness(1.0), of_brightness(10.0), of_brightness(100.0)].concat();
+    let expected = area(0) + 10.0 * area(1) + 100.0 * area(2);
+    assert!((light(&all) / expected - 1.0).abs() < 1e-3);
+    // A look without colours has those of the smoke.
+    let fewer = &all[..8 * (HEATS + 1)];
+    let expected = area(0) + 10.0 * area(1) + area(2);
+    assert!((light(fewer) / expected - 1.0).abs() < 1e-3);
+}
+
+#[test]
 fn all_light_is_in_the_lamps_and_heat_above_1_counts_as_1() {
     let mut simulator = still();
     add_group(&mut simulator, [0.0; 3], 200, 3.0);
