@@ -16,7 +16,7 @@ import { glowColors, glowLamps } from './glow.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, type Ramp } from './gpu/ramps.ts';
 import { homogeneous, type AdditionalLight, type Light } from './light.ts';
-import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './gpu/shaderVariant.ts';
 import { PARTS_WIDTH } from '../base/constants.ts';
 import { reachOf, setReach } from './reach.ts';
 import type { Style } from './style.ts';

@@ -4,7 +4,7 @@ import code from '../../shaders/falloff/falloff.glsl';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { linear, RampTexture, type Ramp } from './gpu/ramps.ts';
 import type { Falloff } from './light.ts';
-import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './gpu/shaderVariant.ts';
 import { setReach } from './reach.ts';
 import type { Style } from './style.ts';
 

@@ -8,7 +8,7 @@ import type { Simulator } from '../simulator/simulator.ts';
 import type { Bands, Ramp, Tone } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import { parseStops, plainColorOf, rampOf } from './palette.ts';
-import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './gpu/shaderVariant.ts';
 import { bandsOf, type Coloring } from './smoke.ts';
 import type { Style } from './style.ts';
 

@@ -22,7 +22,7 @@ import type { FrameView } from './gpu/frameView.ts';
 import { DrawnPoints, FullScreen } from './gpu/fullScreen.ts';
 import { fullFromOf } from './palette.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
-import { ShaderVariant, withCode, type AddedCode } from './shaderVariant.ts';
+import { ShaderVariant, withCode, type AddedCode } from './gpu/shaderVariant.ts';
 import type { Style } from './style.ts';
 import { pictureTarget, type Targets } from './passes/targets.ts';
 

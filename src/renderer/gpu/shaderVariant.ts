@@ -1,6 +1,6 @@
 /** Materials with more code, for light and patterns that few smokes have. */
 import type { IUniform, RawShaderMaterial } from 'three';
-import { withCodeBeforeMain, type Shaders } from './gpu/programsAhead.ts';
+import { withCodeBeforeMain, type Shaders } from './programsAhead.ts';
 
 /** Code that shaders with a define declare and call. */
 export interface AddedCode {
