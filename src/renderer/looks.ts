@@ -7,32 +7,14 @@ import { FIRST_NUMBER, NO_STYLE, soundStyle, styleOfNumber, type LookStyle } fro
 import type { Simulator } from '../simulator/simulator.ts';
 import type { Bands, Ramp, Tone } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
-import { parseStops, plainColorOf, rampOf } from './palette.ts';
+import { bandsOf, parseStops, plainColorOf, rampOf, type Coloring } from './palette.ts';
 import { ShaderVariant, withCode, type AddedCode } from './gpu/shaderVariant.ts';
-import { bandsOf, type Coloring } from './smoke.ts';
-import type { Style } from './style.ts';
+import type { Looks, Style } from './style.ts';
 
 /** Most materials of all looks together. */
 export const MAX_MATERIALS = 2048;
 /** Numbers of a look in `Simulator.lookStyles`: its style, the tint of its emitter, and how its puffs dissolve. */
 const NUMBERS = 3;
-
-/** The looks of the smoke of emitters by their index. The first one, index 0, is that of the smoke. */
-export interface Looks {
-  /** Factors on the width of lines. */
-  readonly inkWeights: readonly number[];
-  /** The greatest of these factors, at least 1. */
-  readonly widest: number;
-  /** A bit for each look whose bites lie along the stretch of puffs. */
-  readonly torn: number;
-  /** Tints of looks without colours of their own; 0 for none. */
-  readonly tints: readonly number[];
-  /** The style with the colours of a look; undefined if it has those of the smoke. */
-  readonly styles: readonly (Style | undefined)[];
-  /** What they follow from. */
-  readonly plain: Style;
-  readonly numbers: Float64Array;
-}
 
 /** The part of a simulator that knows the looks. */
 export type LookSource = Pick<Simulator, 'lookStyles'>;

@@ -1,20 +1,18 @@
 import type { Device } from './gpu/device.ts';
 import { FrameView } from './gpu/frameView.ts';
 import { PuffTextures, type BakedPuffs } from './gpu/puffTextures.ts';
-import { RampTexture, type Color, blendedAt, toneAt, type Bands, type Ramp, type Tone } from './gpu/ramps.ts';
+import { RampTexture, type Color, type Ramp } from './gpu/ramps.ts';
 import { bakedPuffs } from './bakedPuffs.ts';
 import type { AdditionalLights } from './additionalLights.ts';
 import type { LampLight } from './falloff.ts';
 import type { FrameInput } from './frameInput.ts';
-import type { LookVariant } from './looks.ts';
-import { plainColorOf, rampOf, surfaceToning, litThresholdOf, washed, multiply } from './palette.ts';
+import { bandsOf, plainColorOf, rampOf, surfaceToning, litThresholdOf, washed } from './palette.ts';
 import { codeOf, ExtraPasses, hasExtras, hasPattern, hasStrokes } from './extraPasses.ts';
 import type { DrawnSurfaces } from './sceneSurfaces.ts';
-import { leastThresholdOf, setStyle, styleUniforms, type Style } from './style.ts';
+import type { ShaderVariant } from './gpu/shaderVariant.ts';
+import { leastThresholdOf, setStyle, styleUniforms, type Looks, type Style } from './style.ts';
 import { SmokePasses } from './smokePasses.ts';
 import { TINTS } from '../base/constants.ts';
-import { valueAt, type Stop } from '../parameters/curve.ts';
-import { TEMPERATURE_MAX } from '../simulator/layout.ts';
 
 export interface SmokeOptions {
   /** Largest number of particles that can be drawn. */
@@ -62,7 +60,7 @@ export class SmokeRenderer {
   private pixelRatio = 0;
   private lampLight: LampLight | undefined;
   private additionalLights: AdditionalLights | undefined;
-  private looks: LookVariant | undefined;
+  private looks: (ShaderVariant & { apply(looks: Looks): void }) | undefined;
   /** The last style whose modules are not loaded yet; `meanwhile` is drawn until they are. */
   private asked: Style | undefined;
   private meanwhile: Style | undefined;
@@ -212,69 +210,4 @@ export class SmokeRenderer {
     this.passes.lampLight?.apply(style, ramps);
     this.passes.additionalLights?.apply(ramps);
   }
-}
-
-/** The fields of a style that colour smoke over its life; see Style. */
-export type Coloring = Pick<Style, 'ageColors' | 'heatColors' | 'softColors' | 'glow' | 'smokeColor' | 'stops'>;
-
-/**
- * Number of steps that approximate interpolated colours. With both ramps, every pair of steps takes rows of the ramp
- * texture.
- */
-const SOFT_STEPS = 64;
-const SOFT_STEPS_OF_BOTH = 16;
-
-const WHITE: Color = [255, 255, 255];
-const BYTES = Array.from({ length: 256 }, (_, byte) => byte);
-const NONE = BYTES.map(() => 0);
-
-/** Flat bands of smoke: their colours, the share of each that glows, 0..1, and where they apply. */
-interface BandsOfSmoke {
-  readonly colors: readonly Color[];
-  readonly glows: readonly number[];
-  readonly bands: Bands;
-}
-
-/**
- * Divides the colours of smoke by age and temperature into flat bands, and maps an age (0..1) and a temperature (0..1;
- * higher values are clamped to 1) to its band. With both ramps the two colours are multiplied. Smoke that glows has bands
- * by temperature even if its colour is the same at all temperatures.
- * @param first material index of the first band; without colour ramps all smoke has material 0
- * @param stepsOfBoth number of steps of each ramp that approximate the interpolated colours of both
- */
-export function bandsOf(coloring: Coloring, first: number, stepsOfBoth = SOFT_STEPS_OF_BOTH): BandsOfSmoke {
-  const { ageColors, glow, softColors } = coloring;
-  const isPlain = ageColors.length + coloring.heatColors.length === 0;
-  const whole: readonly Tone[] = [{ from: 0, color: isPlain ? plainColorOf(coloring) : WHITE }];
-  const hasSteps = glow.length > 0 && coloring.heatColors.length === 0;
-  const heatColors = hasSteps ? whole : coloring.heatColors;
-  const steps = ageColors.length && heatColors.length ? stepsOfBoth : SOFT_STEPS;
-  const ages = softColors ? softened(ageColors, steps) : ageColors;
-  const heats = softColors || hasSteps ? softened(heatColors, steps) : heatColors;
-  if (ages.length + heats.length === 0) return { colors: [], glows: [], bands: { ages: NONE, temperatures: NONE } };
-  const [byAge, byHeat] = [ages, heats].map((ramp) => (ramp.length ? ramp : [{ from: 0, color: WHITE }]));
-  const colors = byHeat.flatMap((heat) => byAge.map((age) => multiply(age.color, heat.color)));
-  const glows = byHeat.flatMap((_, heat) => byAge.map(() => glowOf(glow, byHeat, heat)));
-  const bands = {
-    ages: BYTES.map((byte) => first + toneAt(byAge, byte / 256)),
-    temperatures: BYTES.map((byte) => byAge.length * toneAt(byHeat, (byte / 255) * TEMPERATURE_MAX)),
-  };
-  return { colors, glows, bands };
-}
-
-/** The share that glows in the middle of a band, which the last one has at temperature 1. In steps of the ramp texture. */
-function glowOf(glow: readonly Stop[], byHeat: readonly Tone[], band: number): number {
-  if (glow.length === 0) return 0;
-  const next = byHeat[band + 1];
-  const middle = next ? (byHeat[band].from + next.from) / 2 : 1;
-  return Math.round(255 * valueAt(glow, middle)) / 255;
-}
-
-/** Divides a ramp into equal steps; the first and the last step have the colours of its ends. */
-function softened(ramp: readonly Tone[], steps: number): Tone[] {
-  if (ramp.length === 0) return [];
-  return Array.from({ length: steps }, (_, step) => ({
-    from: step / steps,
-    color: blendedAt(ramp, step / (steps - 1)),
-  }));
 }

@@ -8,7 +8,6 @@ import { styleRows } from '../parameters/rows/style.ts';
 import { readCurve, type Stop } from '../parameters/curve.ts';
 import { defaults } from '../parameters/values.ts';
 import { hasDecay, illuminationOf } from './light.ts';
-import type { Looks } from './looks.ts';
 import {
   formatColor,
   litThresholdOf,
@@ -102,6 +101,23 @@ export interface Style extends Omit<Fields, Combined>, Pick<SurfaceToning, 'stop
   looks?: Looks;
   /** Background colours by height from bottom to top, instead of those of the scene; the scene's if absent or empty. */
   backdropColors?: readonly Tone[];
+}
+
+/** The looks of the smoke of emitters by their index. The first one, index 0, is that of the smoke. */
+export interface Looks {
+  /** Factors on the width of lines. */
+  readonly inkWeights: readonly number[];
+  /** The greatest of these factors, at least 1. */
+  readonly widest: number;
+  /** A bit for each look whose bites lie along the stretch of puffs. */
+  readonly torn: number;
+  /** Tints of looks without colours of their own; 0 for none. */
+  readonly tints: readonly number[];
+  /** The style with the colours of a look; undefined if it has those of the smoke. */
+  readonly styles: readonly (Style | undefined)[];
+  /** What they follow from. */
+  readonly plain: Style;
+  readonly numbers: Float64Array;
 }
 
 /**

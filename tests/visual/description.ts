@@ -10,13 +10,13 @@ import { ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
 import { spreadOf, type BakedPuffs } from '../../src/renderer/gpu/puffTextures.ts';
 import type { PuffShape } from '../../src/renderer/puffs/shapes.ts';
 import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
-import { bandsOf } from '../../src/renderer/smoke.ts';
 import { DRAWINGS_PER_SECOND } from '../../src/renderer/frame.ts';
 import type { FrameInput } from '../../src/renderer/frameInput.ts';
 import { OUT_OF_SIGHT } from '../../src/renderer/sceneSurfaces.ts';
 import type { Light } from '../../src/renderer/light.ts';
 import { hasPattern } from '../../src/renderer/extraPasses.ts';
 import {
+  bandsOf,
   fullFromOf,
   plainColorOf,
   rampOf,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Tone } from '../../../src/renderer/gpu/ramps.ts';
-import { bandsOf } from '../../../src/renderer/smoke.ts';
+import { bandsOf } from '../../../src/renderer/palette.ts';
 
 const SMOKE_TO_FIRE: Tone[] = [
   { from: 0, color: [60, 60, 70] },

@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { campfire } from '../../../src/scenes/campfire.ts';
-import { bandsOf } from '../../../src/renderer/smoke.ts';
+import { bandsOf } from '../../../src/renderer/palette.ts';
 import { styleOf } from '../../../src/renderer/style.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
