@@ -6,7 +6,7 @@ import type { TriangleMesh } from '../../src/renderer/passes/extrusion.ts';
 import { fromHalf } from '../../src/renderer/puffs/billboards/layers.ts';
 import type { Rows } from '../../src/simulator/rows.ts';
 import type { View } from '../../src/simulator/view.ts';
-import { ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS } from '../../src/simulator/layout.ts';
 import { spreadOf, type BakedPuffs } from '../../src/renderer/gpu/puffTextures.ts';
 import type { PuffShape } from '../../src/renderer/puffs/shapes.ts';
 import { bakedPuffs } from '../../src/renderer/bakedPuffs.ts';
@@ -50,7 +50,8 @@ export function describe(shown: Shown): string {
   const { input, surfaces, backdrop } = shown;
   const { simulator, camera, style, width, height } = input;
   const seen = surfaces.filter((surface) => placeOf(surface, shown).elements[13] > OUT_OF_SIGHT);
-  const rows = (purpose: View['purpose']) => rowsAsObjects(simulator.arrange(viewOf(input, purpose)).rows);
+  const rows = (purpose: View['purpose']) =>
+    rowsAsObjects(simulator.arrange(viewOf(input, purpose)).rows, purpose === 'eye' && style.looks !== undefined);
   return JSON.stringify({
     width,
     height,
@@ -78,12 +79,19 @@ function backdropOf({ backdropColors = [] }: Style, { top, bottom }: { top: Colo
   return backdropColors.length > 0 ? backdropColors : [bottom, top].map((color, from) => ({ from, color }));
 }
 
-function rowsAsObjects({ count, place, attributes }: Rows): object[] {
-  return Array.from({ length: count }, (_, row) => ({
-    place: [...place.subarray(4 * row, 4 * row + 3)],
-    radius: place[4 * row + 3],
-    attributes: [...attributes.subarray(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1))],
-  }));
+/** @param areTints whether looks become tints, which are all that the reference has: the first three, with one colour each */
+function rowsAsObjects({ count, place, attributes }: Rows, areTints: boolean): object[] {
+  return Array.from({ length: count }, (_, row) => {
+    const words = [...attributes.subarray(ATTRIBUTE_WORDS * row, ATTRIBUTE_WORDS * (row + 1))];
+    const { word, shift, max } = ATTRIBUTE_BITS.look;
+    const look = (words[word] >>> shift) & max;
+    if (areTints) words[word] = (words[word] & ~(max << shift)) | (look << ATTRIBUTE_BITS.tint.shift);
+    return {
+      place: [...place.subarray(4 * row, 4 * row + 3)],
+      radius: place[4 * row + 3],
+      attributes: words.map((each) => each >>> 0),
+    };
+  });
 }
 
 function lightAsObject(light: Light): object {
@@ -94,10 +102,14 @@ function lightAsObject(light: Light): object {
 
 function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput, puffs: BakedPuffs): object {
   const { colors, glows, bands } = bandsOf(style, 1 + style.tints.length);
-  const ramps = [plainColorOf(style), ...style.tints].map((own): Ramp => rampOf(own, style));
+  const tinted = style.looks
+    ? style.looks.styles.slice(1, 4).map((look): Ramp => rampOf(plainColorOf(look!), look!))
+    : style.tints.map((own): Ramp => rampOf(own, style));
+  const ramps = [rampOf(plainColorOf(style), style), ...tinted];
   const inBands = colors.map((own, band): Ramp => ({ ...rampOf(own, style), glow: glows[band] }));
   return {
     ...style,
+    looks: undefined,
     inkPixels: inkPixelsOf(style, pixelRatio),
     drawing: Math.floor(DRAWINGS_PER_SECOND * time),
     smokeColor: smokeColorOf(style),

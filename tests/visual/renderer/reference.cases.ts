@@ -9,14 +9,19 @@ import { readPuffSheet } from '../../../src/renderer/puffs/sheet/readPuffSheet.t
 import { writePuffSheet } from '../../../src/renderer/puffs/sheet/writePuffSheet.ts';
 import { fitPuff } from '../../../src/renderer/puffs/fit/fitPuff.ts';
 import type { PuffShape } from '../../../src/renderer/puffs/shapes.ts';
+import { fetchExtras } from '../../../src/renderer/extraPasses.ts';
+import { withLooks } from '../../../src/renderer/looks.ts';
 import type { Style } from '../../../src/renderer/style.ts';
+import { NO_STYLE, numberOfStyle } from '../../../src/simulator/lookStyles.ts';
 import type { Drawn } from '../../support/reference.ts';
 import { describe, type Shaped, type Shown } from '../description.ts';
-import { inputOf, Lab, type LabPuff, type LabScene } from '../lab.ts';
+import { inputOf, Lab, PLAIN_STYLE, type LabPuff, type LabScene } from '../lab.ts';
 import { face, heart, popcorn, torus } from '../puffMeshes.ts';
 import { random } from '../random.ts';
 import { SceneLab } from '../sceneLab.ts';
 import { box, ground } from '../solids.ts';
+
+await fetchExtras({ ...PLAIN_STYLE, hasLooks: true });
 
 const [WIDTH, HEIGHT] = [320, 240];
 const BACKDROP = { top: [43, 45, 92], bottom: [214, 110, 122] } as const;
@@ -45,6 +50,7 @@ const SUN = { towardsLight: [-0.5, 0.8, 0.4] } as const;
 const SCENES = {
   perspective: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN),
   offAxis: () => cluster(looking(offAxis(), [0.5, 1.6, 3.4], [0, -0.2, 0]), SUN),
+  looks: () => withLooksOf(cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, look)),
   deformed: () => cluster(looking(perspective(), [0.5, 1.3, 4.6], [0, -0.1, 0]), SUN, 0, deformation),
   deformedByLamp: () =>
     cluster(looking(perspective(), [0.5, 1.6, 5], [0, -0.1, 0]), { lamp: [-0.6, 1.5, 0.5] }, 0, deformation),
@@ -163,6 +169,21 @@ function deformation(next: () => number): Pick<LabPuff, 'deformation'> {
   const [quaternionX, quaternionY, quaternionZ] = [component(), component(), component()];
   const rotation = { quaternionX, quaternionY, quaternionZ, quaternionLargest: bits(4) };
   return { deformation: { ...rotation, stretchU: bits(255), stretchV: bits(255), stretch: bits(170) } };
+}
+
+/** Three looks and smoke without one. */
+function look(next: () => number): Pick<LabPuff, 'look' | 'tint'> {
+  return { look: Math.floor(4 * next()), tint: 0 };
+}
+
+/** Three looks with a ramp of two to four tones each. */
+function withLooksOf(shown: Shown): Shown {
+  const { style } = shown.input;
+  const colors = ['0:301050,.3:9040a0,.6:ffd0f0', '0:104020,.55:50d070', '0:402000,.2:a05010,.5:f0a030,.8:fff0a0'];
+  const numbers = new Float64Array(45);
+  colors.forEach((ramp, index) => numbers.set([numberOfStyle({ ...NO_STYLE, colors: ramp })], 3 * index));
+  const looks = withLooks(style, {}, { lookStyles: () => numbers }, style);
+  return { ...shown, input: { ...shown.input, style: looks } };
 }
 
 /** Whole puffs and puffs with one to three bites. */

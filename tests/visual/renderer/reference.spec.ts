@@ -75,6 +75,7 @@ const MORE_COUNTED: readonly (readonly [SceneName, readonly Mode[]])[] = [
   ['eyeInside', [{ volumes: 'counted' }]],
   ['coincident', [{ volumes: 'counted' }]],
 ];
+const LOOKS: readonly (readonly [SceneName, readonly Mode[]])[] = [['looks', [{}, BILLBOARDS, { plumeForm: 0.6 }]]];
 const STRETCHED = { isDeformed: true, stretch: 3 };
 const UNFOLDING = { ...STRETCHED, billow: 1 };
 const DEFORMED: readonly (readonly [SceneName, readonly Mode[]])[] = [
@@ -209,6 +210,7 @@ for (const [what, scenes, reversedDepth] of [
   ['more volumes counted by entry and exit', MORE_COUNTED, false],
   ['puffs among solids under a reversed depth buffer', REVERSED, true],
   ['puffs in tones of all kinds', TONES, false],
+  ['puffs with three looks', LOOKS, false],
   ['puffs and solids in light of other colours', OTHER_LIGHT, false],
   ['puffs with the light of their whole form', FORMS, false],
   ['puffs with the marks of a print', PRINTS, false],

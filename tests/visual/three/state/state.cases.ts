@@ -260,7 +260,7 @@ export async function reach(): Promise<string[]> {
         ['emitFrom', (x: number) => smoke.emitFrom(at(host, x), { rate: 1 })],
         ['emitFrom 0', (x: number) => smoke.emitFrom(at(host, x), 0)],
         ['emitFrom', (x: number) => smoke.emitFrom(at(host, x))],
-        ['burst', (x: number) => smoke.burst({ position: { x, y: 0, z: 0 }, count: 1 })],
+        ['burst', (x: number) => void smoke.burst({ position: { x, y: 0, z: 0 }, count: 1 })],
         ['attach', (x: number) => smoke.attach('vortices.0', at(host, x)).remove()],
         ['collide', (x: number) => smoke.collide(boxAt(host, x))],
         ['pushed', (x: number) => smoke.collide(boxAt(host, x), { feelsSmoke: true })],
