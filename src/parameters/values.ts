@@ -5,6 +5,8 @@ import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,
   accepted,
+  TIMELINE,
+  TIMELINE_LIMIT,
   type NumberParameter,
   type Parameter,
   type AnyValues,
@@ -89,6 +91,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && readRamp(value) !== undefined;
     case 'drawing':
       return typeof value === 'string' && isDrawing(value);
+    case 'timeline':
+      return typeof value === 'string' && isTimeline(value);
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -125,8 +129,13 @@ function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'curve') return readCurve(text) && text;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
   if (parameter.kind === 'drawing') return isDrawing(text) ? text : undefined;
+  if (parameter.kind === 'timeline') return isTimeline(text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
+}
+
+function isTimeline(text: string): boolean {
+  return text.length <= TIMELINE_LIMIT && TIMELINE.test(text);
 }
 
 function readNumber(parameter: NumberParameter, text: string, fallback: Value): { value: Value; notice?: Notice } {
