@@ -9,7 +9,8 @@
 import { ParameterError } from '../base/errors.ts';
 import { readCurve, writeCurve } from './curve.ts';
 import { LIST_LIMIT } from './lists.ts';
-import { accepted, TIMELINE_LIMIT, type Parameter, type Value } from './parameter.ts';
+import { notice, type Notice } from './notice.ts';
+import { accepted, TIMELINE_LIMIT, type AnyValues, type Parameter, type Value, type Values } from './parameter.ts';
 import { readRamp, writeRamp } from './ramp.ts';
 import { findParameter } from './table.ts';
 import { isAccepted, readText, writeText } from './values.ts';
@@ -59,6 +60,9 @@ export interface Timeline {
   readonly bursts: readonly TimelineBurst[];
 }
 
+/** Values in which the timeline may also be an object. */
+export type GivenValues = Omit<Values, 'timeline'> & { readonly timeline?: string | Timeline };
+
 export const MAX_LANES = 64;
 /** Of all lanes together. */
 export const MAX_KEYFRAMES = 512;
@@ -74,7 +78,8 @@ const BURST = 'burst';
 export const EMPTY_TIMELINE: Timeline = { length: DEFAULT_LENGTH, loops: false, lanes: [], bursts: [] };
 
 const LETTERS = { hold: 'h', ease: 'e', easeIn: 'i', easeOut: 'o' } as const;
-const CURVES = { ease: [0.42, 0, 0.58, 1], easeIn: [0.42, 0, 1, 1], easeOut: [0, 0, 0.58, 1] } as const;
+/** Handles of the named easings. */
+export const CURVES = { ease: [0.42, 0, 0.58, 1], easeIn: [0.42, 0, 1, 1], easeOut: [0, 0, 0.58, 1] } as const;
 const EASINGS: readonly unknown[] = ['linear', ...Object.keys(LETTERS)];
 /** Range of the coordinates of handles. */
 const HANDLE = { x: [0, 1], y: [-2, 3] } as const;
@@ -110,6 +115,17 @@ export function readTimeline(text: string): { timeline: Timeline; problems: stri
 }
 
 /**
+ * Reads a timeline of a link, a file or an attribute.
+ * @param notices receives one for each part that is left out or changed
+ * @returns what is left of it, as text
+ */
+export function cleanTimeline(text: string, notices: Notice[]): string {
+  const { timeline, problems } = readTimeline(text);
+  notices.push(...problems.map((problem) => notice('malformed', 'timeline', text, () => problem)));
+  return writeTimeline(timeline);
+}
+
+/**
  * Formats a timeline for links and files.
  * @returns an empty text for {@link EMPTY_TIMELINE}
  */
@@ -133,6 +149,23 @@ export function requireTimeline(given: unknown): Timeline {
   const { length } = writeTimeline(timeline);
   if (length > TIMELINE_LIMIT) report('timeline', length, `at most ${TIMELINE_LIMIT} characters as text`);
   return timeline;
+}
+
+/**
+ * A timeline with keyframes of these values at a step, in place of those there. A new keyframe continues as the one before
+ * it does; parameters without a lane get one.
+ * @param step simulated
+ * @throws ParameterError for a parameter that cannot be animated, an invalid value, and beyond the limits
+ */
+export function withKeyframes(timeline: Timeline, values: AnyValues, step: number): Timeline {
+  const at = Math.min(timeIn(timeline, step), MAX_STEP);
+  const lanes = new Map(timeline.lanes.map(({ key, keyframes }) => [key, keyframes]));
+  for (const [key, value] of Object.entries(values)) {
+    const others = (lanes.get(key) ?? []).filter((keyframe) => keyframe.step !== at);
+    const easing = (lanes.get(key) ?? []).findLast((keyframe) => keyframe.step <= at)?.easing ?? 'linear';
+    lanes.set(key, [...others, { step: at, value, easing }]);
+  }
+  return requireTimeline({ ...timeline, lanes: [...lanes].map(([key, keyframes]) => ({ key, keyframes })) });
 }
 
 /**

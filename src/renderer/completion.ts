@@ -13,21 +13,21 @@ export interface Completion {
 
 /**
  * Loads the code that pictures need and that is not loaded yet. Concurrent calls share one request.
- * @param wanted returns the current settings of the picture
+ * @param wanted returns the settings of the pictures
  * @param show called after code was loaded
  * @param miss called once with the error of a load that was started by `begin`
  */
 export function completionOf(
-  wanted: () => PictureKind,
+  wanted: () => readonly PictureKind[],
   show: () => void,
   miss: (error: LoadError) => void,
 ): Completion {
   let fetching: Promise<void> | undefined;
   let notifying: Promise<void> | undefined;
-  const isComplete = () => hasExtras(wanted());
+  const isComplete = () => wanted().every(hasExtras);
   const fetchMissing = async () => {
     while (!isComplete()) {
-      await fetchExtras(wanted());
+      await Promise.all(wanted().map(fetchExtras));
       show();
     }
   };

@@ -4,6 +4,8 @@ import type { PuffForm } from './gpu/puffTextures.ts';
 import type { Factors } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import type { DebugView } from '../parameters/quality.ts';
+import type { Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
 import type { FrameExtras } from './smokePasses.ts';
@@ -22,7 +24,9 @@ const modules = new LazyModules({
   bites: () => import('./bites.ts'),
   falloff: () => import('./falloff.ts'),
   additionalLights: () => import('./additionalLights.ts'),
+  timeline: () => import('../simulator/timelinePlayer.ts'),
 });
+const TIMELINE = 'The timeline';
 /** The modules that are loaded. */
 export const { loaded } = modules;
 
@@ -51,6 +55,8 @@ export interface PictureKind {
   /** Whether there are lights besides the key light. */
   readonly hasAdditionalLights?: boolean;
   readonly view?: DebugView;
+  /** A timeline as text; empty for none. */
+  readonly timeline?: string;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
 }
@@ -83,7 +89,8 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, isTiled } = kind;
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, timeline, isTiled } =
+    kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -96,6 +103,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(isEroded && { bites: 'Bites' }),
     ...(lampLight && { falloff: 'The decay of light' }),
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
+    ...(timeline && { timeline: TIMELINE }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -128,6 +136,29 @@ export function codeOf<Each extends Name>(name: Each): NonNullable<(typeof loade
   const code = loaded[name];
   if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
   return code;
+}
+
+/**
+ * The values with the timeline as text. While its code is not loaded, a text is not checked beyond its grammar.
+ * @throws ParameterError for an invalid timeline
+ */
+export function timelineText(given: GivenValues): Values {
+  const code = loaded.timeline;
+  // What is no object of values is rejected later.
+  const timeline = (given as GivenValues | undefined)?.timeline;
+  return {
+    ...given,
+    ...(code && timeline && { timeline: code.writeTimeline(code.requireTimeline(timeline)) }),
+  } as Values;
+}
+
+/**
+ * Like {@link timelineText}, but loads the code first.
+ * @throws also LoadError if it cannot be loaded
+ */
+export async function fetchTimelineText(given: GivenValues): Promise<Values> {
+  if ((given as GivenValues | undefined)?.timeline) await modules.load('timeline', TIMELINE);
+  return timelineText(given);
 }
 
 function missing(kind: PictureKind): [Name, string][] {

@@ -2,6 +2,7 @@ import { Matrix4, type Vector3 } from 'three';
 import { ParameterError, SimulatorError } from '../base/errors.ts';
 import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
+import { loaded } from '../renderer/extraPasses.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
@@ -12,12 +13,15 @@ import {
   type EmissionChange,
   type EmissionOptions,
 } from '../simulator/emitterOptions.ts';
+import { withHeld, withoutHeld } from '../simulator/heldState.ts';
 import type { SimulatorFactory } from '../simulator/load.ts';
 import type { Simulator } from '../simulator/simulator.ts';
+import type { TimelinePlayer } from '../simulator/timelinePlayer.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
+import { ChangeLog } from './changeLog.ts';
 import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
-import { noteOf, takeOf, type Take } from './take.ts';
+import { noteOf, readNote, takeOf, type Take } from './take.ts';
 
 /** What moves a rigid between steps. */
 export interface Mover {
@@ -36,6 +40,10 @@ export class Simulation {
   /** The values at the start of the current take, recorded or replayed. */
   startValues: Values;
   mover: Mover | undefined;
+  /** Plays the timeline of the values; undefined without one, and until its code is loaded. */
+  player: TimelinePlayer | undefined;
+  /** What people changed over time that the simulator does not record; of the current take. */
+  changes = new ChangeLog();
   readonly scene: Scene;
   /** World transforms of the rigids by index, as last read by `rigids`. */
   readonly matrices: readonly Matrix4[];
@@ -44,6 +52,8 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly states: SavedStates;
   private inputsSeen = 0;
+  /** Whether the timeline of the past has changed, so that the state is not that of the take. */
+  private isStale = false;
   private readonly dropped: Dropped | undefined;
 
   /** @param historyBytes memory budget for saved states, 64 MiB by default */
@@ -56,6 +66,7 @@ export class Simulation {
     this.states = new SavedStates(historyBytes);
     this.simulator = this.create(values);
     this.startValues = values;
+    this.play(values.timeline!);
   }
 
   /** Bytes of the saved states. */
@@ -70,7 +81,7 @@ export class Simulation {
 
   /** The inputs since the start, with the values at the start as the note. */
   take(): Uint8Array {
-    return this.simulator.take(noteOf(this.startValues));
+    return this.simulator.take(noteOf(this.startValues, this.changes));
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */
@@ -84,10 +95,11 @@ export class Simulation {
    * @throws SimulatorError when the take is damaged or of another scene; the simulation is unchanged then
    */
   playTake(take: Uint8Array): Values {
-    const { values } = this.readTake(take);
+    const { values, log } = readNote(this.factory.readTake(take).note);
     const { name } = this.scene;
     if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
     this.replay(take, values);
+    this.changes = log;
     return this.valuesIn(values);
   }
 
@@ -105,8 +117,12 @@ export class Simulation {
 
   /** Restores a saved state and starts a new take. */
   restore(bytes: Uint8Array, values: Values): Values {
-    this.simulator.restore(bytes);
+    const { state, held } = withoutHeld(bytes);
+    this.simulator.restore(state);
     this.states.clear();
+    this.isStale = false;
+    this.changes = new ChangeLog();
+    for (const [key, step] of Object.entries(held)) this.changes.add(step, key, (values as AnyValues)[key]);
     this.startValues = this.valuesIn(values);
     this.reset();
     return this.startValues;
@@ -114,15 +130,42 @@ export class Simulation {
 
   /** Goes to a saved state of the current take. The following steps replay the inputs after it. */
   rewind(state: Uint8Array): void {
-    this.simulator.rewind(state);
+    this.simulator.rewind(withoutHeld(state).state);
     this.reset();
+  }
+
+  /** The state, with what people hold of the timeline. */
+  save(): Uint8Array {
+    return withHeld(this.simulator.save(), this.player?.held(this.simulator.steps));
+  }
+
+  /**
+   * Plays a timeline from now on, as soon as its code is loaded. If it drives the past differently, the next seek simulates
+   * that anew.
+   */
+  play(text: string): void {
+    const code = loaded.timeline;
+    const before = this.player?.timeline;
+    this.startValues = { ...this.startValues, timeline: text };
+    this.player =
+      text && code
+        ? new code.TimelinePlayer(code.readTimeline(text).timeline, (key, time) => this.changes.held(key, time))
+        : undefined;
+    const { steps } = this.simulator;
+    const from = code?.firstDifference(before, this.player?.timeline) ?? Infinity;
+    this.states.dropFrom(from + 1);
+    this.isStale ||= steps > from;
   }
 
   /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
+    const { player, simulator } = this;
     const { rig, rule } = this.scene;
-    const after = valuesIn(this.simulator, values, rig);
-    return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
+    const after: AnyValues = valuesIn(simulator, values, rig);
+    const isDriven = (key: string) => player?.animates(key) && !player.isHeld(key, simulator.steps);
+    const isKept = (key: string) => key in values || !(rule?.keys.includes(key) || isDriven(key));
+    const keys = Object.keys(after).filter(isKept);
+    return Object.fromEntries(keys.map((key) => [key, (isDriven(key) ? (values as AnyValues) : after)[key]]));
   }
 
   /** Passes the simulator its share of `changed`. */
@@ -197,6 +240,7 @@ export class Simulation {
       this.mover?.beforeStep();
       this.dropped?.clear();
       this.guide();
+      this.player?.prepare(this.simulator, { isWhole: this.scene.rule !== undefined });
       this.sendParts();
       this.simulator.step();
       this.states.keep(this.simulator);
@@ -217,9 +261,11 @@ export class Simulation {
    */
   approach(goal: number): void {
     const { steps } = this.simulator;
+    if (goal < steps) this.changes.rewind(goal, (key) => this.player?.animates(key) ?? false);
     const state = this.states.latest(goal);
-    if (steps <= goal && (state?.step ?? 0) <= steps) return;
+    if (!this.isStale && steps <= goal && (state?.step ?? 0) <= steps) return;
     this.simulator.rewind(state?.bytes);
+    this.isStale = false;
     this.reset();
   }
 
@@ -259,8 +305,11 @@ export class Simulation {
   private replace(next: Simulator, values: Values): void {
     this.simulator.dispose();
     this.simulator = next;
-    this.startValues = values;
     this.states.clear();
+    this.changes = new ChangeLog();
+    if (values.timeline !== this.startValues.timeline) this.play(values.timeline!);
+    this.startValues = values;
+    this.isStale = false;
     this.reset();
   }
 
@@ -293,6 +342,7 @@ export class Simulation {
   }
 
   private reset(): void {
+    this.player?.reset();
     this.dropped?.clear();
     this.mover?.reset();
   }

@@ -18,18 +18,29 @@ import { runOnSelf } from '../base/onSelf.ts';
 import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { Clock } from '../simulator/clock.ts';
+import { withHeld, withoutHeld } from '../simulator/heldState.ts';
 import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
 import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
-import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
+import {
+  fetchExtras,
+  fetchTimelineText,
+  loaded,
+  missingExtras,
+  timelineText,
+  type PictureKind,
+} from '../renderer/extraPasses.ts';
+import { TimelineLoading } from '../renderer/timelineLoading.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer } from '../renderer/smoke.ts';
 import type { Style } from '../renderer/style.ts';
+import { Animated } from './animated.ts';
 import { Attachment } from './attachment.ts';
 import { ItemMotion } from './itemMotion.ts';
 import { Caster } from './caster.ts';
@@ -120,6 +131,13 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private needed: LoadOptions['physics'] = false;
   private larger: Promise<void> | undefined;
   private readonly clock = new Clock();
+  private readonly animated: Animated;
+  private readonly loading = new TimelineLoading({
+    isDisposed: () => this.isDisposed,
+    text: () => this.animated.values.timeline,
+    set: (values) => this.setNow(values),
+    play: () => this.animated.play(),
+  });
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
   private readonly stopListening: () => void;
@@ -144,7 +162,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     requireKeyLight(options.keyLight);
     const given = { preset: options.preset, values: { ...options.values } };
     await loadPreset(given.preset);
-    const values = startValues(given);
+    const values = await fetchTimelineText(startValues(given));
+    const demands = loaded.timeline?.demandsOf(values.timeline!);
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
@@ -156,6 +175,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
           ...hostStyle(values),
           ...(options.light === 'scene' && { lampLight: [1, 1, 1], hasAdditionalLights: true }),
         }),
+        fetchExtras(hostStyle({ ...values, ...demands })),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,
@@ -181,25 +201,29 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.onRelight = options.onRelight ?? (() => {});
     this.simulator = simulator;
     this.start = simulator.save();
+    this.animated = new Animated(values);
     this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
     this.space = options.space ?? 'world';
     this.frame = new SmokeFrame(this.space);
     this.parts = new ObjectParts(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.parts);
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
-    this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
+    this.table = new TableNumbers(simulator, this.overrides, () => this.animated.simulated);
     const { parts, overrides, frame } = this;
     const need: Obstacles['need'] = (what) => this.need(what, options.physics);
     this.obstacles = { simulator, frame, taken: new Set(), need };
-    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.shown.values });
+    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.animated.simulated });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
     this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
-      () => this.shown.style,
-      () => {},
-      miss,
+      () => this.kinds,
+      () => this.loading.use(),
+      (error) => {
+        miss(error);
+        void this.loading.miss();
+      },
     );
     this.stopListening = this.device.onContext((event) => {
       if (event !== 'lost') return;
@@ -306,11 +330,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       requireFinite({ seconds });
       this.reportDrawing();
       this.now += 1000 * seconds;
-      this.advance(this.clock.tick(this.now));
-      this.handles.show(this.clock.blend);
-      this.shown.bake(BAKING_MS);
-      this.markVisible();
-      this.showGlow();
+      const steps = this.clock.tick(this.now);
+      // The clock waits for the timeline.
+      this.advance(this.loading.isOver ? steps : 0);
+      this.showTime(BAKING_MS);
     } catch (error) {
       this.reportOnce(error);
     }
@@ -325,12 +348,11 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     requireWhole('count', count);
     this.reportDrawing();
-    this.clock.settle();
-    this.advance(count);
-    this.handles.show(this.clock.blend);
-    this.shown.bake();
-    this.markVisible();
-    this.showGlow();
+    this.loading.whenOver(() => {
+      this.clock.settle();
+      this.advance(count);
+      this.showTime();
+    });
   }
 
   /**
@@ -339,12 +361,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    * fetch fails, smoke renders plain nailboards of lobes. A failure emits one `error` event. Later `set` calls retry only
    * if they select it again; `complete` also retries.
    */
-  set(values: Values): void {
+  set(values: GivenValues): void {
     this.requireAlive();
-    requireChangeable(values);
-    this.simulator.set(this.overrides.over(simulatorValues(values)));
-    this.change({ ...this.shown.values, ...values });
-    this.showGlow();
+    this.loading.set(values)?.catch((error: unknown) => this.isDisposed || this.report(error));
   }
 
   /**
@@ -366,12 +385,12 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   async complete(): Promise<void> {
     this.requireAlive();
     const larger = this.needed ? this.loadLarger() : undefined;
-    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait(), larger]);
+    await Promise.all([this.completion.wait(), this.loading.wait(), this.passes.ownStencil.wait(), larger]);
   }
 
   /** All current values that `set` takes. */
   get(): Values {
-    return changeable(this.shown.values);
+    return changeable(this.animated.values);
   }
 
   /** Removes all puffs, and those that wait. Handles, emitters, values and the children of this object stay. */
@@ -387,14 +406,15 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restart(): void {
     this.requireAlive();
     this.restoreState(this.start);
-    this.useValues(this.shown.values);
+    this.animated.reset();
+    this.useValues(this.animated.values);
   }
 
   /** Serializes the simulator's state and the values that it reads, without the effects of handles on them. */
   save(): Uint8Array {
     this.requireAlive();
     const { simulator } = this;
-    const values: AnyValues = this.shown.values;
+    const values: AnyValues = this.animated.values;
     const numbers = simulator.parameters();
     const plain = [...numbers.keys()].flatMap((key) => {
       const value = values[key] ?? findParameter(key)?.default;
@@ -403,7 +423,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     simulator.set(simulatorValues(Object.fromEntries(plain)));
     const bytes = simulator.save();
     simulator.set(Object.fromEntries(numbers));
-    return bytes;
+    return withHeld(bytes, this.animated.player?.held(simulator.steps));
   }
 
   /**
@@ -413,8 +433,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    */
   restore(bytes: Uint8Array): void {
     this.requireAlive();
-    this.restoreState(bytes);
-    this.useValues(valuesIn(this.simulator, this.shown.values, {}));
+    const { state, held } = withoutHeld(bytes);
+    this.restoreState(state);
+    this.animated.reset(held);
+    this.useValues(valuesIn(this.simulator, this.animated.values, {}));
     this.shown.keepVariations(this.simulator.variationsAlive);
   }
 
@@ -486,11 +508,45 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     releaseDevice(this.device);
   }
 
+  private setNow(given: GivenValues): void {
+    const { simulator, animated } = this;
+    const values = timelineText(given);
+    requireChangeable(values);
+    simulator.set(this.overrides.over(simulatorValues(values)));
+    animated.hold(values, simulator.steps, this.drawnTime);
+    this.change({ ...animated.values, ...values });
+    this.showGlow();
+  }
+
   /** Takes over values that the simulator has. */
   private change(values: Values): void {
-    const before = missingExtras(this.shown.style);
-    this.shown.setValues(values);
-    if (missingExtras(this.shown.style) !== before) this.completion.begin();
+    const missing = () => this.kinds.map(missingExtras).join();
+    const before = missing();
+    this.animated.values = values;
+    this.animated.follow(this.drawnTime);
+    this.shown.setValues(this.animated.shown);
+    if (missing() !== before) this.completion.begin();
+  }
+
+  /** Of the current picture, and of all that the timeline leads to. */
+  private get kinds(): readonly PictureKind[] {
+    const { values, player } = this.animated;
+    const kind = { ...this.shown.style, timeline: values.timeline };
+    return player?.demands ? [kind, hostStyle({ ...values, ...player.demands })] : [kind];
+  }
+
+  /** The simulated time that is drawn, in steps. */
+  private get drawnTime(): number {
+    return Math.max(0, this.simulator.steps - 1 + this.clock.blend);
+  }
+
+  /** Shows the drawn time. */
+  private showTime(bakingMs?: number): void {
+    if (this.animated.follow(this.drawnTime)) this.shown.setValues(this.animated.shown);
+    this.handles.show(this.clock.blend);
+    this.shown.bake(bakingMs);
+    this.markVisible();
+    this.showGlow();
   }
 
   /** Starts to load a larger simulator. @throws UnsupportedError if `option` is false */
@@ -592,12 +648,23 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.handles.look();
     for (let taken = 0; taken < steps; ++taken) {
       const [from, to] = [taken / steps, (taken + 1) / steps];
+      this.animated.prepare(this.simulator, this.playing);
       this.handles.move(from, to);
       this.itemMotion.place((from + to) / 2);
       this.parts.place(from, to);
       this.simulator.step();
     }
   }
+
+  /** How the simulator takes what the timeline plays. */
+  private readonly playing = {
+    put: (values: Values): void => {
+      this.simulator.set(this.overrides.over(simulatorValues(values)));
+      this.itemMotion.refresh();
+      for (const emitter of this.emitters.followers) emitter.followTable();
+    },
+    isSilent: (emitter: number): boolean => this.overrides.isSilent(`emitters.${emitter}`),
+  };
 
   /** Reads the transform of this object. Reports errors once, until it is sound again. */
   private place(steps: number): void {

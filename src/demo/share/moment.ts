@@ -14,7 +14,7 @@ export interface LinkedMoment {
   readonly take: Uint8Array;
   /** Simulated seconds; defaults to the end of the take. */
   readonly seconds?: number;
-  /** Style, light and camera at the moment, which takes do not record per step. */
+  /** Style, light and camera at the moment. */
   readonly state: State;
   /** Whether it may request the simulator's full capacity, as a local file may. */
   readonly isTrusted: boolean;
@@ -56,7 +56,7 @@ export async function goToMoment(
     if (take.isTruncated) notices.notify(strings.moment.truncated);
     if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, container);
     stage.playTake(take);
-    lookAs(stage, moment.state.values);
+    lookAs(stage, moment.state.values, take);
     return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, container);
   } catch (error) {
     notices.notify(strings.moment.rejected((error as Error).message));
@@ -79,11 +79,11 @@ function errorOf({ isFresh, mostParticles }: Take): string | undefined {
   return mostParticles > max ? strings.moment.tooMany(mostParticles, max) : undefined;
 }
 
-/** Applies the values that the simulator does not read, and that takes therefore do not record per step. */
-function lookAs(stage: Stage, values: Values): void {
-  const needless = Object.keys(lookOf(stage.get())).filter((key) => !(key in values));
+/** Applies the values of style, light and camera that the take does not change over time. */
+function lookAs(stage: Stage, values: Values, take: Take): void {
+  const needless = Object.keys(lookOf(stage.get(), take)).filter((key) => !(key in values));
   stage.unset(needless);
-  stage.set(lookOf(values));
+  stage.set(lookOf(values, take));
 }
 
 function setQuery(address: URL, name: string, value: string | undefined): void {

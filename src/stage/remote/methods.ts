@@ -4,7 +4,7 @@
  * methods of the element. Pages import it without a stage, so it imports only types of `src/stage`.
  */
 import { requireFinite, requireWhole } from '../../parameters/values.ts';
-import type { Values } from '../../parameters/parameter.ts';
+import type { GivenValues } from '../../parameters/timeline.ts';
 import type { Vector } from '../../scenes/scene.ts';
 import type { EmissionChange, EmissionOptions } from '../../simulator/emitterOptions.ts';
 import type { BlowInput } from '../gestures.ts';
@@ -17,6 +17,7 @@ import {
   byteArray,
   figures,
   flag,
+  givenValues,
   integer,
   key,
   list,
@@ -77,6 +78,7 @@ const recording: Shape<Take> = Object.assign(
     mostParticles: number(2 ** 53),
     isFresh: flag,
     isTruncated: flag,
+    changed: list(key, MAX_KEYS),
     toBytes: nothing,
     bytes: state,
   }),
@@ -143,8 +145,13 @@ export const methods = {
   clear: method({ takes: [], gives: nothing, run: (stage) => stage.clear() }),
   restart: method({ takes: [], gives: nothing, run: (stage) => stage.restart() }),
   /** Loads another scene, or restarts the current one. Omitted values get their defaults. */
-  enter: method({ takes: [valuesByKey], gives: nothing, run: (stage, values: Values) => stage.enter(values) }),
-  set: method({ takes: [valuesByKey], gives: nothing, run: (stage, values: Values) => stage.set(values) }),
+  enter: method({ takes: [givenValues], gives: nothing, run: (stage, values: GivenValues) => stage.enter(values) }),
+  /** Rejects also if the timeline is invalid; it resolves when its code is loaded. */
+  set: method({
+    takes: [givenValues],
+    gives: nothing,
+    run: (stage, values: GivenValues) => stage.setChecked(values),
+  }),
   unset: method({
     takes: [list(key, MAX_KEYS)],
     gives: nothing,
