@@ -15,6 +15,7 @@ export { LIST_LIMIT, listNames } from './parameters/lists.ts';
 export { DEBUG_VIEWS } from './parameters/quality.ts';
 export { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from './parameters/ramp.ts';
 export {
+  CURVES as EASING_CURVES,
   eased,
   EMPTY_TIMELINE,
   MAX_BURSTS,
