@@ -20,14 +20,14 @@ export type Changes = Readonly<Record<string, Value | undefined>>;
 /** Called after each change with the new state and the changed values. */
 export type EditListener = (state: State, changed: Changes) => void;
 
-/** Turns what changes during a gesture into something else, such as keyframes. */
+/** Turns changes into others, such as keyframes. */
 export interface Recorder {
   /** Called before changes. @returns the changes to make instead */
-  change(changes: Changes, isGesture: boolean): Changes;
+  replace(changes: Changes): Changes;
+  /** Called after the stage was changed by a gesture on it. */
+  note(changes: Changes): void;
   /** Called at the end of a gesture. @returns changes that complete it */
   settle(): Changes;
-  /** Called instead of `settle` when the gesture is undone. */
-  cancel(): void;
 }
 
 /** The page around an editor. */
@@ -49,7 +49,6 @@ export class Editor {
   private readonly stage: Pick<Stage, 'get' | 'replace' | 'on'>;
   private readonly surroundings: Surroundings;
   private readonly history: History<State>;
-  /** Takes part in all changes, those of the camera by gestures included. */
   recorder: Recorder | undefined;
   private readonly listeners: EditListener[] = [];
   private readonly animationListeners: ((changed: Changes) => void)[] = [];
@@ -90,6 +89,11 @@ export class Editor {
     this.animationListeners.push(listener);
   }
 
+  /** Name of the gesture in progress. */
+  get gesture(): string | undefined {
+    return this.history.gesture;
+  }
+
   get canUndo(): boolean {
     return this.history.canUndo;
   }
@@ -119,8 +123,12 @@ export class Editor {
 
   /** Sets several values, or removes optional ones, as one change. */
   changeAll(changes: Changes, gesture?: string): void {
-    const recorded = this.recorder?.change(changes, gesture !== undefined) ?? changes;
-    this.replace({ ...this.state, values: withChanges(this.state.values, recorded) }, gesture);
+    const made = this.recorder?.replace(changes) ?? changes;
+    // The stage has them only with the next frame.
+    const animated = Object.entries(changes).filter(([key, value]) => value !== undefined && !(key in made));
+    this.animated = { ...this.animated, ...(Object.fromEntries(animated) as AnyValues) };
+    this.replace({ ...this.state, values: withChanges(this.state.values, made) }, gesture);
+    if (gesture === undefined) this.recorder?.settle();
   }
 
   /** Ends a gesture. */
@@ -153,7 +161,6 @@ export class Editor {
   }
 
   undo(): void {
-    this.recorder?.cancel();
     this.go(() => this.history.undo());
   }
 
@@ -188,7 +195,7 @@ export class Editor {
   private adopt(values: Values): void {
     const changes = differences(this.state.values, values);
     if (isEmpty(changes)) return;
-    this.recorder?.change(eyeOf(changes), true);
+    this.recorder?.note(eyeOf(changes));
     this.show(() => this.history.record({ ...this.state, values }, 'stage'));
   }
 
@@ -222,7 +229,9 @@ export class Editor {
   private show(move: () => void): void {
     const { values } = this.state;
     move();
-    this.notify(differences(values, this.state.values));
+    const changed = differences(values, this.state.values);
+    this.animated = Object.fromEntries(Object.entries(this.animated).filter(([key]) => !(key in changed)));
+    this.notify(changed);
   }
 
   private notify(changed: Changes): void {

@@ -36,10 +36,10 @@ export class RowKeyframes {
   /** Adds diamonds to the rows that have none. */
   private add(): void {
     const rows = this.panel.querySelectorAll<HTMLElement>('.row[data-key]:not(:has(> .keyframe))');
-    for (const row of rows) {
+    // Not the timeline itself, and not what stands for several parameters.
+    const those = [...rows].filter(({ dataset }) => dataset.key !== 'timeline' && findParameter(dataset.key!));
+    for (const row of those) {
       const key = row.dataset.key!;
-      // The timeline itself, and what stands for several parameters.
-      if (key === 'timeline' || !findParameter(key)) continue;
       const why = whyNotAnimated(key);
       const { label } = findParameter(key)!;
       const name = why === undefined ? words.rowAdd(label) : words.rowWhy(label, why);
@@ -49,8 +49,9 @@ export class RowKeyframes {
       this.buttons.set(key, button);
       row.prepend(button);
     }
-    if (rows.length > 0) this.shown = '';
-    if (rows.length > 0) this.show();
+    if (those.length === 0) return;
+    this.shown = '';
+    this.show();
   }
 }
 

@@ -8,11 +8,12 @@ import {
   whyNotAnimated,
   writeTimeline,
   type Easing,
+  type Lane,
   type Timeline,
   type TimelineBurst,
 } from '../../internal.ts';
-import { findParameter, type AnyValues, type Value } from '../../preset.ts';
-import type { Editor } from '../editor/editor.ts';
+import { findParameter, type AnyValues, type Value, type Values } from '../../preset.ts';
+import type { Changes, Editor } from '../editor/editor.ts';
 import type { Scrubber } from '../playback/scrubber.ts';
 import {
   allMarks,
@@ -59,12 +60,6 @@ export interface SessionParts {
   readonly scrubber: Scrubber;
 }
 
-/** A change by hand of an animated parameter: from a time to the next keyframe, in steps. */
-interface Hold {
-  readonly from: number;
-  readonly to: number;
-}
-
 /** The timeline of the page while it is edited: the playhead, what is selected, and all actions. */
 export class Session implements Recorded {
   grid: Grid = { name: 'frames', rate: STEPS_PER_SECOND };
@@ -75,7 +70,6 @@ export class Session implements Recorded {
   private readonly stage: Stage;
   private readonly scrubber: Scrubber;
   private readonly listeners: (() => void)[] = [];
-  private readonly holds = new Map<string, Hold>();
   private text: string | undefined;
   private read: Timeline = EMPTY_TIMELINE;
   private chosen: Marks = new Set();
@@ -92,12 +86,11 @@ export class Session implements Recorded {
     this.scrubber = scrubber;
     editor.recorder = this.recorder;
     editor.listen((_state, changes) => {
-      if (KEY in changes) this.holds.clear();
-      else for (const key of Object.keys(changes)) this.noteHold(key);
-      this.showAnimated();
+      this.needsUpdate ||= KEY in changes;
+      if (this.needsUpdate && editor.gesture === undefined) void this.update();
       this.notify();
     });
-    stage.on('frame', () => this.recorder.hold());
+    stage.on('frame', () => this.holdRecorded());
   }
 
   /** @param listener called after each change of the timeline or of the selection */
@@ -146,19 +139,24 @@ export class Session implements Recorded {
 
   inEffect(key: string): Value | undefined {
     const own: AnyValues = { ...this.stage.rig, ...automaticColors(this.editor.state.values) };
+    const shown: AnyValues = this.stage.shown;
     const row = findParameter(key);
-    return this.editor.shown[key] ?? own[key] ?? (row?.isOptional ? undefined : row?.default);
+    return shown[key] ?? own[key] ?? (row?.isOptional ? undefined : row?.default);
+  }
+
+  holdSame(changes: Changes): void {
+    const { values } = this;
+    const same = Object.entries(changes).filter(
+      ([key, value]) => value !== undefined && value === values[key] && this.laneOf(key),
+    );
+    if (same.length > 0) this.stage.set(Object.fromEntries(same) as Values);
   }
 
   /** Makes the panel of the parameters show what the timeline makes of them now. */
   showAnimated(): void {
-    const { time } = this;
-    const values = valuesAt(this.timeline, time);
-    for (const [key, { from, to }] of this.holds) {
-      if (time < from || time >= to) this.holds.delete(key);
-      else if (key in values) values[key] = this.values[key] ?? values[key];
-    }
-    this.editor.animate(values);
+    const shown: AnyValues = this.stage.shown;
+    const entries = this.timeline.lanes.flatMap(({ key }) => (key in shown ? [[key, shown[key]] as const] : []));
+    this.editor.animate(Object.fromEntries(entries));
   }
 
   /** Moves the playhead. @param step of the timeline */
@@ -333,9 +331,13 @@ export class Session implements Recorded {
   /** Ends a gesture. */
   settle(): void {
     this.editor.settle();
-    // What follows from an edit of the past is only in smoke that is simulated again.
-    if (!this.stage.playing && this.needsUpdate) void this.scrubber.go(this.stage.stats.time);
+  }
+
+  /** What follows from an edit of the past is only in smoke that is simulated again. */
+  private async update(): Promise<void> {
     this.needsUpdate = false;
+    await this.editor.delivered();
+    if (!this.stage.playing) await this.scrubber.go(this.scrubber.wanted ?? this.stage.stats.time);
   }
 
   private copiedBy(steps: number): Edit {
@@ -360,14 +362,12 @@ export class Session implements Recorded {
     if (this.current === undefined || !marks.has(this.current)) this.current = [...marks][0] ?? this.current;
     const text = writeTimeline(timeline);
     if (text === this.text) return this.notify();
-    this.needsUpdate = true;
     this.editor.change(KEY, text, KEY);
   }
 
   /** The easing of a new keyframe: that of the one before it. */
   private easingBefore(key: string, step: number): Easing {
-    const lane = this.timeline.lanes.find((each) => each.key === key);
-    return lane?.keyframes.findLast((each) => each.step < step)?.easing ?? 'ease';
+    return this.laneOf(key)?.keyframes.findLast((each) => each.step < step)?.easing ?? 'ease';
   }
 
   /** The mark that gets the focus after some are removed: the next one in the lane, or the previous one. */
@@ -378,12 +378,16 @@ export class Session implements Recorded {
     return rest.find((each) => placeOf(each).step > step) ?? rest.at(-1);
   }
 
-  private noteHold(key: string): void {
-    const lane = this.timeline.lanes.find((each) => each.key === key);
-    if (!lane) return;
-    const from = this.time;
-    const next = lane.keyframes.find(({ step }) => step > from)?.step;
-    this.holds.set(key, { from, to: next ?? Infinity });
+  private laneOf(key: string): Lane | undefined {
+    return this.timeline.lanes.find((lane) => lane.key === key);
+  }
+
+  /** Goes on recording the gesture in progress. */
+  private holdRecorded(): void {
+    const { gesture } = this.editor;
+    if (!this.stage.playing || gesture === undefined) return;
+    const text = this.recorder.hold();
+    if (text !== undefined) this.editor.change(KEY, text, gesture);
   }
 
   private notify(): void {
