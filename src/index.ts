@@ -33,6 +33,17 @@ export type {
   SingleValues,
 } from './parameters/valueTypes.ts';
 export { presetValues } from './parameters/presets.ts';
+export {
+  readTimeline,
+  whyNotAnimated,
+  writeTimeline,
+  type Easing,
+  type GivenValues,
+  type Keyframe,
+  type Lane,
+  type Timeline,
+  type TimelineBurst,
+} from './parameters/timeline.ts';
 export { presets, type Preset } from './parameters/words/presets.ts';
 export type { DebugView, Quality } from './parameters/quality.ts';
 export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';

@@ -24,7 +24,7 @@ const modules = new LazyModules({
   bites: () => import('./bites.ts'),
   falloff: () => import('./falloff.ts'),
   additionalLights: () => import('./additionalLights.ts'),
-  timeline: () => import('../simulator/timelinePlayer.ts'),
+  animation: () => import('../simulator/animation.ts'),
 });
 const TIMELINE = 'The timeline';
 /** The modules that are loaded. */
@@ -55,8 +55,8 @@ export interface PictureKind {
   /** Whether there are lights besides the key light. */
   readonly hasAdditionalLights?: boolean;
   readonly view?: DebugView;
-  /** A timeline as text; empty for none. */
-  readonly timeline?: string;
+  /** Whether values change over time by a timeline or by a take. */
+  readonly isAnimated?: boolean;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
 }
@@ -89,7 +89,7 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, timeline, isTiled } =
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, view, isAnimated, isTiled } =
     kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
@@ -103,7 +103,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(isEroded && { bites: 'Bites' }),
     ...(lampLight && { falloff: 'The decay of light' }),
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
-    ...(timeline && { timeline: TIMELINE }),
+    ...(isAnimated && { animation: TIMELINE }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -139,11 +139,11 @@ export function codeOf<Each extends Name>(name: Each): NonNullable<(typeof loade
 }
 
 /**
- * The values with the timeline as text. While its code is not loaded, a text is not checked beyond its grammar.
+ * The values with the timeline as text. While its code is not loaded, a text is not checked.
  * @throws ParameterError for an invalid timeline
  */
 export function timelineText(given: GivenValues): Values {
-  const code = loaded.timeline;
+  const code = loaded.animation;
   // What is no object of values is rejected later.
   const timeline = (given as GivenValues | undefined)?.timeline;
   return {
@@ -157,7 +157,7 @@ export function timelineText(given: GivenValues): Values {
  * @throws also LoadError if it cannot be loaded
  */
 export async function fetchTimelineText(given: GivenValues): Promise<Values> {
-  if ((given as GivenValues | undefined)?.timeline) await modules.load('timeline', TIMELINE);
+  if ((given as GivenValues | undefined)?.timeline) await modules.load('animation', TIMELINE);
   return timelineText(given);
 }
 

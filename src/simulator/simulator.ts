@@ -9,6 +9,10 @@ import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
 import { viewLength, writeView, type View } from './view.ts';
 
+/** The last bytes of a saved state to which a timeline adds something: the number of the simulator's own, and this mark. */
+export const HELD_MARK = 0x68656c64;
+export const HELD_TAIL = 8;
+
 /** An instantiated module: its functions and its memory. */
 export interface SimulatorModule {
   readonly bindings: SimulatorBindings;
@@ -289,7 +293,7 @@ export class Simulator {
    * @param obstacles Whether with its rigids and its colliders outside the parameter table.
    */
   restore(bytes: Uint8Array, obstacles = true): void {
-    this.#attempt(() => this.#handle.restore(bytes, obstacles));
+    this.#attempt(() => this.#handle.restore(ownBytes(bytes), obstacles));
   }
 
   /**
@@ -394,7 +398,7 @@ export class Simulator {
    * omitted.
    */
   rewind(state?: Uint8Array): void {
-    this.#attempt(() => this.#handle.rewind(state));
+    this.#attempt(() => this.#handle.rewind(state && ownBytes(state)));
   }
 
   /** Number of inputs of the take applied so far. */
@@ -468,4 +472,11 @@ export class Simulator {
     const fault = this.#module.bindings.lastFault() || error.message;
     return new SimulatorError(`The simulator has stopped after a fault: ${fault}. Create a new one.`, { cause: error });
   }
+}
+
+/** The simulator's own bytes of a saved state; see heldState.ts. */
+function ownBytes(bytes: Uint8Array): Uint8Array {
+  const tail = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  const end = bytes.length - HELD_TAIL;
+  return end > 0 && tail.getUint32(end + 4) === HELD_MARK ? bytes.subarray(0, tail.getUint32(end)) : bytes;
 }

@@ -1,10 +1,9 @@
-/** Plays a timeline on a simulator. This code is loaded when a smoke first has a timeline. */
+/** Plays a timeline on a simulator. */
 import { ParameterError } from '../base/errors.ts';
 import type { AnyValues, Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import {
   EMPTY_TIMELINE,
-  readTimeline,
   timeIn,
   valueAt,
   type Lane,
@@ -13,8 +12,6 @@ import {
 } from '../parameters/timeline.ts';
 import type { Simulator } from './simulator.ts';
 import { simulatorValues } from './simulatorValues.ts';
-
-export { readTimeline, requireTimeline, withKeyframes, writeTimeline } from '../parameters/timeline.ts';
 
 /** When a person last changed a parameter at or before a time, in steps; undefined if nobody did. */
 type LastChange = (key: string, time: number) => number | undefined;
@@ -38,8 +35,6 @@ const NO_NUMBERS = new Float64Array(0);
  */
 export class TimelinePlayer {
   readonly timeline: Timeline;
-  /** Values that together select all code of the renderer that its pictures need; undefined if all do. */
-  readonly demands: Values | undefined;
   private readonly driven: readonly Lane[];
   private readonly drawn: readonly Lane[];
   private readonly lanes: ReadonlyMap<string, Lane>;
@@ -55,7 +50,6 @@ export class TimelinePlayer {
     this.lanes = new Map(timeline.lanes.map((lane) => [lane.key, lane]));
     this.driven = timeline.lanes.filter(isDriven);
     this.drawn = timeline.lanes.filter((lane) => !isDriven(lane));
-    this.demands = demandsIn(timeline);
     for (const burst of timeline.bursts) this.bursts.set(burst.step, [...(this.bursts.get(burst.step) ?? []), burst]);
   }
 
@@ -156,17 +150,13 @@ const DEMANDING: Readonly<Record<string, (values: readonly Value[]) => Value>> =
   ),
 };
 
-/** {@link TimelinePlayer.demands} of a text. */
-export function demandsOf(text: string): Values | undefined {
-  return demandsIn(readTimeline(text).timeline);
-}
-
-function demandsIn({ lanes }: Timeline): Values | undefined {
+/** Values of a timeline that together select all code of the renderer that its pictures need. */
+export function demandsOf({ lanes } = EMPTY_TIMELINE): Values {
   const entries = lanes.flatMap(({ key, keyframes }) => {
     const most = Object.hasOwn(DEMANDING, key) ? DEMANDING[key] : undefined;
     return most ? [[key, most(keyframes.map(({ value }) => value))] as const] : [];
   });
-  return entries.length > 0 ? Object.fromEntries(entries) : undefined;
+  return Object.fromEntries(entries);
 }
 
 /** Whether the simulator reads the parameter of a lane. */

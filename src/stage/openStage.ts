@@ -58,7 +58,7 @@ export async function openFor(
     bakeAhead(values),
     // What the loaded code bakes.
     fetchExtras({ ...styleOf(values), view }).then(() => bakeAhead(values)),
-    fetchExtras(styleOf({ ...values, ...loaded.timeline?.demandsOf(values.timeline!) })),
+    fetchExtras(styleOf({ ...values, ...loaded.animation?.demandsIn(values.timeline!) })),
   ]);
   return opened;
 }

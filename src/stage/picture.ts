@@ -125,7 +125,7 @@ export class Picture {
 
   /** The settings that decide whether more code must be loaded. */
   get kind(): PictureKind {
-    return { ...this.smoke.style, view: this.chosenView, timeline: this.smoke.values.timeline };
+    return { ...this.smoke.style, view: this.chosenView };
   }
 
   get isVisible(): boolean {

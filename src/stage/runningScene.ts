@@ -6,7 +6,7 @@ import { requireFinite } from '../parameters/values.ts';
 import { completionOf, type Completion } from '../renderer/completion.ts';
 import type { PictureKind } from '../renderer/extraPasses.ts';
 import { styleOf } from '../renderer/style.ts';
-import { TimelineLoading } from '../renderer/timelineLoading.ts';
+import { AnimationLoading } from '../renderer/animationLoading.ts';
 import { STEP_SECONDS } from '../simulator/clock.ts';
 import { FIRST_PART } from '../simulator/layout.ts';
 import { nextTask } from '../base/work.ts';
@@ -34,7 +34,7 @@ export class RunningScene implements FrameTasks {
   /** Loads the code that the picture needs. */
   readonly completion: Completion;
   readonly values: StageValues;
-  readonly timeline: TimelineLoading;
+  readonly timeline: AnimationLoading;
   /** Replaced when another scene is entered, as its simulation and its gestures. */
   opened: OpenedScene;
   simulation: Simulation;
@@ -58,9 +58,9 @@ export class RunningScene implements FrameTasks {
     this.picture = new Picture(presenter, opened.scene, values);
     this.gestures = new Gestures(this.simulation, this.picture, this.showMoved);
     this.values = new StageValues(values, this);
-    this.timeline = new TimelineLoading({
+    this.timeline = new AnimationLoading({
       isDisposed: () => this.isDisposed,
-      text: () => this.values.all.timeline,
+      isAnimated: () => this.simulation.isAnimated,
       set: (given) => this.values.set(given),
       play: () => this.values.playTimeline(),
     });
@@ -70,12 +70,12 @@ export class RunningScene implements FrameTasks {
     this.completion = completionOf(
       () => this.kinds,
       () => {
-        this.timeline.use();
+        this.timeline.end();
         this.show();
       },
       (error) => {
         this.listeners.notify('error', error);
-        void this.timeline.miss();
+        this.timeline.end();
       },
     );
     this.device = presenter.device;
@@ -342,8 +342,9 @@ export class RunningScene implements FrameTasks {
   /** Of the current picture, and of all that the timeline leads to. */
   private get kinds(): readonly PictureKind[] {
     const { kind, smoke } = this.picture;
-    const demands = this.simulation.player?.demands;
-    return demands ? [kind, styleOf({ ...smoke.values, ...demands })] : [kind];
+    const { animation, isAnimated } = this.simulation;
+    const demanding = animation && styleOf({ ...smoke.values, ...animation.demands });
+    return [{ ...kind, isAnimated }, ...(demanding ? [demanding] : [])];
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {

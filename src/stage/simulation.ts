@@ -1,10 +1,11 @@
 import { Matrix4, type Vector3 } from 'three';
 import { ParameterError, SimulatorError } from '../base/errors.ts';
-import type { AnyValues, Values } from '../parameters/parameter.ts';
+import type { AnyValues, Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { loaded } from '../renderer/extraPasses.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { Scene } from '../scenes/scene.ts';
+import type { Animation } from '../simulator/animation.ts';
 import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
 import {
   changeNumbers,
@@ -13,15 +14,13 @@ import {
   type EmissionChange,
   type EmissionOptions,
 } from '../simulator/emitterOptions.ts';
-import { withHeld, withoutHeld } from '../simulator/heldState.ts';
 import type { SimulatorFactory } from '../simulator/load.ts';
+import { PlainLog } from '../simulator/plainLog.ts';
 import type { Simulator } from '../simulator/simulator.ts';
-import type { TimelinePlayer } from '../simulator/timelinePlayer.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
-import { ChangeLog } from './changeLog.ts';
 import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
-import { noteOf, readNote, takeOf, type Take } from './take.ts';
+import { isLook, noteOf, readNote, takeOf, type Note, type Take } from './take.ts';
 
 /** What moves a rigid between steps. */
 export interface Mover {
@@ -40,10 +39,12 @@ export class Simulation {
   /** The values at the start of the current take, recorded or replayed. */
   startValues: Values;
   mover: Mover | undefined;
-  /** Plays the timeline of the values; undefined without one, and until its code is loaded. */
-  player: TimelinePlayer | undefined;
-  /** What people changed over time that the simulator does not record; of the current take. */
-  changes = new ChangeLog();
+  /** What happens to the values over time. Undefined if nothing does, and until its code is loaded. */
+  animation: Animation | undefined;
+  /** Changes by people while there is no animation. */
+  private log = new PlainLog();
+  /** The log of the take that is replayed. */
+  private replayed: Note | undefined;
   readonly scene: Scene;
   /** World transforms of the rigids by index, as last read by `rigids`. */
   readonly matrices: readonly Matrix4[];
@@ -66,7 +67,7 @@ export class Simulation {
     this.states = new SavedStates(historyBytes);
     this.simulator = this.create(values);
     this.startValues = values;
-    this.play(values.timeline!);
+    this.play(values.timeline);
   }
 
   /** Bytes of the saved states. */
@@ -81,7 +82,7 @@ export class Simulation {
 
   /** The inputs since the start, with the values at the start as the note. */
   take(): Uint8Array {
-    return this.simulator.take(noteOf(this.startValues, this.changes));
+    return this.simulator.take(noteOf(this.startValues, this.animation?.log ?? this.replayed ?? this.log));
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */
@@ -95,16 +96,20 @@ export class Simulation {
    * @throws SimulatorError when the take is damaged or of another scene; the simulation is unchanged then
    */
   playTake(take: Uint8Array): Values {
-    const { values, log } = readNote(this.factory.readTake(take).note);
+    const note = readNote(this.factory.readTake(take).note);
+    const { values } = note;
     const { name } = this.scene;
     if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
-    this.replay(take, values);
-    this.changes = log;
+    this.replay(take, values, note);
     return this.valuesIn(values);
   }
 
-  /** Goes to the start of a take of this scene. @throws SimulatorError when it is damaged; nothing changes then */
-  replay(take: Uint8Array, values: Values): void {
+  /**
+   * Goes to the start of a take of this scene.
+   * @param note what the take changes beside the simulator; nothing by default
+   * @throws SimulatorError when it is damaged; nothing changes then
+   */
+  replay(take: Uint8Array, values: Values, note?: Note): void {
     const next = this.create(values);
     try {
       next.replay(take);
@@ -112,17 +117,17 @@ export class Simulation {
       next.dispose();
       throw error;
     }
-    this.replace(next, values);
+    this.replace(next, values, note);
   }
 
   /** Restores a saved state and starts a new take. */
   restore(bytes: Uint8Array, values: Values): Values {
-    const { state, held } = withoutHeld(bytes);
-    this.simulator.restore(state);
+    this.simulator.restore(bytes);
     this.states.clear();
     this.isStale = false;
-    this.changes = new ChangeLog();
-    for (const [key, step] of Object.entries(held)) this.changes.add(step, key, (values as AnyValues)[key]);
+    this.log = new PlainLog();
+    this.replayed = undefined;
+    this.animation?.restore(bytes, values);
     this.startValues = this.valuesIn(values);
     this.reset();
     return this.startValues;
@@ -130,39 +135,52 @@ export class Simulation {
 
   /** Goes to a saved state of the current take. The following steps replay the inputs after it. */
   rewind(state: Uint8Array): void {
-    this.simulator.rewind(withoutHeld(state).state);
+    this.simulator.rewind(state);
     this.reset();
   }
 
   /** The state, with what people hold of the timeline. */
   save(): Uint8Array {
-    return withHeld(this.simulator.save(), this.player?.held(this.simulator.steps));
+    const { steps } = this.simulator;
+    const state = this.simulator.save();
+    return this.animation?.saved(state, steps) ?? state;
+  }
+
+  /** Whether values change over time, by a timeline or by the take that is replayed. */
+  get isAnimated(): boolean {
+    return (this.startValues.timeline ?? '') !== '' || this.replayed !== undefined;
   }
 
   /**
    * Plays a timeline from now on, as soon as its code is loaded. If it drives the past differently, the next seek simulates
    * that anew.
    */
-  play(text: string): void {
-    const code = loaded.timeline;
-    const before = this.player?.timeline;
-    this.startValues = { ...this.startValues, timeline: text };
-    this.player =
-      text && code
-        ? new code.TimelinePlayer(code.readTimeline(text).timeline, (key, time) => this.changes.held(key, time))
-        : undefined;
-    const { steps } = this.simulator;
-    const from = code?.firstDifference(before, this.player?.timeline) ?? Infinity;
+  play(timeline = ''): void {
+    this.startValues = { ...this.startValues, timeline };
+    const code = loaded.animation;
+    if (code && this.isAnimated) this.animation ??= new code.Animation(this.replayed ?? this.log, !!this.replayed);
+    const from = this.animation?.play(timeline) ?? Infinity;
     this.states.dropFrom(from + 1);
-    this.isStale ||= steps > from;
+    this.isStale ||= this.simulator.steps > from;
+  }
+
+  /**
+   * Records changes of values by a person that the simulator does not record.
+   * @param changes null for what follows the scene again
+   * @param time drawn, in steps
+   */
+  record(changes: Readonly<Record<string, Value | null>>, time: number): void {
+    const { animation, log, simulator } = this;
+    if (animation) return animation.record(changes, { steps: simulator.steps, time });
+    for (const key of Object.keys(changes).filter(isLook)) log.add(Math.floor(time + 1e-6), key, changes[key]);
   }
 
   /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
-    const { player, simulator } = this;
+    const { animation, simulator } = this;
     const { rig, rule } = this.scene;
     const after: AnyValues = valuesIn(simulator, values, rig);
-    const isDriven = (key: string) => player?.animates(key) && !player.isHeld(key, simulator.steps);
+    const isDriven = (key: string) => animation?.isDriven(key, simulator.steps);
     const isKept = (key: string) => key in values || !(rule?.keys.includes(key) || isDriven(key));
     const keys = Object.keys(after).filter(isKept);
     return Object.fromEntries(keys.map((key) => [key, (isDriven(key) ? (values as AnyValues) : after)[key]]));
@@ -240,7 +258,7 @@ export class Simulation {
       this.mover?.beforeStep();
       this.dropped?.clear();
       this.guide();
-      this.player?.prepare(this.simulator, { isWhole: this.scene.rule !== undefined });
+      this.animation?.prepare(this.simulator, { isWhole: this.scene.rule !== undefined });
       this.sendParts();
       this.simulator.step();
       this.states.keep(this.simulator);
@@ -261,7 +279,7 @@ export class Simulation {
    */
   approach(goal: number): void {
     const { steps } = this.simulator;
-    if (goal < steps) this.changes.rewind(goal, (key) => this.player?.animates(key) ?? false);
+    if (goal < steps) (this.animation ?? this.log).rewind(goal);
     const state = this.states.latest(goal);
     if (!this.isStale && steps <= goal && (state?.step ?? 0) <= steps) return;
     this.simulator.rewind(state?.bytes);
@@ -302,13 +320,15 @@ export class Simulation {
     return simulator;
   }
 
-  private replace(next: Simulator, values: Values): void {
+  private replace(next: Simulator, values: Values, note?: Note): void {
     this.simulator.dispose();
     this.simulator = next;
     this.states.clear();
-    this.changes = new ChangeLog();
-    if (values.timeline !== this.startValues.timeline) this.play(values.timeline!);
+    this.log = new PlainLog();
+    this.replayed = note?.list.length ? note : undefined;
+    this.animation = undefined;
     this.startValues = values;
+    this.play(values.timeline);
     this.isStale = false;
     this.reset();
   }
@@ -342,7 +362,7 @@ export class Simulation {
   }
 
   private reset(): void {
-    this.player?.reset();
+    this.animation?.reset();
     this.dropped?.clear();
     this.mover?.reset();
   }

@@ -4,7 +4,7 @@ import type { Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { defaults, differing, isAccepted } from '../parameters/values.ts';
 import type { TakeInfo } from '../simulator/input.ts';
-import { ChangeLog } from './changeLog.ts';
+import { PlainLog, type Change } from '../simulator/plainLog.ts';
 
 /** A recording of all inputs by step, with everything needed to replay them to the same hash at every step. */
 export interface Take {
@@ -34,54 +34,73 @@ export interface Take {
 /** Maximum length of a note in the simulator. */
 const NOTE_LIMIT = 65_536;
 
-/** The note of a take. It omits defaults, to keep links to takes short. */
-export function noteOf(values: Values, log = new ChangeLog()): string {
-  const own = differing(defaults(), values);
-  const note = JSON.stringify({ values: own, changes: log.pack(), isTruncated: log.isTruncated || undefined });
-  return note.length <= NOTE_LIMIT ? note : JSON.stringify({ values: own, isTruncated: true });
+/** What the note of a take has. */
+export interface Note extends Pick<PlainLog, 'list' | 'isTruncated'> {
+  readonly values: Values;
 }
 
-/** What the note of a take has. */
-interface Note {
-  readonly values: Values;
-  readonly log: ChangeLog;
+/** The note of a take. It omits defaults, to keep links to takes short, and refers to keys by their index. */
+export function noteOf(values: Values, { list, isTruncated }: Omit<Note, 'values'> = new PlainLog()): string {
+  const own = differing(defaults(), values);
+  const keys = [...new Set(list.map(([, key]) => key))];
+  const numbered = list.flatMap(([step, key, value]) => [step, keys.indexOf(key), value]);
+  const note = JSON.stringify({
+    values: own,
+    ...(list.length > 0 && { changes: [keys, numbered] }),
+    ...(isTruncated && { isTruncated }),
+  });
+  return note.length <= NOTE_LIMIT ? note : JSON.stringify({ values: own, isTruncated: true });
 }
 
 /** @throws SimulatorError when the note was not written by a stage */
 export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Take {
-  const { values, log } = readNote(note);
+  const { values, list, isTruncated } = readNote(note);
+  const changed = new Set(list.map(([, key]) => key));
   return {
     ...info,
-    isTruncated: info.isTruncated || log.isTruncated,
-    changed: log.keys,
+    isTruncated: info.isTruncated || isTruncated,
+    changed: [...changed].filter(isLook),
     values,
     steps: end,
     toBytes: () => bytes.slice(),
   };
 }
 
+/** Whether a key is one of style, light or camera. */
+export function isLook(key: string): boolean {
+  const reader = findParameter(key)?.reader;
+  return reader !== undefined && reader !== 'simulator' && reader !== 'stage';
+}
+
 /**
- * Reads an untrusted note: unknown keys are ignored.
+ * Reads an untrusted note: unknown keys are ignored. What it changes over time is not checked.
  * @throws SimulatorError for invalid values, and when it was not written by a stage
  */
 export function readNote(note: string): Note {
-  const { values, changes, isTruncated } = parsed(note);
+  const { values, list, isTruncated } = parsed(note);
   const found = Object.entries(values).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
     if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
     return [[parameter.key, value as Value]];
   });
-  return {
-    values: { ...defaults(), ...Object.fromEntries(found) },
-    log: new ChangeLog(changes, isTruncated === true),
-  };
+  return { values: { ...defaults(), ...Object.fromEntries(found) }, list, isTruncated };
 }
 
-function parsed(note: string): { values: object; changes?: unknown; isTruncated?: unknown } {
+function parsed(note: string): Note {
   try {
-    const { values, ...others } = JSON.parse(note) as { values?: unknown };
-    if (typeof values === 'object' && values !== null) return { values, ...others };
+    const { values, changes, isTruncated } = JSON.parse(note) as {
+      values?: unknown;
+      changes?: [string[], (Value | null)[]];
+      isTruncated?: unknown;
+    };
+    if (typeof values === 'object' && values !== null) {
+      const list: Change[] = [];
+      const [keys, numbered] = changes ?? [[], []];
+      for (let at = 0; at < numbered.length; at += 3)
+        list.push([numbered[at] as number, keys[numbered[at + 1] as number], numbered[at + 2]]);
+      return { values, list, isTruncated: isTruncated === true };
+    }
   } catch {
     // Reported below, as for well-formed JSON without values.
   }

@@ -20,7 +20,6 @@ import { findParameter } from '../parameters/table.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import type { GivenValues } from '../parameters/timeline.ts';
 import { Clock } from '../simulator/clock.ts';
-import { withHeld, withoutHeld } from '../simulator/heldState.ts';
 import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
 import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
@@ -34,13 +33,13 @@ import {
   timelineText,
   type PictureKind,
 } from '../renderer/extraPasses.ts';
-import { TimelineLoading } from '../renderer/timelineLoading.ts';
+import { AnimationLoading } from '../renderer/animationLoading.ts';
+import type { Animation } from '../simulator/animation.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
 import { SmokeRenderer } from '../renderer/smoke.ts';
 import type { Style } from '../renderer/style.ts';
-import { Animated } from './animated.ts';
 import { Attachment } from './attachment.ts';
 import { ItemMotion } from './itemMotion.ts';
 import { Caster } from './caster.ts';
@@ -57,6 +56,7 @@ import {
   changeable,
   hostStyle,
   loadPreset,
+  ofSmoke,
   requireChangeable,
   requireCreation,
   startValues,
@@ -131,12 +131,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private needed: LoadOptions['physics'] = false;
   private larger: Promise<void> | undefined;
   private readonly clock = new Clock();
-  private readonly animated: Animated;
-  private readonly loading = new TimelineLoading({
+  /** As callers have set them. */
+  private values: Values;
+  /** With those of the timeline that the simulator has; another object after each change. */
+  private simulated: Values;
+  /** Undefined without a timeline, and until its code is loaded. */
+  private animation: Animation | undefined;
+  private readonly loading = new AnimationLoading({
     isDisposed: () => this.isDisposed,
-    text: () => this.animated.values.timeline,
+    isAnimated: () => this.isAnimated,
     set: (values) => this.setNow(values),
-    play: () => this.animated.play(),
+    play: () => this.play(),
   });
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
@@ -163,7 +168,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const given = { preset: options.preset, values: { ...options.values } };
     await loadPreset(given.preset);
     const values = await fetchTimelineText(startValues(given));
-    const demands = loaded.timeline?.demandsOf(values.timeline!);
+    const demands = loaded.animation?.demandsIn(values.timeline!);
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
@@ -201,30 +206,32 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.onRelight = options.onRelight ?? (() => {});
     this.simulator = simulator;
     this.start = simulator.save();
-    this.animated = new Animated(values);
+    this.values = values;
+    this.simulated = values;
     this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
     this.space = options.space ?? 'world';
     this.frame = new SmokeFrame(this.space);
     this.parts = new ObjectParts(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.parts);
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
-    this.table = new TableNumbers(simulator, this.overrides, () => this.animated.simulated);
+    this.table = new TableNumbers(simulator, this.overrides, () => this.simulated);
     const { parts, overrides, frame } = this;
     const need: Obstacles['need'] = (what) => this.need(what, options.physics);
     this.obstacles = { simulator, frame, taken: new Set(), need };
-    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.animated.simulated });
+    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.simulated });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
     this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
       () => this.kinds,
-      () => this.loading.use(),
+      () => this.loading.end(),
       (error) => {
         miss(error);
-        void this.loading.miss();
+        this.loading.end();
       },
     );
+    this.play();
     this.stopListening = this.device.onContext((event) => {
       if (event !== 'lost') return;
       this.passes.release();
@@ -390,7 +397,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** All current values that `set` takes. */
   get(): Values {
-    return changeable(this.animated.values);
+    return changeable(this.values);
   }
 
   /** Removes all puffs, and those that wait. Handles, emitters, values and the children of this object stay. */
@@ -406,15 +413,15 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restart(): void {
     this.requireAlive();
     this.restoreState(this.start);
-    this.animated.reset();
-    this.useValues(this.animated.values);
+    this.animation?.restore(this.start, this.values);
+    this.useValues(this.values);
   }
 
   /** Serializes the simulator's state and the values that it reads, without the effects of handles on them. */
   save(): Uint8Array {
     this.requireAlive();
     const { simulator } = this;
-    const values: AnyValues = this.animated.values;
+    const values: AnyValues = this.values;
     const numbers = simulator.parameters();
     const plain = [...numbers.keys()].flatMap((key) => {
       const value = values[key] ?? findParameter(key)?.default;
@@ -423,7 +430,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     simulator.set(simulatorValues(Object.fromEntries(plain)));
     const bytes = simulator.save();
     simulator.set(Object.fromEntries(numbers));
-    return withHeld(bytes, this.animated.player?.held(simulator.steps));
+    return this.animation?.saved(bytes, simulator.steps) ?? bytes;
   }
 
   /**
@@ -433,10 +440,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    */
   restore(bytes: Uint8Array): void {
     this.requireAlive();
-    const { state, held } = withoutHeld(bytes);
-    this.restoreState(state);
-    this.animated.reset(held);
-    this.useValues(valuesIn(this.simulator, this.animated.values, {}));
+    this.restoreState(bytes);
+    const values = valuesIn(this.simulator, this.values, {});
+    this.animation?.restore(bytes, values);
+    this.useValues(values);
     this.shown.keepVariations(this.simulator.variationsAlive);
   }
 
@@ -509,12 +516,18 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   }
 
   private setNow(given: GivenValues): void {
-    const { simulator, animated } = this;
+    const { simulator, animation } = this;
     const values = timelineText(given);
     requireChangeable(values);
     simulator.set(this.overrides.over(simulatorValues(values)));
-    animated.hold(values, simulator.steps, this.drawnTime);
-    this.change({ ...animated.values, ...values });
+    const after = { ...this.values, ...values };
+    if (animation) {
+      const now = { steps: simulator.steps, time: this.drawnTime };
+      const { changed } = animation.changedBy(this.values, after, values, now, false);
+      animation.record(changed as AnyValues, now);
+      animation.reset();
+    }
+    this.change(after);
     this.showGlow();
   }
 
@@ -522,17 +535,34 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private change(values: Values): void {
     const missing = () => this.kinds.map(missingExtras).join();
     const before = missing();
-    this.animated.values = values;
-    this.animated.follow(this.drawnTime);
-    this.shown.setValues(this.animated.shown);
+    const isOther = values.timeline !== this.values.timeline;
+    this.values = values;
+    this.simulated = values;
+    if (isOther) this.play();
+    this.animation?.follow(this.drawnTime);
+    this.showValues();
     if (missing() !== before) this.completion.begin();
+  }
+
+  private get isAnimated(): boolean {
+    return (this.values.timeline ?? '') !== '';
+  }
+
+  /** Plays the timeline of the values if its code is loaded. */
+  private play(): void {
+    if (this.isAnimated && loaded.animation) this.animation ??= new loaded.animation.Animation();
+    this.animation?.play(this.values.timeline ?? '');
+  }
+
+  private showValues(): void {
+    this.shown.setValues({ ...this.values, ...ofSmoke(this.animation?.shown ?? {}) });
   }
 
   /** Of the current picture, and of all that the timeline leads to. */
   private get kinds(): readonly PictureKind[] {
-    const { values, player } = this.animated;
-    const kind = { ...this.shown.style, timeline: values.timeline };
-    return player?.demands ? [kind, hostStyle({ ...values, ...player.demands })] : [kind];
+    const { values, animation, isAnimated } = this;
+    const demanding = animation && hostStyle({ ...values, ...ofSmoke(animation.demands) });
+    return [{ ...this.shown.style, isAnimated }, ...(demanding ? [demanding] : [])];
   }
 
   /** The simulated time that is drawn, in steps. */
@@ -542,7 +572,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** Shows the drawn time. */
   private showTime(bakingMs?: number): void {
-    if (this.animated.follow(this.drawnTime)) this.shown.setValues(this.animated.shown);
+    if (this.animation?.follow(this.drawnTime)) this.showValues();
     this.handles.show(this.clock.blend);
     this.shown.bake(bakingMs);
     this.markVisible();
@@ -648,7 +678,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.handles.look();
     for (let taken = 0; taken < steps; ++taken) {
       const [from, to] = [taken / steps, (taken + 1) / steps];
-      this.animated.prepare(this.simulator, this.playing);
+      this.animation?.prepare(this.simulator, this.playing);
       this.handles.move(from, to);
       this.itemMotion.place((from + to) / 2);
       this.parts.place(from, to);
@@ -659,6 +689,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** How the simulator takes what the timeline plays. */
   private readonly playing = {
     put: (values: Values): void => {
+      this.simulated = { ...this.simulated, ...values };
       this.simulator.set(this.overrides.over(simulatorValues(values)));
       this.itemMotion.refresh();
       for (const emitter of this.emitters.followers) emitter.followTable();

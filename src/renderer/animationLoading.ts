@@ -1,22 +1,21 @@
 import type { GivenValues } from '../parameters/timeline.ts';
 import { fetchTimelineText, loaded } from './extraPasses.ts';
 
-/** The smoke that has a timeline. */
+/** The smoke whose values change over time. */
 interface Owner {
   isDisposed(): boolean;
-  /** The timeline of its values. */
-  text(): string | undefined;
+  isAnimated(): boolean;
   /** Sets values that are checked. */
   set(values: GivenValues): void;
-  /** Called when the code of the timeline is loaded. */
+  /** Called when the code is loaded. */
   play(): void;
 }
 
-/** Lets a smoke wait until the code of its timeline is loaded, which begins with the first timeline. */
-export class TimelineLoading {
+/** Lets a smoke wait for the code of its timeline, which is loaded with the first one. */
+export class AnimationLoading {
   private readonly owner: Owner;
-  /** A timeline whose code could not be loaded: the smoke goes on without it. */
-  private missing: string | undefined;
+  /** Whether the code could not be loaded: the smoke goes on without it. */
+  private isMissing = false;
   /** A timeline that is checked as soon as its code is loaded. */
   private coming: Promise<void> | undefined;
   private owed: (() => void)[] = [];
@@ -27,8 +26,7 @@ export class TimelineLoading {
 
   /** Whether the smoke can take steps. */
   get isOver(): boolean {
-    const timeline = this.owner.text();
-    return !this.coming && (!timeline || loaded.timeline !== undefined || timeline === this.missing);
+    return !this.coming && (this.isMissing || loaded.animation !== undefined || !this.owner.isAnimated());
   }
 
   /**
@@ -38,17 +36,18 @@ export class TimelineLoading {
    */
   set(given: GivenValues): Promise<void> | undefined {
     const { timeline, ...others } = { ...given };
-    if (!timeline || loaded.timeline) return void this.owner.set(given);
-    this.owner.set(typeof timeline === 'string' ? given : others);
-    const coming = fetchTimelineText({ timeline }).then((values) => {
-      if (this.coming === coming && !this.owner.isDisposed()) this.owner.set(values);
-    });
+    const isKnown = !timeline || loaded.animation;
+    this.owner.set(isKnown || typeof timeline === 'string' ? given : others);
+    if (isKnown) return undefined;
+    const coming = fetchTimelineText({ timeline })
+      .then((values) => {
+        if (this.coming === coming) this.owner.set(values);
+      })
+      .finally(() => {
+        if (this.coming === coming) this.coming = undefined;
+        this.takeSteps();
+      });
     this.coming = coming;
-    const end = () => {
-      if (this.coming === coming) this.coming = undefined;
-      this.takeSteps();
-    };
-    coming.then(end, end);
     return coming;
   }
 
@@ -63,23 +62,11 @@ export class TimelineLoading {
     else this.owed.push(act);
   }
 
-  /** Called when code was loaded. */
-  use(): void {
-    if (this.owner.text()) this.owner.play();
+  /** Called when code was loaded, or could not be. */
+  end(): void {
+    this.isMissing = !loaded.animation;
+    if (!this.isMissing) this.owner.play();
     this.takeSteps();
-  }
-
-  /** Called when code could not be loaded. If it is that of the timeline, the smoke goes on without it. */
-  async miss(): Promise<void> {
-    const timeline = this.owner.text();
-    if (!timeline) return;
-    try {
-      await fetchTimelineText({ timeline });
-      this.use();
-    } catch {
-      this.missing = timeline;
-      this.takeSteps();
-    }
   }
 
   private takeSteps(): void {
