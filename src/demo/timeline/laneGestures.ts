@@ -167,8 +167,10 @@ export class LaneGestures {
 
   /** A double click on a lane adds a keyframe or a burst there. */
   private add(event: MouseEvent): void {
-    const row = rowOf(event.target);
-    if (!row || (event.target as Element).closest('.timeline-name, .timeline-top')) return;
+    // The target is what has captured the pointer.
+    const target = document.elementFromPoint(event.clientX, event.clientY);
+    const row = rowOf(target);
+    if (!row || target!.closest('.timeline-name, .timeline-top')) return;
     const lane = row.dataset.lane!;
     const step = snapped(this.axis.timeAt(event.clientX), this.session.grid);
     if (this.nearest(row, event.clientX, REACH.mouse)) return;
