@@ -1,5 +1,5 @@
 import type { Easing } from '../../internal.ts';
-import { findParameter, type Value } from '../../preset.ts';
+import { findParameter, type AnyValues, type Value } from '../../preset.ts';
 import { create, iconButton, setAttributes } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
 import { burstOf, emitterOf, keyframeOf, markOf, marksOf, placeOf, type Mark } from './model.ts';
@@ -18,6 +18,8 @@ export class LaneRow {
   private readonly toggle: HTMLButtonElement;
   /** The elements of the marks in the order of their steps. */
   private readonly marks: HTMLElement[] = [];
+  /** What an element shows. */
+  private readonly shown = new WeakMap<HTMLElement, string>();
   private drawn: unknown;
 
   constructor(lane: string, session: Session) {
@@ -55,11 +57,10 @@ export class LaneRow {
     while (this.marks.length < marks.length) this.addMark();
     marks.forEach((mark, at) => this.showMark(this.marks[at], mark));
     this.showShapes();
-    this.showNow();
   }
 
-  /** Shows the value at the playhead, and whether it is on a keyframe. */
-  showNow(): void {
+  /** Shows the value at the playhead, and whether it is on a keyframe. @param effective values in effect */
+  showNow(effective: AnyValues): void {
     const { session, lane } = this;
     const { label, group } = laneLabel(lane);
     const row = findParameter(lane);
@@ -72,7 +73,7 @@ export class LaneRow {
       const isOn = row && name === words.laneKeyframe(label, true);
       this.toggle.classList.toggle('is-on', isOn);
     }
-    const value = row ? session.inEffect(lane) : undefined;
+    const value = row ? effective[lane] : undefined;
     const text = row && value !== undefined ? valueText(row, value, false) : group;
     if (this.value.textContent !== text) this.value.textContent = text;
     if (row?.kind === 'color') this.value.style.setProperty('--swatch', String(value));
@@ -95,6 +96,10 @@ export class LaneRow {
     const keyframe = keyframeOf(session.timeline, mark);
     const burst = burstOf(session.timeline, mark);
     const isSelected = session.marks.has(mark);
+    const { grid, focused } = session;
+    const shown = JSON.stringify([keyframe, burst, isSelected, focused === mark, session.timeline.length, grid]);
+    if (this.shown.get(element) === shown) return;
+    this.shown.set(element, shown);
     const { label } = laneLabel(lane);
     element.dataset.mark = mark;
     element.className = 'timeline-mark';

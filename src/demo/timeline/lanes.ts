@@ -95,7 +95,8 @@ export class Lanes {
       'aria-valuemax': Math.max(session.step, session.timeline.length),
       'aria-valuetext': timeText(session.step, session.grid),
     });
-    for (const row of this.rows.values()) row.showNow();
+    const { effective } = session;
+    for (const row of this.rows.values()) row.showNow(effective);
   }
 
   /** The ruler moves the playhead. */

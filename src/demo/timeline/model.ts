@@ -38,6 +38,8 @@ type Item = Keyframe | TimelineBurst;
 type Tracks = Map<string, Map<number, Item>>;
 
 const BURSTS = 'burst.';
+/** Places in the table. */
+const ORDER: ReadonlyMap<string, number> = new Map(table.map(({ key }, place) => [key, place]));
 
 export function markOf(lane: string, step: number): Mark {
   return `${lane}@${step}`;
@@ -60,8 +62,7 @@ export function emitterOf(lane: string): number | undefined {
 
 /** The lanes in the order of the table, then those of bursts. */
 export function laneNames({ lanes, bursts }: Timeline): readonly string[] {
-  const order = new Map(table.map(({ key }, place) => [key, place]));
-  const keys = lanes.map(({ key }) => key).toSorted((a, b) => order.get(a)! - order.get(b)!);
+  const keys = lanes.map(({ key }) => key).toSorted((a, b) => ORDER.get(a)! - ORDER.get(b)!);
   const emitters = [...new Set(bursts.map(({ emitter }) => emitter))].toSorted((a, b) => a - b);
   return [...keys, ...emitters.map(burstLane)];
 }

@@ -91,6 +91,7 @@ export class Session implements Recorded {
       this.notify();
     });
     stage.on('frame', () => this.holdRecorded());
+    this.keepFocus();
   }
 
   /** @param listener called after each change of the timeline or of the selection */
@@ -137,11 +138,14 @@ export class Session implements Recorded {
     return this.clip.length > 0;
   }
 
+  /** The values in effect, those of the scene included. */
+  get effective(): AnyValues {
+    const { rig, shown } = this.stage;
+    return { ...rig, ...automaticColors(this.editor.state.values), ...shown };
+  }
+
   inEffect(key: string): Value | undefined {
-    const own: AnyValues = { ...this.stage.rig, ...automaticColors(this.editor.state.values) };
-    const shown: AnyValues = this.stage.shown;
-    const row = findParameter(key);
-    return shown[key] ?? own[key] ?? (row?.isOptional ? undefined : row?.default);
+    return this.effective[key];
   }
 
   holdSame(changes: Changes): void {
@@ -378,6 +382,12 @@ export class Session implements Recorded {
     return rest.find((each) => placeOf(each).step > step) ?? rest.at(-1);
   }
 
+  /** Lets a mark have the focus that exists. */
+  private keepFocus(): void {
+    const all = allMarks(this.timeline);
+    if (this.current === undefined || !all.includes(this.current)) this.current = all[0];
+  }
+
   private laneOf(key: string): Lane | undefined {
     return this.timeline.lanes.find((lane) => lane.key === key);
   }
@@ -392,6 +402,7 @@ export class Session implements Recorded {
 
   private notify(): void {
     this.chosen = existing(this.timeline, this.chosen);
+    this.keepFocus();
     for (const listener of this.listeners) listener();
   }
 }
