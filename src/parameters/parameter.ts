@@ -91,8 +91,6 @@ export interface TimelineParameter extends ParameterDescription {
 
 /** Maximum length of a timeline as text, in characters. */
 export const TIMELINE_LIMIT = 16_000;
-/** The grammar of timelines. What it accepts has parts that `readTimeline` can tell apart. */
-export const TIMELINE = /^(\d{1,5}(\*loop)?(;[\w.]+(\/[\w*.,:-]+)+)*)?$/;
 
 export type Parameter =
   | TimelineParameter
@@ -118,7 +116,7 @@ export function accepted(parameter: Parameter): string {
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
     case 'timeline':
-      return `nothing, or a timeline of at most ${TIMELINE_LIMIT} characters, such as 120;emission.rate/0*60/120*240`;
+      return `nothing, or a timeline such as 120;emission.rate/0*60/120*240, of at most ${TIMELINE_LIMIT} characters`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

@@ -5,8 +5,9 @@ import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
 import { presets } from './presets.ts';
-import { TIMELINE, TIMELINE_LIMIT } from './parameter.ts';
+import { TIMELINE_LIMIT } from './parameter.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
+import { TIMELINE } from './timeline.ts';
 import { table } from './words/table.ts';
 import type { Parameter } from './words/words.ts';
 

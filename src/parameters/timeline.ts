@@ -63,6 +63,9 @@ export interface Timeline {
 /** Values in which the timeline may also be an object. */
 export type GivenValues = Omit<Values, 'timeline'> & { readonly timeline?: string | Timeline };
 
+/** The grammar of timelines as text. Keys and values have further limits. */
+export const TIMELINE = /^(\d{1,5}(\*loop)?(;[\w.]+(\/[\w*.,:-]+)+)*)?$/;
+
 export const MAX_LANES = 64;
 /** Of all lanes together. */
 export const MAX_KEYFRAMES = 512;

@@ -5,7 +5,6 @@ import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,
   accepted,
-  TIMELINE,
   TIMELINE_LIMIT,
   type NumberParameter,
   type Parameter,
@@ -92,7 +91,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
     case 'drawing':
       return typeof value === 'string' && isDrawing(value);
     case 'timeline':
-      return typeof value === 'string' && isTimeline(value);
+      // What it cannot read, `readTimeline` leaves out.
+      return typeof value === 'string' && value.length <= TIMELINE_LIMIT;
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -128,14 +128,10 @@ function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
   if (parameter.kind === 'curve') return readCurve(text) && text;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
-  if (parameter.kind === 'drawing') return isDrawing(text) ? text : undefined;
-  if (parameter.kind === 'timeline') return isTimeline(text) ? text : undefined;
+  if (parameter.kind === 'drawing' || parameter.kind === 'timeline')
+    return isAccepted(parameter, text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
-}
-
-function isTimeline(text: string): boolean {
-  return text.length <= TIMELINE_LIMIT && TIMELINE.test(text);
 }
 
 function readNumber(parameter: NumberParameter, text: string, fallback: Value): { value: Value; notice?: Notice } {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { ParameterError } from '../../../src/base/errors.ts';
-import { TIMELINE, type Value } from '../../../src/parameters/parameter.ts';
+import type { Value } from '../../../src/parameters/parameter.ts';
 import { findParameter, table } from '../../../src/parameters/table.ts';
 import {
   eased,
@@ -12,6 +12,7 @@ import {
   MAX_STEP,
   readTimeline,
   requireTimeline,
+  TIMELINE,
   timeIn,
   valueAt,
   whyNotAnimated,
