@@ -11,6 +11,7 @@ import { Simulation } from '../../../src/stage/simulation.ts';
 import { StageValues } from '../../../src/stage/stageValues.ts';
 import { readNote, takeOf } from '../../../src/stage/take.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
+import { TIMELINE_HASH, timelineHashes } from '../../support/sim/timelineHashes.ts';
 
 const TIMELINE =
   '90*loop;emission.rate/0*20/30*200*e/70*40;forces.wind.x/10*0/40*3;emission.density/0*0:1,1:0/60*0:.2,1:0;' +
@@ -204,6 +205,11 @@ describe('the same state and picture at a step', () => {
     }
     bench.simulation.dispose();
   });
+});
+
+it('a timeline with each kind of parameter ends in the recorded state, played, sought and replayed', async () => {
+  const hashes = await timelineHashes(factory);
+  expect(new Set(Object.values(hashes))).toEqual(new Set([TIMELINE_HASH]));
 });
 
 describe('a change by a person', () => {
