@@ -94,11 +94,17 @@ export class TimelinePlayer {
     this.inputsDone = inputsDone;
     const changed = this.changedAt(steps);
     if (changed && put) put(changed);
-    else if (changed) simulator.set(simulatorValues(changed));
+    else if (changed) simulator.set(this.numbersOf(changed));
     const { length, loops } = this.timeline;
     const at = loops ? steps % length : steps;
     if (at >= length) return;
     for (const burst of this.bursts.get(at) ?? []) if (!isSilent?.(burst.emitter)) emit(simulator, burst);
+  }
+
+  /** Numbers are the simulator's as they are. */
+  private numbersOf(changed: AnyValues): Record<string, number> {
+    const isPlain = Object.values(changed).every((value) => typeof value === 'number');
+    return isPlain ? (changed as Record<string, number>) : simulatorValues(changed);
   }
 
   private changedAt(steps: number): AnyValues | undefined {

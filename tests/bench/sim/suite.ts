@@ -3,6 +3,7 @@ import type { Figure } from '../support/figures.ts';
 import { measureCollisions } from './collide/collisions.ts';
 import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
+import { measureTimeline } from './timeline.ts';
 import { measureAgainstCompat } from './collide/versusCompat.ts';
 import { measureAgainstOthers } from './versusOthers.ts';
 import { measureVortexParticles } from './vortexParticles.ts';
@@ -13,6 +14,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureAgainstOthers(quick)),
     ...(await measureParts(quick)),
     ...(await measureSizes(quick)),
+    ...(await measureTimeline(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),
     ...(await measureCollisions(quick)),
