@@ -1,14 +1,16 @@
 import type { GivenValues } from '../parameters/timeline.ts';
-import { fetchTimelineText, loaded } from './extraPasses.ts';
+import { loaded } from './extraPasses.ts';
 
 /** The smoke whose values change over time. */
 interface Owner {
-  isDisposed(): boolean;
+  /** Whether it needs the code. */
   isAnimated(): boolean;
-  /** Sets values that are checked. */
+  /** Sets values. @throws ParameterError for an invalid one */
   set(values: GivenValues): void;
   /** Called when the code is loaded. */
   play(): void;
+  /** Starts to load the code. */
+  load(): void;
 }
 
 /** Lets a smoke wait for the code of its timeline, which is loaded with the first one. */
@@ -16,8 +18,6 @@ export class AnimationLoading {
   private readonly owner: Owner;
   /** Whether the code could not be loaded: the smoke goes on without it. */
   private isMissing = false;
-  /** A timeline that is checked as soon as its code is loaded. */
-  private coming: Promise<void> | undefined;
   private owed: (() => void)[] = [];
 
   constructor(owner: Owner) {
@@ -26,34 +26,32 @@ export class AnimationLoading {
 
   /** Whether the smoke can take steps. */
   get isOver(): boolean {
-    return !this.coming && (this.isMissing || loaded.animation !== undefined || !this.owner.isAnimated());
+    return this.isMissing || loaded.animation !== undefined || !this.isWanted;
+  }
+
+  /** Whether the code is needed. */
+  get isWanted(): boolean {
+    return this.owed.length > 0 || this.owner.isAnimated();
   }
 
   /**
-   * Sets values. If the code is not loaded, a timeline as an object is set later, and a text is checked later.
-   * @returns then, a promise that rejects when the timeline is invalid
+   * Sets values; those with the first timeline when its code is loaded.
+   * @returns then, a promise that rejects when one is invalid
    * @throws ParameterError for an invalid value; nothing changes then
    */
   set(given: GivenValues): Promise<void> | undefined {
-    const { timeline, ...others } = { ...given };
-    const isKnown = !timeline || loaded.animation;
-    this.owner.set(isKnown || typeof timeline === 'string' ? given : others);
-    if (isKnown) return undefined;
-    const coming = fetchTimelineText({ timeline })
-      .then((values) => {
-        if (this.coming === coming) this.owner.set(values);
-      })
-      .finally(() => {
-        if (this.coming === coming) this.coming = undefined;
-        this.takeSteps();
+    const act = () => this.owner.set(given);
+    if (loaded.animation || !(given as GivenValues | undefined)?.timeline) return void act();
+    return new Promise((resolve, reject) => {
+      this.owed.push(() => {
+        try {
+          resolve(act());
+        } catch (error) {
+          reject(error as Error);
+        }
       });
-    this.coming = coming;
-    return coming;
-  }
-
-  /** Resolves when a timeline that was set is checked. What is wrong is reported by the call that set it. */
-  async wait(): Promise<void> {
-    await this.coming?.catch(() => undefined);
+      this.owner.load();
+    });
   }
 
   /** Takes steps now, or when the smoke can. */
@@ -66,10 +64,6 @@ export class AnimationLoading {
   end(): void {
     this.isMissing = !loaded.animation;
     if (!this.isMissing) this.owner.play();
-    this.takeSteps();
-  }
-
-  private takeSteps(): void {
-    if (this.isOver && !this.owner.isDisposed()) for (const act of this.owed.splice(0)) act();
+    for (const act of this.owed.splice(0)) act();
   }
 }

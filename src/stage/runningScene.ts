@@ -59,10 +59,10 @@ export class RunningScene implements FrameTasks {
     this.gestures = new Gestures(this.simulation, this.picture, this.showMoved);
     this.values = new StageValues(values, this);
     this.timeline = new AnimationLoading({
-      isDisposed: () => this.isDisposed,
       isAnimated: () => this.simulation.isAnimated,
       set: (given) => this.values.set(given),
       play: () => this.values.playTimeline(),
+      load: () => this.completion.begin(),
     });
     this.picture.hasBackground = options.background ?? true;
     this.picture.quality = options.quality ?? 1;
@@ -70,12 +70,12 @@ export class RunningScene implements FrameTasks {
     this.completion = completionOf(
       () => this.kinds,
       () => {
-        this.timeline.end();
+        this.endLoading();
         this.show();
       },
       (error) => {
         this.listeners.notify('error', error);
-        this.timeline.end();
+        this.endLoading();
       },
     );
     this.device = presenter.device;
@@ -105,12 +105,6 @@ export class RunningScene implements FrameTasks {
   /** The simulated time that is drawn, in steps. */
   get drawnTime(): number {
     return Math.max(0, this.simulation.simulator.steps - 1 + this.loop.clock.blend);
-  }
-
-  /** Resolves when pictures and steps are as the values require. @throws LoadError when code cannot be loaded */
-  async complete(): Promise<void> {
-    await this.completion.wait();
-    await this.timeline.wait();
   }
 
   play(): void {
@@ -342,9 +336,13 @@ export class RunningScene implements FrameTasks {
   /** Of the current picture, and of all that the timeline leads to. */
   private get kinds(): readonly PictureKind[] {
     const { kind, smoke } = this.picture;
-    const { animation, isAnimated } = this.simulation;
+    const { animation } = this.simulation;
     const demanding = animation && styleOf({ ...smoke.values, ...animation.demands });
-    return [{ ...kind, isAnimated }, ...(demanding ? [demanding] : [])];
+    return [{ ...kind, isAnimated: this.timeline.isWanted }, ...(demanding ? [demanding] : [])];
+  }
+
+  private endLoading(): void {
+    if (!this.isDisposed) this.timeline.end();
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {

@@ -124,7 +124,7 @@ export class Stage {
    * instead and keeps running
    */
   complete(): Promise<void> {
-    return this.running.complete();
+    return this.running.completion.wait();
   }
 
   /** Takes n steps of 1/60 s and shows the last one. @throws ParameterError unless n is an integer of at least 0 */
@@ -151,10 +151,10 @@ export class Stage {
    */
   async seek(seconds: number, options: SeekOptions = {}): Promise<void> {
     requireFinite({ seconds }, 0);
-    const { running } = this;
+    const { completion } = this.running;
     options.signal?.throwIfAborted();
     // The error was already reported; the seek works without the missing code.
-    await running.complete().catch(() => undefined);
+    await completion.wait().catch(() => undefined);
     await this.#running.seek(Math.round(seconds / STEP_SECONDS), options);
   }
 
@@ -193,8 +193,8 @@ export class Stage {
    *
    * A value that the timeline animates holds until the next keyframe of its parameter; see `recordsKeyframes`. A timeline
    * applies to all time: where it changes what the simulator has already done, the next seek simulates that anew. Its code
-   * is loaded with the first one. Meanwhile the stage does not play, `step` and `advance` wait, and an invalid timeline
-   * causes an `error` event in place of an error.
+   * is loaded with the first one, and `complete` waits for it. Until then the values of that call are not set, the stage does
+   * not play, `step` and `advance` wait, and an invalid value causes an `error` event in place of an error.
    * @throws ParameterError with the parameter, the value and the accepted range
    */
   set(values: GivenValues): void {
@@ -286,9 +286,8 @@ export class Stage {
    * @throws ContextError while the graphics context is lost
    */
   async picture(): Promise<Blob> {
-    const { running } = this;
-    const { picture } = running;
-    await running.complete();
+    const { completion, picture } = this.running;
+    await completion.wait();
     picture.presenter.device.requireUsable();
     picture.smoke.bake();
     this.#running.drawNow(1);

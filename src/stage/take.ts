@@ -31,9 +31,6 @@ export interface Take {
   toBytes(): Uint8Array<ArrayBuffer>;
 }
 
-/** Maximum length of a note in the simulator. */
-const NOTE_LIMIT = 65_536;
-
 /** What the note of a take has. */
 export interface Note extends Pick<PlainLog, 'list' | 'isTruncated'> {
   readonly values: Values;
@@ -44,12 +41,11 @@ export function noteOf(values: Values, { list, isTruncated }: Omit<Note, 'values
   const own = differing(defaults(), values);
   const keys = [...new Set(list.map(([, key]) => key))];
   const numbered = list.flatMap(([step, key, value]) => [step, keys.indexOf(key), value]);
-  const note = JSON.stringify({
+  return JSON.stringify({
     values: own,
     ...(list.length > 0 && { changes: [keys, numbered] }),
     ...(isTruncated && { isTruncated }),
   });
-  return note.length <= NOTE_LIMIT ? note : JSON.stringify({ values: own, isTruncated: true });
 }
 
 /** @throws SimulatorError when the note was not written by a stage */

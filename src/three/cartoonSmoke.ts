@@ -138,10 +138,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** Undefined without a timeline, and until its code is loaded. */
   private animation: Animation | undefined;
   private readonly loading = new AnimationLoading({
-    isDisposed: () => this.isDisposed,
     isAnimated: () => this.isAnimated,
     set: (values) => this.setNow(values),
     play: () => this.play(),
+    load: () => this.completion.begin(),
   });
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
@@ -225,10 +225,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
       () => this.kinds,
-      () => this.loading.end(),
+      () => this.isDisposed || this.loading.end(),
       (error) => {
         miss(error);
-        this.loading.end();
+        if (!this.isDisposed) this.loading.end();
       },
     );
     this.play();
@@ -392,7 +392,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   async complete(): Promise<void> {
     this.requireAlive();
     const larger = this.needed ? this.loadLarger() : undefined;
-    await Promise.all([this.completion.wait(), this.loading.wait(), this.passes.ownStencil.wait(), larger]);
+    await Promise.all([this.completion.wait(), this.passes.ownStencil.wait(), larger]);
   }
 
   /** All current values that `set` takes. */
@@ -560,9 +560,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** Of the current picture, and of all that the timeline leads to. */
   private get kinds(): readonly PictureKind[] {
-    const { values, animation, isAnimated } = this;
+    const { values, animation, loading } = this;
     const demanding = animation && hostStyle({ ...values, ...ofSmoke(animation.demands) });
-    return [{ ...this.shown.style, isAnimated }, ...(demanding ? [demanding] : [])];
+    return [{ ...this.shown.style, isAnimated: loading.isWanted }, ...(demanding ? [demanding] : [])];
   }
 
   /** The simulated time that is drawn, in steps. */
