@@ -92,4 +92,4 @@ export type { BlowInput } from './stage/gestures.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
 export type { StageStats, StatsOptions } from './stage/stats.ts';
-export type { Take } from './stage/take.ts';
+export type { Take, TakeOptions } from './stage/take.ts';

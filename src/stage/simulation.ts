@@ -80,9 +80,11 @@ export class Simulation {
     this.replace(this.create(values), values);
   }
 
-  /** The inputs since the start, with the values at the start as the note. */
-  take(): Uint8Array {
-    return this.simulator.take(noteOf(this.startValues, this.animation?.log ?? this.replayed ?? this.log));
+  /** The inputs since the start, with the values at the start as the note. @param hasLook whether with changes of the look */
+  take(hasLook = true): Uint8Array {
+    const { list, isTruncated } = this.animation?.log ?? this.replayed ?? this.log;
+    const kept = hasLook ? list : list.filter(([, key]) => !isLook(key));
+    return this.simulator.take(noteOf(this.startValues, { list: kept, isTruncated }));
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */

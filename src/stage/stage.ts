@@ -17,7 +17,7 @@ import { openFor, openStage, read } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
 import type { Sight } from './sight.ts';
 import { statsOf, type StageStats } from './stats.ts';
-import type { Take } from './take.ts';
+import type { Take, TakeOptions } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
@@ -329,8 +329,8 @@ export class Stage {
    * and camera; `isTruncated` says whether later ones took effect unrecorded. After a seek back, changes of style, light and
    * camera stay, as if they were made there.
    */
-  take(): Take {
-    return this.readTake(this.running.simulation.take());
+  take({ look = true }: TakeOptions = {}): Take {
+    return this.readTake(this.running.simulation.take(look));
   }
 
   /** Reads the metadata of a take without playing it. @throws SimulatorError for bytes that are damaged or no take */

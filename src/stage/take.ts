@@ -31,6 +31,11 @@ export interface Take {
   toBytes(): Uint8Array<ArrayBuffer>;
 }
 
+export interface TakeOptions {
+  /** Whether it has the changes of style, light and camera by step, which make it longer. Default: true. */
+  look?: boolean;
+}
+
 /** What the note of a take has. */
 export interface Note extends Pick<PlainLog, 'list' | 'isTruncated'> {
   readonly values: Values;

@@ -1,6 +1,6 @@
 /** Links to an exact moment of the smoke, and the replay of such links. */
 import type { Stage, Take } from '../../index.ts';
-import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
+import { linkCapacity, LONGEST_LEAD, LONGEST_LINK, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
 import { encode, type Decoded, type State, type Values } from '../../preset.ts';
 import { enterScene, windForward } from '../ui/progress.ts';
 import type { Notices } from '../ui/notices.ts';
@@ -30,11 +30,15 @@ export async function linkToMoment(state: State, stage: Stage): Promise<string> 
   const take = stage.take();
   const { steps, time } = stage.stats;
   // Smoke without input is reproducible from its parameters, which keeps the link short.
-  const isUntouched = take.inputs === 0 && take.isFresh && time <= LONGEST_LEAD;
+  const isLookFixed = take.changed.length === 0 || !state.values.timeline;
+  const isUntouched = take.inputs === 0 && isLookFixed && take.isFresh && time <= LONGEST_LEAD;
   const address = new URL(location.href);
   setQuery(address, 't', isUntouched || steps !== take.steps ? String(Number(time.toFixed(3))) : undefined);
   setQuery(address, 'paused', stage.playing ? undefined : '1');
   address.hash = await encode(state, isUntouched ? undefined : take.toBytes());
+  // Without the changes of the look, the link has the last one from the start.
+  if (address.href.length > LONGEST_LINK && !isUntouched)
+    address.hash = await encode(state, stage.take({ look: false }).toBytes());
   return address.href;
 }
 

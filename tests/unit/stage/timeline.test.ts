@@ -319,6 +319,18 @@ describe('in record mode, a change', () => {
   });
 });
 
+it('needs no more memory with time', () => {
+  const bench = new Bench().advance(200);
+  const { memory } = factory.module;
+  const before = memory.buffer.byteLength;
+  for (let turn = 0; turn < 20; ++turn) {
+    bench.advance(90);
+    bench.values.set({ 'emission.rate': 100 + turn });
+  }
+  expect(memory.buffer.byteLength).toBe(before);
+  bench.simulation.dispose();
+});
+
 describe('another timeline', () => {
   it('applies to all time with the next seek, from the saved state before the difference', () => {
     const straight = new Bench({ ...VALUES, timeline: TIMELINE.replace('70*40', '70*90') }).advance(130);
@@ -442,6 +454,18 @@ describe('a take', () => {
       'style.smokeColor': '#ffffff',
       'style.inkColor': '#110000',
     });
+    for (const each of [bench, other]) each.simulation.dispose();
+  });
+
+  it('can leave out the look, but not what a person holds of the timeline', () => {
+    const bench = new Bench().advance(12);
+    bench.values.set({ 'emission.rate': 400, 'style.inkColor': '#00ff00' });
+    bench.advance(20);
+    const take = bench.simulation.take(false);
+    expect(takeOf(take, factory.readTake(take)).changed).toEqual([]);
+    const other = new Bench(PLAIN).play(take).advance(32);
+    expect(other.hash).toBe(bench.hash);
+    expect(other.drawn['style.inkColor']).toBe(VALUES['style.inkColor']);
     for (const each of [bench, other]) each.simulation.dispose();
   });
 
