@@ -146,10 +146,8 @@ export function timelineText(given: GivenValues): Values {
   const code = loaded.animation;
   // What is no object of values is rejected later.
   const timeline = (given as GivenValues | undefined)?.timeline;
-  return {
-    ...given,
-    ...(code && timeline && { timeline: code.writeTimeline(code.requireTimeline(timeline)) }),
-  } as Values;
+  if (!code || !timeline) return given as Values;
+  return { ...given, timeline: code.writeTimeline(code.requireTimeline(timeline)) };
 }
 
 /**

@@ -24,7 +24,7 @@ import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulato
 import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
-import { completionOf, type Completion } from '../renderer/completion.ts';
+import { AnimationLoading, completionOf, type Completion } from '../renderer/completion.ts';
 import {
   fetchExtras,
   fetchTimelineText,
@@ -33,7 +33,6 @@ import {
   timelineText,
   type PictureKind,
 } from '../renderer/extraPasses.ts';
-import { AnimationLoading } from '../renderer/animationLoading.ts';
 import type { Animation } from '../simulator/animation.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';

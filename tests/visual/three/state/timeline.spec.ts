@@ -1,7 +1,7 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./timeline.cases.ts');
-const CASES = '/tests/visual/three/timeline.cases.ts';
+const CASES = '/tests/visual/three/state/timeline.cases.ts';
 
 test.describe('before the code of timelines is loaded', () => {
   test.use({ ownPage: true });

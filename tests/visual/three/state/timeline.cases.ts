@@ -1,10 +1,10 @@
 /** Timelines of smoke in a scene. */
 import { Object3D } from 'three';
-import { ParameterError } from '../../../src/base/errors.ts';
-import type { Values } from '../../../src/parameters/parameter.ts';
-import { readTimeline } from '../../../src/parameters/timeline.ts';
-import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
-import { draw, emptyHost, HANGING, type Host } from './scene.ts';
+import { ParameterError } from '../../../../src/base/errors.ts';
+import type { Values } from '../../../../src/parameters/parameter.ts';
+import { readTimeline } from '../../../../src/parameters/timeline.ts';
+import { CartoonSmoke } from '../../../../src/three/cartoonSmoke.ts';
+import { draw, emptyHost, HANGING, type Host } from '../scene.ts';
 
 const TEXT =
   '90*loop;emission.rate/0*20/30*120*e/70*40;style.smokeColor/0*ffffff/60*000000;light.kind/0*lamp;burst/15*0*20';
