@@ -25,6 +25,7 @@ export class Axis {
   private scale = 1;
   /** Whether the zoom follows the size of the window and the length of the timeline. */
   private isFit = true;
+  private isHeld = false;
   private drawn = '';
 
   /** @param sheet the scrolled content, whose CSS variables place everything on the axis */
@@ -50,7 +51,7 @@ export class Axis {
     if (this.scroller.clientWidth === 0) return;
     const width = this.visible;
     const shown = this.shownEnd();
-    if (this.isFit) this.scale = this.fitting(shown);
+    if (this.isFit && !this.isHeld) this.scale = this.fitting(shown);
     this.scale = Math.min(Math.max(this.scale, this.fitting(MAX_STEP)), MAX_SCALE);
     const end = Math.min(MAX_STEP, Math.max(shown * (1 + MORE_SHARE) + MORE_STEPS, (width - 2 * MARGIN) / this.scale));
     const style = this.sheet.style;
@@ -59,6 +60,12 @@ export class Axis {
     style.setProperty('--end', String(this.session.timeline.length));
     style.setProperty('--grid', `${this.lineUnits() * unitOf(this.session.grid) * this.scale}px`);
     this.drawLabels();
+  }
+
+  /** Keeps the zoom during a drag, which would otherwise change under the pointer. */
+  hold(isHeld: boolean): void {
+    this.isHeld = isHeld;
+    if (!isHeld) this.show();
   }
 
   fit(): void {

@@ -100,6 +100,7 @@ export class LaneGestures {
     if (press.mark) {
       if (!session.marks.has(press.mark)) session.select(new Set([...session.marks, press.mark]), press.mark);
       session.beginDrag(press.copies);
+      this.axis.hold(true);
     }
     this.scrollAtEdges();
   }
@@ -157,6 +158,7 @@ export class LaneGestures {
     this.box.hidden = true;
     this.bubble.hidden = true;
     const { session } = this;
+    this.axis.hold(false);
     if (press.isDrag && press.mark) session.endDrag(isKept);
     else if (press.isDrag) session.announceSelection();
     else if (!isKept) return;

@@ -14,7 +14,7 @@ export class LaneRow {
   private readonly session: Session;
   private readonly track = create('div', { class: 'timeline-track' });
   private readonly shapes = create('div', { class: 'timeline-shapes', 'aria-hidden': 'true' });
-  private readonly value = create('span', { class: 'timeline-value' });
+  private readonly value = create('span', { class: 'timeline-value', 'aria-hidden': 'true' });
   private readonly toggle: HTMLButtonElement;
   /** The elements of the marks in the order of their steps. */
   private readonly marks: HTMLElement[] = [];
@@ -30,7 +30,6 @@ export class LaneRow {
     const act = () => (emitter === undefined ? session.toggleKeyframe(lane) : session.addBurst(emitter));
     this.toggle = iconButton('timeline-toggle', '', icon(emitter === undefined ? 'keyframe' : 'add'), act);
     const name = create('button', { type: 'button', class: 'timeline-lane-name', title: words.laneAll(label) });
-    name.setAttribute('aria-label', words.laneAll(label));
     name.append(create('span', { class: 'timeline-label' }, label), this.value);
     this.value.title = group;
     name.addEventListener('click', () => session.selectLane(lane));

@@ -126,19 +126,24 @@ export class Lanes {
     const { end, session } = this;
     const setTo = (step: number) => session.setLength(Math.min(Math.max(1, step), MAX_STEP));
     let pointer: number | undefined;
+    /** From the pointer to the end, in steps. */
+    let grip = 0;
     end.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       event.stopPropagation();
       pointer = event.pointerId;
+      grip = session.timeline.length - this.axis.timeAt(event.clientX);
+      this.axis.hold(true);
       end.setPointerCapture(pointer);
     });
     end.addEventListener('pointermove', ({ pointerId, clientX }) => {
-      if (pointerId === pointer) setTo(snapped(this.axis.timeAt(clientX), session.grid));
+      if (pointerId === pointer) setTo(snapped(this.axis.timeAt(clientX) + grip, session.grid));
     });
     const release = ({ pointerId }: PointerEvent) => {
       if (pointerId !== pointer) return;
       pointer = undefined;
       session.settle();
+      this.axis.hold(false);
     };
     end.addEventListener('pointerup', release);
     end.addEventListener('pointercancel', release);
