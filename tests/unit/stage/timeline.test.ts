@@ -5,6 +5,7 @@ import type { AnyValues, Values } from '../../../src/parameters/parameter.ts';
 import { readTimeline, valueAt } from '../../../src/parameters/timeline.ts';
 import { defaults } from '../../../src/parameters/values.ts';
 import { fetchTimelineText } from '../../../src/renderer/extraPasses.ts';
+import { sceneNamed } from '../../../src/scenes/scenes.ts';
 import { wisp } from '../../../src/scenes/wisp.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
@@ -96,6 +97,31 @@ describe('the simulator', () => {
       expect(bench.rate, `step ${step}`).toBeCloseTo(at('emission.rate', step) as number, 10);
     }
     expect(bench.values.all).toEqual(VALUES);
+  });
+
+  it('gets constant values again after something else has set them', () => {
+    const values: Values = { ...VALUES, timeline: '600;gravity.acceleration/0*3;emission.rate/0*50' };
+    const gravityOf = (bench: Bench) => bench.simulation.simulator.parameters().get('gravity.acceleration');
+    const bench = new Bench(values).advance(20);
+    bench.values.unset(['gravity.acceleration']);
+    expect(gravityOf(bench.advance(1))).toBe(3);
+    const replay = new Bench(values).play(bench.simulation.take());
+    expect(gravityOf(replay.advance(21))).toBe(3);
+    const plain = new Bench({ ...VALUES, timeline: '' }).advance(21);
+    const restored = new Bench(values).advance(21).restore(plain.simulation.save());
+    expect(restored.advance(1).rate, 'after a state of the same step').toBe(50);
+    for (const each of [bench, replay, plain, restored]) each.simulation.dispose();
+  });
+
+  it('gets the values of its lanes in place of those of a rule of the scene', async () => {
+    const { hasRigids, load } = sceneNamed('dust');
+    const scene = await load();
+    const [key] = scene.rule!.keys.filter((each) => each.endsWith('.share'));
+    const values: Values = { ...defaults(), scene: 'dust', timeline: `60;${key}/0*0.25` };
+    const simulation = new Simulation(await loadVariant(hasRigids ? 'physics' : 'core'), scene, values, 0);
+    simulation.advance(50);
+    expect(simulation.simulator.parameters().get(key)).toBe(0.25);
+    simulation.dispose();
   });
 
   it('emits bursts at their steps, again with each loop', () => {
