@@ -110,7 +110,11 @@ describe('the simulator', () => {
     const plain = new Bench({ ...VALUES, timeline: '' }).advance(21);
     const restored = new Bench(values).advance(21).restore(plain.simulation.save());
     expect(restored.advance(1).rate, 'after a state of the same step').toBe(50);
-    for (const each of [bench, replay, plain, restored]) each.simulation.dispose();
+    const sought = new Bench({ ...VALUES, timeline: '600;emission.rate/0*90*h/60*20' }).advance(100);
+    sought.simulation.approach(70);
+    expect(sought.simulation.simulator.steps).toBe(60);
+    expect(sought.advance(1).rate, 'after a state before its keyframe').toBe(20);
+    for (const each of [bench, replay, plain, restored, sought]) each.simulation.dispose();
   });
 
   it('gets the values of its lanes in place of those of a rule of the scene', async () => {
