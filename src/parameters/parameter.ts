@@ -116,7 +116,7 @@ export function accepted(parameter: Parameter): string {
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
     case 'timeline':
-      return `nothing, or a timeline such as 120;emission.rate/0*60/120*240, of at most ${TIMELINE_LIMIT} characters`;
+      return `nothing, or a timeline of at most ${TIMELINE_LIMIT} characters`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

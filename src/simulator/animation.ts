@@ -9,7 +9,7 @@ import { readTimeline, withKeyframes, writeTimeline } from '../parameters/timeli
 import { differing } from '../parameters/values.ts';
 import { ChangeLog, type Changes } from './changeLog.ts';
 import { heldIn, withHeld } from './heldState.ts';
-import type { PlainLog } from './plainLog.ts';
+import type { PackedLog } from './plainLog.ts';
 import type { Simulator } from './simulator.ts';
 import { demandsOf, firstDifference, TimelinePlayer, type PlayOptions } from './timelinePlayer.ts';
 
@@ -29,8 +29,6 @@ export interface Changed {
   readonly changed: Values;
 }
 
-const NO_LOG = { list: [], isTruncated: false };
-
 export class Animation {
   log: ChangeLog;
   private player: TimelinePlayer | undefined;
@@ -38,8 +36,8 @@ export class Animation {
   private drawn: AnyValues = {};
 
   /** @param isReplayed whether the changes are those of a take */
-  constructor(log: Pick<PlainLog, 'list' | 'isTruncated'> = NO_LOG, isReplayed = false) {
-    this.log = new ChangeLog(log, isReplayed);
+  constructor(changes?: PackedLog, isReplayed?: boolean) {
+    this.log = new ChangeLog(changes, isReplayed);
   }
 
   /** Values that together select all code of the renderer that pictures need. */
@@ -141,7 +139,7 @@ export class Animation {
 
   /** Takes over what people hold in a saved state. @param values that they hold */
   restore(bytes: Uint8Array, values: AnyValues): void {
-    this.log = new ChangeLog(NO_LOG, false);
+    this.log = new ChangeLog();
     for (const [key, step] of Object.entries(heldIn(bytes))) this.log.add(step, key, values[key]);
     this.reset();
   }

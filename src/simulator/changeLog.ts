@@ -1,7 +1,7 @@
 import type { AnyValues, Value } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { isAccepted } from '../parameters/values.ts';
-import { LOG_LIMIT, type Change, type PlainLog } from './plainLog.ts';
+import { CHANGE_SIZE, LOG_LIMIT, type PackedLog } from './plainLog.ts';
 
 /** Values by flat key; undefined for optional parameters that follow the scene again. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
@@ -19,15 +19,15 @@ interface Logged {
  */
 export class ChangeLog {
   /** Whether changes were too many to be recorded. The last recorded one of a key then has its latest value. */
-  isTruncated: boolean;
+  isTruncated = false;
   private readonly byKey = new Map<string, Logged[]>();
   private size = 0;
 
-  /** @param isReplayed whether the changes are of a take, and untrusted: invalid ones are left out */
-  constructor({ list, isTruncated }: Pick<PlainLog, 'list' | 'isTruncated'>, isReplayed: boolean) {
-    this.isTruncated = isTruncated;
-    for (const [step, key, value] of list) {
-      if (!isReplayed || isValid(step, key, value)) this.add(step, key, value ?? undefined, isReplayed);
+  /** @param isReplayed whether the changes are of a take. Then they are untrusted, and invalid ones are left out */
+  constructor([keys, changes]: PackedLog = [[], []], isReplayed = false) {
+    for (let at = 0; at < changes.length; at += 3) {
+      const [step, index, value] = changes.slice(at, at + 3) as [number, number, Value | null];
+      if (isValid(step, keys[index], value)) this.add(step, keys[index], value ?? undefined, isReplayed);
     }
   }
 
@@ -74,12 +74,14 @@ export class ChangeLog {
     }
   }
 
-  /** As a list of changes, by step. */
-  get list(): Change[] {
-    const changes = [...this.byKey].flatMap(([key, logged]) =>
-      logged.map(({ step, value }): Change => [step, key, value ?? null]),
-    );
-    return changes.sort((a, b) => a[0] - b[0]);
+  /** As a take has it; undefined without changes. @param hasLook whether with those of style, light and camera */
+  pack(hasLook = true): PackedLog | undefined {
+    const isKept = ([key]: [string, unknown]) => hasLook || findParameter(key)!.reader === 'simulator';
+    const kept = [...this.byKey].filter(isKept);
+    const changes = kept.flatMap(([, logged], index) => logged.map(({ step, value }) => [step, index, value ?? null]));
+    // Takes of one session have the order of its steps.
+    const sorted = changes.sort(([a], [b]) => Number(a) - Number(b)).flat();
+    return sorted.length > 0 ? [kept.map(([key]) => key), sorted] : undefined;
   }
 
   private last(key: string, time: number): Logged | undefined {
@@ -87,13 +89,13 @@ export class ChangeLog {
   }
 }
 
-function isValid(step: unknown, key: string, value: unknown): boolean {
-  const row = findParameter(key);
+function isValid(step: unknown, key: unknown, value: unknown): boolean {
+  const row = typeof key === 'string' ? findParameter(key) : undefined;
   if (!row || row.reader === 'stage' || !Number.isInteger(step) || (step as number) < 0) return false;
   return value === null ? row.isOptional === true : isAccepted(row, value);
 }
 
-/** Of a change as JSON: its value, its step, the index of its key and commas. */
+/** Of a change as JSON. */
 function sizeOf({ value }: Logged): number {
-  return String(value).length + 12;
+  return String(value).length + CHANGE_SIZE;
 }

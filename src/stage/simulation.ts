@@ -82,9 +82,10 @@ export class Simulation {
 
   /** The inputs since the start, with the values at the start as the note. @param hasLook whether with changes of the look */
   take(hasLook = true): Uint8Array {
-    const { list, isTruncated } = this.animation?.log ?? this.replayed ?? this.log;
-    const kept = hasLook ? list : list.filter(([, key]) => !isLook(key));
-    return this.simulator.take(noteOf(this.startValues, { list: kept, isTruncated }));
+    const { animation, log, replayed } = this;
+    const changes = animation ? animation.log.pack(hasLook) : hasLook ? (replayed?.changes ?? log.packed) : undefined;
+    const { isTruncated } = animation?.log ?? replayed ?? log;
+    return this.simulator.take(noteOf(this.startValues, changes, isTruncated));
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */
@@ -160,7 +161,11 @@ export class Simulation {
   play(timeline = ''): void {
     this.startValues = { ...this.startValues, timeline };
     const code = loaded.animation;
-    if (code && this.isAnimated) this.animation ??= new code.Animation(this.replayed ?? this.log, !!this.replayed);
+    const { log, replayed } = this;
+    if (code && this.isAnimated) {
+      this.animation ??= new code.Animation(replayed?.changes ?? log.packed, replayed !== undefined);
+      this.animation.log.isTruncated ||= (replayed ?? log).isTruncated === true;
+    }
     const from = this.animation?.play(timeline) ?? Infinity;
     this.states.dropFrom(from + 1);
     this.isStale ||= this.simulator.steps > from;
@@ -327,7 +332,7 @@ export class Simulation {
     this.simulator = next;
     this.states.clear();
     this.log = new PlainLog();
-    this.replayed = note?.list.length ? note : undefined;
+    this.replayed = note?.changes && note;
     this.animation = undefined;
     this.startValues = values;
     this.play(values.timeline);

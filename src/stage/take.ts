@@ -4,7 +4,7 @@ import type { Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { defaults, differing, isAccepted } from '../parameters/values.ts';
 import type { TakeInfo } from '../simulator/input.ts';
-import { PlainLog, type Change } from '../simulator/plainLog.ts';
+import type { PackedLog } from '../simulator/plainLog.ts';
 
 /** A recording of all inputs by step, with everything needed to replay them to the same hash at every step. */
 export interface Take {
@@ -37,30 +37,29 @@ export interface TakeOptions {
 }
 
 /** What the note of a take has. */
-export interface Note extends Pick<PlainLog, 'list' | 'isTruncated'> {
+export interface Note {
   readonly values: Values;
+  /** Changes over time that the simulator does not record. */
+  readonly changes?: PackedLog;
+  readonly isTruncated?: boolean;
 }
 
-/** The note of a take. It omits defaults, to keep links to takes short, and refers to keys by their index. */
-export function noteOf(values: Values, { list, isTruncated }: Omit<Note, 'values'> = new PlainLog()): string {
-  const own = differing(defaults(), values);
-  const keys = [...new Set(list.map(([, key]) => key))];
-  const numbered = list.flatMap(([step, key, value]) => [step, keys.indexOf(key), value]);
+/** The note of a take. It omits defaults, to keep links to takes short. */
+export function noteOf(values: Values, changes?: PackedLog, isTruncated = false): string {
   return JSON.stringify({
-    values: own,
-    ...(list.length > 0 && { changes: [keys, numbered] }),
+    values: differing(defaults(), values),
+    changes,
     ...(isTruncated && { isTruncated }),
   });
 }
 
 /** @throws SimulatorError when the note was not written by a stage */
 export function takeOf(bytes: Uint8Array, { note, end, ...info }: TakeInfo): Take {
-  const { values, list, isTruncated } = readNote(note);
-  const changed = new Set(list.map(([, key]) => key));
+  const { values, changes, isTruncated = false } = readNote(note);
   return {
     ...info,
     isTruncated: info.isTruncated || isTruncated,
-    changed: [...changed].filter(isLook),
+    changed: changes?.[0].filter(isLook) ?? [],
     values,
     steps: end,
     toBytes: () => bytes.slice(),
@@ -78,30 +77,25 @@ export function isLook(key: string): boolean {
  * @throws SimulatorError for invalid values, and when it was not written by a stage
  */
 export function readNote(note: string): Note {
-  const { values, list, isTruncated } = parsed(note);
+  const { values, changes, isTruncated } = parsed(note);
   const found = Object.entries(values).flatMap(([key, value]): [string, Value][] => {
     const parameter = findParameter(key);
     if (!parameter) return [];
     if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
     return [[parameter.key, value as Value]];
   });
-  return { values: { ...defaults(), ...Object.fromEntries(found) }, list, isTruncated };
+  const hasChanges = Array.isArray(changes?.[0]) && Array.isArray(changes[1]);
+  return {
+    values: { ...defaults(), ...Object.fromEntries(found) },
+    changes: hasChanges ? changes : undefined,
+    isTruncated: isTruncated === true,
+  };
 }
 
 function parsed(note: string): Note {
   try {
-    const { values, changes, isTruncated } = JSON.parse(note) as {
-      values?: unknown;
-      changes?: [string[], (Value | null)[]];
-      isTruncated?: unknown;
-    };
-    if (typeof values === 'object' && values !== null) {
-      const list: Change[] = [];
-      const [keys, numbered] = changes ?? [[], []];
-      for (let at = 0; at < numbered.length; at += 3)
-        list.push([numbered[at] as number, keys[numbered[at + 1] as number], numbered[at + 2]]);
-      return { values, list, isTruncated: isTruncated === true };
-    }
+    const read = JSON.parse(note) as Note;
+    if (typeof read.values === 'object' && read.values !== null) return read;
   } catch {
     // Reported below, as for well-formed JSON without values.
   }
