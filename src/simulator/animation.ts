@@ -5,7 +5,7 @@
 import { ParameterError } from '../base/errors.ts';
 import type { AnyValues, Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
-import { readTimeline, withKeyframes, writeTimeline } from '../parameters/timeline.ts';
+import { readTimeline, withKeyframes, writeTimeline, type Lane, type Timeline } from '../parameters/timeline.ts';
 import { differing } from '../parameters/values.ts';
 import { ChangeLog, type Changes } from './changeLog.ts';
 import { heldIn, withHeld } from './heldState.ts';
@@ -46,7 +46,8 @@ export class Animation {
   }
 
   /**
-   * Plays another timeline.
+   * Plays another timeline. Lanes that are new or different apply to all time: earlier changes of their parameters no longer
+   * hold.
    * @returns the first step from which it drives the simulator differently; Infinity if it never does
    */
   play(text: string): number {
@@ -54,7 +55,9 @@ export class Animation {
     this.player = text
       ? new TimelinePlayer(readTimeline(text).timeline, (key, time) => this.log.held(key, time))
       : undefined;
-    return firstDifference(before, this.player?.timeline);
+    const { timeline } = this.player ?? {};
+    for (const { key } of editedLanes(before, timeline)) this.log.forget(key, before === undefined);
+    return firstDifference(before, timeline);
   }
 
   /** Gives the simulator the values and bursts of its next step. */
@@ -179,6 +182,12 @@ function stepOf(key: string, { steps, time }: Moment): number {
 
 function defined(values: Changes): Values {
   return Object.fromEntries(Object.entries(values).filter(([, value]) => value !== undefined));
+}
+
+/** The lanes of a timeline that another one does not have. */
+function editedLanes(before: Timeline | undefined, after: Timeline | undefined): readonly Lane[] {
+  const known = new Set(before?.lanes.map((lane) => JSON.stringify(lane)));
+  return after?.lanes.filter((lane) => !known.has(JSON.stringify(lane))) ?? [];
 }
 
 /** {@link Animation.demands} of a timeline. */

@@ -46,6 +46,15 @@ export class ChangeLog {
     this.byKey.set(key, logged);
   }
 
+  /** Removes the changes of a key. @param keepsReplayed whether without those of a take that is replayed */
+  forget(key: string, keepsReplayed: boolean): void {
+    const logged = this.byKey.get(key) ?? [];
+    const kept = logged.filter(({ isReplayed }) => keepsReplayed && isReplayed);
+    for (const change of logged) if (!kept.includes(change)) this.size -= sizeOf(change);
+    if (kept.length > 0) this.byKey.set(key, kept);
+    else this.byKey.delete(key);
+  }
+
   /** The step of the value that a person last gave a key at or before a time; undefined if it follows again. */
   held(key: string, time: number): number | undefined {
     const last = this.last(key, time);

@@ -41,6 +41,8 @@ export class Lanes {
     this.dragEnd();
     this.gestures = new LaneGestures(this.element, this.body, session, this.axis);
     stage.on('frame', () => this.showNow());
+    // On a phone what is selected shows up over the lanes.
+    new ResizeObserver(() => this.revealSelected()).observe(this.element);
   }
 
   /** The lanes in the order in which they are shown: without bursts, there is an empty lane for them. */
@@ -76,6 +78,12 @@ export class Lanes {
     this.axis.reveal(step);
     this.rows.get(lane)?.elementOf(mark)?.focus();
     this.rows.get(lane)?.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+
+  private revealSelected(): void {
+    const { focused, marks } = this.session;
+    if (!focused || !marks.has(focused)) return;
+    this.rows.get(placeOf(focused).lane)?.element.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 
   focusRuler(): void {

@@ -271,6 +271,28 @@ describe('a change by a person', () => {
     bench.simulation.dispose();
   });
 
+  it('ends when its lane is edited, and not when another one is', () => {
+    const bench = new Bench({ ...VALUES, timeline: '120;emission.rate/0*20' }).advance(40);
+    const rateAt = (step: number) => bench.seek(step).advance(1).rate;
+    bench.values.set({ 'emission.rate': 100 });
+    bench.values.set({ timeline: '120;emission.rate/0*20;style.smokeColor/0*ffffff/60*000000' });
+    expect([rateAt(30), rateAt(60)]).toEqual([20, 100]);
+    bench.values.set({ timeline: '120;emission.rate/0*20/40*100/80*20' });
+    expect([rateAt(20), rateAt(40), rateAt(60), rateAt(90)]).toEqual([60, 100, 60, 20]);
+    bench.simulation.dispose();
+  });
+
+  it('before the parameter has a lane does not hold', () => {
+    const bench = new Bench({ ...VALUES, timeline: '' }).advance(30);
+    bench.values.set({ 'style.smokeColor': '#00ff00', 'style.inkColor': '#0000ff' });
+    bench.values.set({ timeline: '120;style.smokeColor/0*ffffff/60*000000' });
+    expect(bench.seek(45).drawn).toMatchObject({ 'style.smokeColor': '#404040', 'style.inkColor': '#0000ff' });
+    // Takes agree.
+    const take = bench.simulation.take();
+    expect(bench.play(take).advance(45).drawn['style.smokeColor']).toBe('#404040');
+    bench.simulation.dispose();
+  });
+
   it('of all values to what they are changes nothing', () => {
     const bench = new Bench({ ...VALUES, 'emission.rate': 60 }).advance(20);
     bench.values.set(bench.values.all);

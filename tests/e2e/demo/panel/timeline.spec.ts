@@ -83,6 +83,22 @@ test('by mouse: diamonds beside controls set keyframes, which are dragged, snapp
     await expect(row(page, 'emission.rate').getByRole('spinbutton')).toHaveValue('70');
     expect(await ask(page, ({ shown }) => shown['emission.rate'])).toBe(70);
   });
+  await test.step('what a hand changed before a keyframe was set does not hold', async () => {
+    for (const [step, rate] of [
+      [180, '20'],
+      [150, '60'],
+    ] as const) {
+      const { x, y } = await placeOf(page, step);
+      await page.mouse.click(x, y);
+      await expectStep(page, step);
+      const field = row(page, 'emission.rate').getByRole('spinbutton');
+      if (step === 150) await expect(field).toHaveValue(rate);
+      else await field.fill(rate);
+      if (step !== 150) await diamond(page, 'emission.rate').click();
+    }
+    await page.keyboard.press('Control+z');
+    await expectTimeline(page, '600;emission.rate/60*40*e/120*100*e');
+  });
   await test.step('a drag is one undo step', async () => {
     await drag(page, 'emission.rate', 120, 240);
     await expectTimeline(page, '600;emission.rate/60*40*e/240*100*e');
