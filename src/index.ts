@@ -81,7 +81,7 @@ export type { SmokeHandle } from './three/handle.ts';
 export type { KeyLight } from './three/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';
 export type { RemoteStage, RemoteStageOptions, Thread } from './stage/remote/contract.ts';
-export type { MethodName, RemoteMethod, RemoteMethods } from './stage/remote/methods.ts';
+export type { MethodName, RemoteMethod, RemoteMethods } from './stage/remote/calls.ts';
 export { connectFrame, type ConnectOptions } from './stage/remote/connectFrame.ts';
 export { openStage } from './stage/remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
