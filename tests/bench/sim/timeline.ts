@@ -18,10 +18,26 @@ const BETWEEN = 37;
 
 /** Half of the lanes are of the simulator and move in each step; the others are of the picture. */
 const KEYS = [
-  ...['emission.rate', 'emission.lifetime', 'puff.size', 'turbulence.speed', 'turbulence.scale'],
-  ...['forces.buoyancy', 'forces.turbulence', 'forces.drag', 'forces.wind.x', 'forces.wind.z'],
-  ...['style.outlineWidth', 'style.fill', 'style.rim', 'style.wash', 'style.inkLight'],
-  ...['light.azimuth', 'light.elevation', 'light.intensity', 'camera.azimuth', 'camera.distance'],
+  'emission.rate',
+  'emission.lifetime',
+  'puff.size',
+  'turbulence.speed',
+  'turbulence.scale',
+  'forces.buoyancy',
+  'forces.turbulence',
+  'forces.drag',
+  'forces.wind.x',
+  'forces.wind.z',
+  'style.outlineWidth',
+  'style.fill',
+  'style.rim',
+  'style.wash',
+  'style.inkLight',
+  'light.azimuth',
+  'light.elevation',
+  'light.intensity',
+  'camera.azimuth',
+  'camera.distance',
 ] as const;
 
 /** Keyframes at which a value goes up and down by a hundredth, eased by a Bezier curve. */

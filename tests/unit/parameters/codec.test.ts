@@ -72,7 +72,7 @@ describe('a timeline in a link', () => {
   it('loses what cannot be used, with a notice for each part', async () => {
     const { state, notices } = await decode('#v=1&timeline=60;seed/0*5;emission.rate/0*-4/9*x/20*7;no.such/0*1');
     expect(state.values.timeline).toBe('60;emission.rate/0*0/20*7');
-    expect(notices.map(({ code, key }) => [code, key])).toEqual(Array(4).fill(['malformed', 'timeline']));
+    expect(new Set(notices.map(({ code, key }) => `${code} ${key}`))).toEqual(new Set(['malformed timeline']));
     expect(notices.map(({ message }) => message)).toEqual([
       expect.stringContaining('timeline.seed'),
       expect.stringContaining('timeline.emission.rate cannot be \u201c-4\u201d'),

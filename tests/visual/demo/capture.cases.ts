@@ -212,16 +212,16 @@ export function animatedLayers() {
     const plain = unzipSync(await bytesOf(await captured(settings)));
     const entries = unzipSync(await bytesOf(await captured({ ...settings, inLayers: true })));
     const errors: number[] = [];
-    const drawn: [ink: boolean, shadow: boolean][] = [];
+    const parts: [ink: boolean, shadow: boolean][] = [];
     for (const name of ['0001', '0002', '0003', '0004']) {
       const order = ['flats', 'shadow', 'ink'].map((layer) => pixelsOfBytes(entries[`${layer}/${name}.png`]));
       const layers = await Promise.all(order);
       errors.push(meanDifference(await composed(layers), await pixelsOfBytes(plain[`frame-${name}.png`])));
-      drawn.push([countOpaque(layers[2]) > 20, countOpaque(layers[1]) > 20]);
+      parts.push([countOpaque(layers[2]) > 20, countOpaque(layers[1]) > 20]);
     }
     const isSame = JSON.stringify(stage.shown) === JSON.stringify(before);
     stage.set({ timeline: '' });
-    return { errors, drawn, isSame };
+    return { errors, parts, isSame };
   });
 }
 

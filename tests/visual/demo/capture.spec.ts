@@ -56,10 +56,10 @@ test('composited layers equal the picture', async ({ load }) => {
 });
 
 test('layers follow a timeline of what they change, and composited equal each frame', async ({ load }) => {
-  const { errors, drawn, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.animatedLayers());
+  const { errors, parts, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.animatedLayers());
   for (const error of errors) expect(error).toBeLessThan(1);
   // At the steps 180, 182.5, 185 and 187.5.
-  expect(drawn).toEqual([
+  expect(parts).toEqual([
     [true, true],
     [false, true],
     [false, false],
