@@ -67,8 +67,6 @@ export const words = {
   emitter: 'Emitter',
   easing: 'Easing to the next keyframe',
   easings: { hold: 'Hold', linear: 'Linear', ease: 'Ease', easeIn: 'Ease in', easeOut: 'Ease out' } as const,
-  custom: 'own curve',
-  mixed: 'different',
   curve: 'Curve of the easing',
   handle: (number: number, x: number, y: number) =>
     `Handle ${number}: ${Math.round(100 * x)} % of the time, ${Math.round(100 * y)} % of the way`,
