@@ -33,6 +33,17 @@ export type {
   SingleValues,
 } from './parameters/valueTypes.ts';
 export { presetValues } from './parameters/presets.ts';
+export {
+  readTimeline,
+  whyNotAnimated,
+  writeTimeline,
+  type Easing,
+  type GivenValues,
+  type Keyframe,
+  type Lane,
+  type Timeline,
+  type TimelineBurst,
+} from './parameters/timeline.ts';
 export { presets, type Preset } from './parameters/words/presets.ts';
 export type { DebugView, Quality } from './parameters/quality.ts';
 export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';
@@ -71,7 +82,7 @@ export type { SmokeHandle } from './three/handle.ts';
 export type { KeyLight } from './three/keyLight.ts';
 export { capsule, type ProxyBall, type ProxyCapsule } from './three/proxies.ts';
 export type { RemoteStage, RemoteStageOptions, Thread } from './stage/remote/contract.ts';
-export type { MethodName, RemoteMethod, RemoteMethods } from './stage/remote/methods.ts';
+export type { MethodName, RemoteMethod, RemoteMethods } from './stage/remote/calls.ts';
 export { connectFrame, type ConnectOptions } from './stage/remote/connectFrame.ts';
 export { openStage } from './stage/remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
@@ -82,4 +93,4 @@ export type { BlowInput } from './stage/gestures.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
 export type { StageStats, StatsOptions } from './stage/stats.ts';
-export type { Take } from './stage/take.ts';
+export type { Take, TakeOptions } from './stage/take.ts';

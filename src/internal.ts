@@ -14,6 +14,25 @@ export { MAX_NAME, nameOf } from './parameters/file.ts';
 export { LIST_LIMIT, listNames } from './parameters/lists.ts';
 export { DEBUG_VIEWS } from './parameters/quality.ts';
 export { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from './parameters/ramp.ts';
+export {
+  CURVES as EASING_CURVES,
+  eased,
+  EMPTY_TIMELINE,
+  MAX_BURSTS,
+  MAX_KEYFRAMES,
+  MAX_LANES,
+  MAX_STEP,
+  readTimeline,
+  timeIn,
+  valueAt,
+  whyNotAnimated,
+  writeTimeline,
+  type Easing,
+  type Keyframe,
+  type Lane,
+  type Timeline,
+  type TimelineBurst,
+} from './parameters/timeline.ts';
 export { isAccepted } from './parameters/values.ts';
 export { itemLabel, listLabel, startValues } from './parameters/words/lists.ts';
 export { channelSheet, lobeSheet, type ChannelPicture } from './renderer/puffs/billboards/channelSheet.ts';

@@ -16,6 +16,19 @@ export type {
 } from './parameters/valueTypes.ts';
 export type { AnyValues, Reader, ShareLink, Value, Values } from './parameters/parameter.ts';
 export { presetValues } from './parameters/presets.ts';
+export {
+  EMPTY_TIMELINE,
+  readTimeline,
+  valueAt,
+  whyNotAnimated,
+  withKeyframes,
+  writeTimeline,
+  type Easing,
+  type Keyframe,
+  type Lane,
+  type Timeline,
+  type TimelineBurst,
+} from './parameters/timeline.ts';
 export { defaults, validate } from './parameters/values.ts';
 export { itemGroups } from './parameters/words/lists.ts';
 export { defaultPreset, findPreset, presets, type Preset } from './parameters/words/presets.ts';
@@ -29,5 +42,6 @@ export type {
   Parameter,
   ParameterDescription,
   RampParameter,
+  TimelineParameter,
   ToggleParameter,
 } from './parameters/words/words.ts';

@@ -41,7 +41,7 @@ const TOGETHER = [
   },
   {
     name: 'session',
-    test: /src\/(base\/assetUrls|parameters\/(table|values|notice|quality)|simulator\/clock|stage\/(listeners|remote\/(openStage|methods|shapes))|page\/(size|element\/(change|playback|session|attributes\/parsedAttributes)))\.ts$/,
+    test: /src\/(base\/assetUrls|parameters\/(table|values|notice|quality)|simulator\/clock|stage\/(listeners|remote\/(openStage|makeMethods))|page\/(size|element\/(change|playback|session|attributes\/parsedAttributes)))\.ts$/,
     priority: 2,
   },
   { name: 'stage', test: /src\/stage\/remote\/openHere\.ts$/, priority: 1 },

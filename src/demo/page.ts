@@ -16,13 +16,14 @@ import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
 import { COLOR_TYPES, Palettes } from './palette/opener.ts';
-import { DRAW_EVENT } from './panel/control.ts';
+import { DRAW_EVENT, TIMELINE_EVENT } from './panel/control.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
 import { PALETTE_EVENT } from './panel/rampControl.ts';
 import { ROOMY } from './mediaQueries.ts';
 import type { Scrubber } from './playback/scrubber.ts';
 import { ShareSheet } from './share/shareSheet.ts';
 import { strings } from './strings.ts';
+import { TimelineOpener } from './timeline/opener.ts';
 
 /** Actions of the page's controls that shortcut keys use. */
 export interface Page {
@@ -35,6 +36,7 @@ export interface Page {
   toggleGallery(): void;
   surprise(): void;
   toggleGizmos(): void;
+  toggleTimeline(): void;
   toggleStatistics(): void;
   drop(): void;
   blow(): void;
@@ -101,7 +103,17 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   panel.addEventListener(PALETTE_EVENT, () => palettes.choose());
   const things = new DropThings(stage, parts.canvas);
   const blowing = new Blowing(stage, parts.canvas);
-  const dock = createDock(editor, stage, scrubber, blowing.element, things.element);
+  const timeline = new TimelineOpener((isOpen) => {
+    document.body.classList.toggle('has-timeline', isOpen);
+    // On a phone there is room for one of them.
+    if (isOpen && !matchMedia(ROOMY).matches) {
+      dock.closeGallery();
+      showPanel(false);
+    }
+  });
+  const dock = createDock(editor, stage, scrubber, timeline.button, [blowing.element, things.element], () => {
+    if (!matchMedia(ROOMY).matches) void timeline.close();
+  });
   await nextTask();
   const gizmos = new Gizmos(editor, stage);
   const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
@@ -131,6 +143,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
       // On a phone the gallery would cover some of them.
       if (isShown && !matchMedia(ROOMY).matches) dock.closeGallery();
     },
+    toggleTimeline: () => void timeline.toggle(),
     toggleStatistics: () => statistics.toggle(),
     drop: () => things.dropAtPointer(),
     blow: () => blowing.blowAtPointer(),
@@ -140,11 +153,15 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   };
   const header = createHeader(page, captureButton.element, gizmoToggle, toggle);
   showPanel(matchMedia(ROOMY).matches);
+  panel.addEventListener(TIMELINE_EVENT, () => void timeline.open());
   await nextTask();
   container.querySelector('.skeleton')?.remove();
   container.append(gizmos.element, header, dock.element);
   await nextTask();
   container.append(panel, palettes.element, help.element, sheet.element, views.element, statistics.element);
+  const showParameters = (): void => showPanel(true);
+  const close = (): void => void timeline.close();
+  timeline.connect({ editor, stage, scrubber, notices, container, panel, showParameters, close });
   return page;
 }
 

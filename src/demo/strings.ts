@@ -251,6 +251,11 @@ export const strings = {
     notPicture: 'The browser cannot read it as a picture.',
     nothing: 'There is nothing to draw: everything is transparent or outside the picture.',
   },
+  timeline: {
+    title: 'Timeline',
+    open: 'Open the timeline',
+    remove: 'Remove the timeline',
+  },
   purpose: {
     title: (file: string) => `What is ${file} for?`,
     cancel: 'Cancel',

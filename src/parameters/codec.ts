@@ -10,6 +10,7 @@ import { DECODED_LIMIT, pack, packBytes, unpack, unpackBytes } from './packing.t
 import type { AnyValues, Parameter, ShareLink, Value, Values } from './parameter.ts';
 import { defaultPreset, findPreset, presetValues } from './presets.ts';
 import { findParameter, table } from './table.ts';
+import { cleanTimeline } from './timeline.ts';
 import type { PresetName } from './valueTypes.ts';
 import { readText, writeText } from './values.ts';
 
@@ -149,7 +150,7 @@ function readPair(
     return;
   }
   const read = readText(parameter, text, values[parameter.key], source);
-  values[parameter.key] = read.value;
+  values[parameter.key] = parameter.kind === 'timeline' ? cleanTimeline(String(read.value), notices) : read.value;
   if (read.notice) notices.push(read.notice);
 }
 

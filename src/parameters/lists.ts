@@ -8,7 +8,7 @@
 import source from './lists.json' with { type: 'json' };
 import { MAX_STOPS } from './curve.ts';
 import type { ChoiceParameter, CurveParameter, NumberParameter, RampParameter } from './parameter.ts';
-import { choice, ofScene, quantity, unitOf } from './rows/row.ts';
+import { choice, fixed, ofScene, quantity, unitOf } from './rows/row.ts';
 
 /** Maximum number of items per list, as in the simulator. */
 export const LIST_LIMIT = 8;
@@ -48,20 +48,19 @@ export function listParameters(): ItemParameter[] {
 }
 
 function itemParameters(list: string, index: number): ItemParameter[] {
-  return lists[list].flatMap((field): ItemParameter | ItemParameter[] => {
-    if (field.key === LOOK_STYLE) return lookStyle(`${list}.${index}.look`);
-    if (isCurve(field))
-      return ofScene({
-        kind: 'curve',
-        key: `${list}.${index}.${field.key}`,
-        reader: 'simulator',
-        default: '',
-      } as const);
-    return endsOf(field).map((end, part) => {
-      const key = `${list}.${index}.${field.key}${end}`;
-      return field.names.length > 0 ? choiceOf(field, key) : numberOf(field, part, key);
-    });
+  return lists[list].flatMap((field) => {
+    const rows = fieldParameters(field, `${list}.${index}`);
+    return field.key.startsWith('look.') ? rows.map((row) => fixed('looks', row)) : rows;
   });
+}
+
+function fieldParameters(field: Field, item: string): ItemParameter[] {
+  const key = `${item}.${field.key}`;
+  if (field.key === LOOK_STYLE) return lookStyle(`${item}.look`);
+  if (isCurve(field)) return [ofScene({ kind: 'curve', key, reader: 'simulator', default: '' } as const)];
+  return endsOf(field).map((end, part) =>
+    field.names.length > 0 ? choiceOf(field, key + end) : numberOf(field, part, key + end),
+  );
 }
 
 /** The colours and the ink of a look, which the style reads. */

@@ -28,6 +28,8 @@ export interface ParameterDescription {
   /** Flat dotted key, identical in links and Rust. Attributes use dashes. */
   readonly key: string;
   readonly reader: Reader;
+  /** What a change replaces, so that a timeline cannot animate it: puff shapes, shaders, the simulation or looks. */
+  readonly fixed?: 'puffs' | 'shaders' | 'simulation' | 'looks';
   /** The key can be absent from values. The parameter then has the scene's value. */
   readonly isOptional?: true;
 }
@@ -81,7 +83,17 @@ export interface DrawingParameter extends ParameterDescription {
   readonly default: string;
 }
 
+/** A timeline as text, which `timeline.ts` describes and reads; empty for none. */
+export interface TimelineParameter extends ParameterDescription {
+  readonly kind: 'timeline';
+  readonly default: string;
+}
+
+/** Maximum length of a timeline as text, in characters. */
+export const TIMELINE_LIMIT = 16_000;
+
 export type Parameter =
+  | TimelineParameter
   | CurveParameter
   | RampParameter
   | DrawingParameter
@@ -103,6 +115,8 @@ export function accepted(parameter: Parameter): string {
       return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
+    case 'timeline':
+      return `nothing, or a timeline of at most ${TIMELINE_LIMIT} characters`;
     case 'choice':
       return parameter.options.map((option) => String(option.value)).join(', ');
     default: {

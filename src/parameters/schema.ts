@@ -5,7 +5,9 @@ import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
 import { presets } from './presets.ts';
+import { TIMELINE_LIMIT } from './parameter.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
+import { TIMELINE } from './timeline.ts';
 import { table } from './words/table.ts';
 import type { Parameter } from './words/words.ts';
 
@@ -76,6 +78,8 @@ function valueSchema(parameter: Parameter): Schema {
       return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', MIN_COLORS, MAX_COLORS)}` };
     case 'drawing':
       return { type: 'string', maxLength: MAX_DRAWINGS * (DRAWING_LIMIT + 1) - 1, pattern: '^[-;,*.\\w]*$' };
+    case 'timeline':
+      return { type: 'string', maxLength: TIMELINE_LIMIT, pattern: TIMELINE.source };
     default:
       return { type: parameter.kind, minimum: parameter.min, maximum: parameter.max };
   }

@@ -5,6 +5,7 @@ import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,
   accepted,
+  TIMELINE_LIMIT,
   type NumberParameter,
   type Parameter,
   type AnyValues,
@@ -89,6 +90,9 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && readRamp(value) !== undefined;
     case 'drawing':
       return typeof value === 'string' && isDrawing(value);
+    case 'timeline':
+      // What it cannot read, `readTimeline` leaves out.
+      return typeof value === 'string' && value.length <= TIMELINE_LIMIT;
     case 'integer':
       return Number.isInteger(value) && isInRange(parameter, value as number);
     case 'number':
@@ -124,7 +128,8 @@ function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
   if (parameter.kind === 'curve') return isAccepted(parameter, text) ? text : undefined;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
-  if (parameter.kind === 'drawing') return isDrawing(text) ? text : undefined;
+  if (parameter.kind === 'drawing' || parameter.kind === 'timeline')
+    return isAccepted(parameter, text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
 }

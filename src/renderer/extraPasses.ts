@@ -4,6 +4,8 @@ import type { PuffForm } from './gpu/puffTextures.ts';
 import type { Factors } from './gpu/ramps.ts';
 import type { Shaders } from './gpu/programsAhead.ts';
 import type { DebugView } from '../parameters/quality.ts';
+import type { Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
 import type { FrameExtras } from './smokePasses.ts';
@@ -23,7 +25,9 @@ const modules = new LazyModules({
   falloff: () => import('./falloff.ts'),
   additionalLights: () => import('./additionalLights.ts'),
   looks: () => import('./looks.ts'),
+  animation: () => import('../simulator/animation.ts'),
 });
+const TIMELINE = 'The timeline';
 /** The modules that are loaded. */
 export const { loaded } = modules;
 
@@ -54,6 +58,8 @@ export interface PictureKind {
   /** Whether emitters may have looks of their own. */
   readonly hasLooks?: boolean;
   readonly view?: DebugView;
+  /** Whether values change over time by a timeline or by a take. */
+  readonly isAnimated?: boolean;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
 }
@@ -86,8 +92,8 @@ export function hasStrokes({
 
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
-  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, hasLooks, view, isTiled } =
-    kind;
+  const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, hasLooks, view } = kind;
+  const { isAnimated, isTiled } = kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -101,6 +107,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(lampLight && { falloff: 'The decay of light' }),
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
     ...(hasLooks && { looks: 'Looks of emitters' }),
+    ...(isAnimated && { animation: TIMELINE }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -133,6 +140,27 @@ export function codeOf<Each extends Name>(name: Each): NonNullable<(typeof loade
   const code = loaded[name];
   if (!code) throw new LoadError(`The code of ${name} is not loaded.`);
   return code;
+}
+
+/**
+ * The values with the timeline as text. While its code is not loaded, a text is not checked.
+ * @throws ParameterError for an invalid timeline
+ */
+export function timelineText(given: GivenValues): Values {
+  const code = loaded.animation;
+  // What is no object of values is rejected later.
+  const timeline = (given as GivenValues | undefined)?.timeline;
+  if (!code || !timeline) return given as Values;
+  return { ...given, timeline: code.writeTimeline(code.requireTimeline(timeline)) };
+}
+
+/**
+ * Like {@link timelineText}, but loads the code first.
+ * @throws also LoadError if it cannot be loaded
+ */
+export async function fetchTimelineText(given: GivenValues): Promise<Values> {
+  if ((given as GivenValues | undefined)?.timeline) await modules.load('animation', TIMELINE);
+  return timelineText(given);
 }
 
 function missing(kind: PictureKind): [Name, string][] {

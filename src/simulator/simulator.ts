@@ -5,8 +5,8 @@ import { requireWhole } from '../parameters/values.ts';
 import { ArrangedInMemory, type Arranged } from './arranged.ts';
 import type * as Core from './core.ts';
 import { blowNumbers, linesAndNumbers, type Blow } from './input.ts';
-import { FIRST_NUMBER } from './lookStyles.ts';
-import { splitState, withSavedLooks } from './savedLooks.ts';
+import { FIRST_NUMBER, numbersOfStyles } from './lookStyles.ts';
+import { splitState, withSavedLooks } from './savedState.ts';
 import { requireIndices, type rigidArguments, type RigidDescription, blendPose, poseNumbers } from './rigid.ts';
 import { errorOfSimulator, isSimulatorRejection } from './simulatorError.ts';
 import { POSE_FLOATS, RIGID_FLOATS, VIEW_FLOATS } from './layout.ts';
@@ -335,9 +335,9 @@ export class Simulator {
    * @param obstacles Whether with its rigids and its colliders outside the parameter table.
    */
   restore(bytes: Uint8Array, obstacles = true): void {
-    const { state, styles } = splitState(bytes);
+    const { state, more } = splitState(bytes);
     this.#attempt(() => this.#handle.restore(state, obstacles));
-    this.addStyles(styles);
+    this.addStyles(numbersOfStyles(more.styles));
   }
 
   /**
@@ -444,9 +444,9 @@ export class Simulator {
    * omitted.
    */
   rewind(state?: Uint8Array): void {
-    const { state: bytes, styles } = state ? splitState(state) : { styles: [] };
-    this.#attempt(() => this.#handle.rewind(bytes));
-    this.addStyles(styles);
+    const saved = state && splitState(state);
+    this.#attempt(() => this.#handle.rewind(saved?.state));
+    this.addStyles(numbersOfStyles(saved?.more.styles));
   }
 
   /** Number of inputs of the take applied so far. */

@@ -1,14 +1,14 @@
 import type { Device, DeviceOptions } from '../renderer/gpu/device.ts';
 import type { Fault } from '../renderer/gpu/faults.ts';
 import type { DebugView, Quality } from '../parameters/quality.ts';
-import type { Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import type { LoadProgress } from '../simulator/load.ts';
 import type { Turns } from './frameLoop.ts';
 import type { StageStats } from './stats.ts';
 
 export interface StageOptions extends DeviceOptions {
   /** Flat values that differ from the parameter defaults. */
-  values?: Values;
+  values?: GivenValues;
   /** A shared device. Default: the stage creates its own WebGL2 context on the canvas. */
   device?: Device;
   /**

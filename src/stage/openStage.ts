@@ -2,8 +2,9 @@ import { missingContext, requireCanvas, type DeviceCanvas } from '../renderer/gp
 import type { Fault } from '../renderer/gpu/faults.ts';
 import { requireOptions } from '../base/errors.ts';
 import type { Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { defaults, validate } from '../parameters/values.ts';
-import { fetchExtras } from '../renderer/extraPasses.ts';
+import { fetchExtras, fetchTimelineText, loaded } from '../renderer/extraPasses.ts';
 import { bakeAhead, compileAhead } from '../renderer/prepare.ts';
 import { styleOf } from '../renderer/style.ts';
 import { STAGE_OPTIONS, type EnterOptions, type StageOptions } from './contract.ts';
@@ -16,7 +17,7 @@ import { RunningScene } from './runningScene.ts';
 export async function openStage(canvas: DeviceCanvas, options: StageOptions): Promise<RunningScene> {
   requireCanvas(canvas);
   requireOptions('createStage', options, [...STAGE_OPTIONS, 'device', 'failsSelfTest', 'onStep', 'turns']);
-  const values = withDefaults(options.values);
+  const values = await read(options.values);
   // Before the programs compile: a resize of the drawing buffer waits for the GPU.
   const { width, height, pixelRatio = 1, view } = options;
   if (width && height) [canvas.width, canvas.height] = pixelsOf(width, height, pixelRatio);
@@ -57,12 +58,17 @@ export async function openFor(
     bakeAhead(values),
     // What the loaded code bakes.
     fetchExtras({ ...styleOf(values), view }).then(() => bakeAhead(values)),
+    fetchExtras(styleOf({ ...values, ...loaded.animation?.demandsIn(values.timeline!) })),
   ]);
   return opened;
 }
 
-/** @throws ParameterError for an invalid value */
-export function withDefaults(values: Values = {}): Values {
+/**
+ * All values, with the timeline as text. Loads the code of a timeline.
+ * @throws ParameterError for an invalid value, LoadError when the code cannot be fetched
+ */
+export async function read(given: GivenValues = {}): Promise<Values> {
+  const values = await fetchTimelineText(given);
   validate(values);
   return { ...defaults(), ...values };
 }

@@ -3,7 +3,9 @@ import { missingContext, type Device } from '../renderer/gpu/device.ts';
 import { FramesInFlight } from '../renderer/gpu/framesInFlight.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { requireFinite } from '../parameters/values.ts';
-import { completionOf, type Completion } from '../renderer/completion.ts';
+import { AnimationLoading, completionOf, type Completion } from '../renderer/completion.ts';
+import type { PictureKind } from '../renderer/extraPasses.ts';
+import { styleOf } from '../renderer/style.ts';
 import { STEP_SECONDS } from '../simulator/clock.ts';
 import { FIRST_PART } from '../simulator/layout.ts';
 import { nextTask } from '../base/work.ts';
@@ -31,6 +33,7 @@ export class RunningScene implements FrameTasks {
   /** Loads the code that the picture needs. */
   readonly completion: Completion;
   readonly values: StageValues;
+  readonly timeline: AnimationLoading;
   /** Replaced when another scene is entered, as its simulation and its gestures. */
   opened: OpenedScene;
   simulation: Simulation;
@@ -42,6 +45,8 @@ export class RunningScene implements FrameTasks {
   private readonly stopListening: () => void;
   private readonly options: StageOptions;
   private isStale = false;
+  /** Shown in place of other values. */
+  private otherLook: Values = {};
 
   /** @throws ParameterError for an invalid option */
   constructor(presenter: Presenter, opened: OpenedScene, values: Values, options: StageOptions) {
@@ -52,13 +57,25 @@ export class RunningScene implements FrameTasks {
     this.picture = new Picture(presenter, opened.scene, values);
     this.gestures = new Gestures(this.simulation, this.picture, this.showMoved);
     this.values = new StageValues(values, this);
+    this.timeline = new AnimationLoading({
+      isAnimated: () => this.simulation.isAnimated,
+      set: (given) => this.values.set(given),
+      play: () => this.values.playTimeline(),
+      load: () => this.completion.begin(),
+    });
     this.picture.hasBackground = options.background ?? true;
     this.picture.quality = options.quality ?? 1;
     this.picture.view = options.view;
     this.completion = completionOf(
-      () => this.picture.kindOf(this.simulation.simulator),
-      () => this.show(),
-      (error) => this.listeners.notify('error', error),
+      () => this.kinds,
+      () => {
+        this.endLoading();
+        this.show();
+      },
+      (error) => {
+        this.listeners.notify('error', error);
+        this.endLoading();
+      },
     );
     this.device = presenter.device;
     if (!options.turns) this.inFlight = new FramesInFlight(this.device);
@@ -84,6 +101,11 @@ export class RunningScene implements FrameTasks {
     return quality === 'auto' ? this.loop.scale : quality;
   }
 
+  /** The simulated time that is drawn, in steps. */
+  get drawnTime(): number {
+    return Math.max(0, this.simulation.simulator.steps - 1 + this.loop.clock.blend);
+  }
+
   play(): void {
     if (!this.isDisposed && this.loop.play()) this.notifyState();
   }
@@ -101,20 +123,36 @@ export class RunningScene implements FrameTasks {
     this.values.applyLog();
   }
 
+  /** See `Stage.step`. */
+  step(steps: number): void {
+    this.timeline.whenOver(() => {
+      this.advance(steps);
+      this.showLatest();
+    });
+  }
+
   /** See `Stage.advance`. */
   advanceBy(seconds: number): void {
-    this.showTime(this.simulation.simulator.steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS);
+    this.timeline.whenOver(() => {
+      this.showTime(this.simulation.simulator.steps - 1 + this.loop.clock.blend + seconds / STEP_SECONDS);
+    });
   }
 
   /**
    * Advances to a simulated time and shows exactly it, interpolated when it is between two steps. The picture does not
    * depend on the times shown before. Only `seek` goes back.
    * @param seconds at least the time of the latest step but one
-   * @param look valid values of camera and style
+   * @param look valid values of camera and style in place of others, until the next call
    */
   showAt(seconds: number, look: Values = {}): void {
-    this.values.adoptValues({ ...this.values.all, ...look });
+    this.otherLook = look;
+    this.values.showWith(look);
     this.showTime(seconds / STEP_SECONDS);
+  }
+
+  /** Shows these values of style in place of others, until the next call or that of `showAt`. They stay as they are. */
+  showWith(style: Values): void {
+    this.show(() => this.values.showWith({ ...this.otherLook, ...style }));
   }
 
   /** @param goal in steps */
@@ -183,8 +221,9 @@ export class RunningScene implements FrameTasks {
   /** Moves the camera. Overridden camera parameters become values. */
   look(move: (eye: OrbitCamera) => void): void {
     this.show(() => {
+      const before = this.picture.eye.held;
       move(this.picture.eye);
-      this.values.adoptCamera();
+      this.values.adoptCamera(before);
     });
     this.notifyState();
   }
@@ -252,6 +291,7 @@ export class RunningScene implements FrameTasks {
     const { simulator } = simulation;
     // Emissions can have looks that need more code.
     if (picture.smoke.followLooks(simulator)) this.completion.begin();
+    this.values.followTimeline();
     const isDrawn = picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
     if (isDrawn && listeners.has('frame')) listeners.notify('frame', statsOf(simulation, picture));
   }
@@ -286,10 +326,24 @@ export class RunningScene implements FrameTasks {
 
   /** Called for each frame while playing. */
   frame(steps: number, isDrawn: boolean): void {
+    // The clock waits for the timeline.
+    if (!this.timeline.isOver) return;
     this.advance(steps);
     if (!isDrawn) return;
     this.draw();
     this.inFlight?.add();
+  }
+
+  /** Of the current picture, and of all that the timeline leads to. */
+  private get kinds(): readonly PictureKind[] {
+    const { picture, simulation } = this;
+    const { animation, simulator } = simulation;
+    const demanding = animation && styleOf({ ...picture.smoke.values, ...animation.demands });
+    return [{ ...picture.kindOf(simulator), isAnimated: this.timeline.isWanted }, ...(demanding ? [demanding] : [])];
+  }
+
+  private endLoading(): void {
+    if (!this.isDisposed) this.timeline.end();
   }
 
   private simulate({ factory, scene }: OpenedScene, values: Values): Simulation {

@@ -1,10 +1,12 @@
 import { Matrix4, type Vector3 } from 'three';
 import { ParameterError, SimulatorError } from '../base/errors.ts';
-import type { AnyValues, Values } from '../parameters/parameter.ts';
+import type { AnyValues, Value, Values } from '../parameters/parameter.ts';
 import { LOOK_STYLE } from '../parameters/lists.ts';
 import { findParameter } from '../parameters/table.ts';
+import { loaded } from '../renderer/extraPasses.ts';
 import type { Dropped } from '../scenes/dropped.ts';
 import type { Scene } from '../scenes/scene.ts';
+import type { Animation } from '../simulator/animation.ts';
 import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
 import {
   changeNumbers,
@@ -15,13 +17,14 @@ import {
 } from '../simulator/emitterOptions.ts';
 import type { SimulatorFactory } from '../simulator/load.ts';
 import { stylesOf } from '../simulator/lookStyles.ts';
-import { splitState } from '../simulator/savedLooks.ts';
+import { PlainLog } from '../simulator/plainLog.ts';
+import { savedLooks } from '../simulator/savedState.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { namingLook } from '../simulator/simulatorError.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
 import { placedParts, placementIn, put, sceneStateOf } from './scenePoses.ts';
 import { SavedStates } from './states.ts';
-import { noteOf, stylesIn, takeOf, type Take } from './take.ts';
+import { isLook, noteOf, readNote, stylesIn, takeOf, type Note, type Take } from './take.ts';
 
 /** What moves a rigid between steps. */
 export interface Mover {
@@ -40,6 +43,12 @@ export class Simulation {
   /** The values at the start of the current take, recorded or replayed. */
   startValues: Values;
   mover: Mover | undefined;
+  /** What happens to the values over time. Undefined if nothing does, and until its code is loaded. */
+  animation: Animation | undefined;
+  /** Changes by people while there is no animation. */
+  private log = new PlainLog();
+  /** The log of the take that is replayed. */
+  private replayed: Note | undefined;
   readonly scene: Scene;
   /** World transforms of the rigids by index, as last read by `rigids`. */
   readonly matrices: readonly Matrix4[];
@@ -48,6 +57,8 @@ export class Simulation {
   private readonly factory: SimulatorFactory;
   private readonly states: SavedStates;
   private inputsSeen = 0;
+  /** Whether the timeline of the past has changed, so that the state is not that of the take. */
+  private isStale = false;
   private readonly dropped: Dropped | undefined;
 
   /** @param historyBytes memory budget for saved states, 64 MiB by default */
@@ -60,6 +71,7 @@ export class Simulation {
     this.states = new SavedStates(historyBytes);
     this.simulator = this.create(values);
     this.startValues = values;
+    this.play(values.timeline);
   }
 
   /** Bytes of the saved states. */
@@ -72,9 +84,14 @@ export class Simulation {
     this.replace(this.create(values), values);
   }
 
-  /** The inputs since the start, with the values at the start as the note. */
-  take(): Uint8Array {
-    return this.simulator.take(noteOf(this.startValues, stylesOf(this.simulator.styles)));
+  /** The inputs since the start, with the values at the start as the note. @param hasLook whether with changes of the look */
+  take(hasLook = true): Uint8Array {
+    const { animation, log, replayed, simulator } = this;
+    const changes = animation ? animation.log.pack(hasLook) : hasLook ? (replayed?.changes ?? log.packed) : undefined;
+    const { isTruncated } = animation?.log ?? replayed ?? log;
+    return simulator.take(
+      noteOf({ values: this.startValues, changes, isTruncated, looks: stylesOf(simulator.styles) }),
+    );
   }
 
   /** @throws SimulatorError for bytes that are damaged or no take */
@@ -88,15 +105,20 @@ export class Simulation {
    * @throws SimulatorError when the take is damaged or of another scene; the simulation is unchanged then
    */
   playTake(take: Uint8Array): Values {
-    const { values } = this.readTake(take);
+    const note = readNote(this.factory.readTake(take).note);
+    const { values } = note;
     const { name } = this.scene;
     if (values.scene !== name) throw new SimulatorError(`The take is for the scene ${values.scene}, not ${name}.`);
-    this.replay(take, values);
+    this.replay(take, values, note);
     return this.valuesIn(values);
   }
 
-  /** Goes to the start of a take of this scene. @throws SimulatorError when it is damaged; nothing changes then */
-  replay(take: Uint8Array, values: Values): void {
+  /**
+   * Goes to the start of a take of this scene.
+   * @param note what the take changes beside the simulator; nothing by default
+   * @throws SimulatorError when it is damaged; nothing changes then
+   */
+  replay(take: Uint8Array, values: Values, note?: Note): void {
     const next = this.create(values);
     try {
       next.replay(take);
@@ -105,14 +127,18 @@ export class Simulation {
       next.dispose();
       throw error;
     }
-    this.replace(next, values);
+    this.replace(next, values, note);
   }
 
   /** Restores a saved state and starts a new take. */
   restore(bytes: Uint8Array, values: Values): Values {
     this.simulator.restore(bytes);
     this.states.clear();
-    this.startValues = this.valuesIn({ ...values, ...splitState(bytes).values });
+    this.isStale = false;
+    this.log = new PlainLog();
+    this.replayed = undefined;
+    this.animation?.restore(bytes, values);
+    this.startValues = this.valuesIn({ ...values, ...savedLooks(bytes) });
     this.reset();
     return this.startValues;
   }
@@ -123,11 +149,55 @@ export class Simulation {
     this.reset();
   }
 
+  /** The state, with the colours and the ink of looks, and what people hold of the timeline. @param values of the table */
+  save(values: Values): Uint8Array {
+    const { steps } = this.simulator;
+    const state = this.simulator.save(values);
+    return this.animation?.saved(state, steps) ?? state;
+  }
+
+  /** Whether values change over time, by a timeline or by the take that is replayed. */
+  get isAnimated(): boolean {
+    return (this.startValues.timeline ?? '') !== '' || this.replayed !== undefined;
+  }
+
+  /**
+   * Plays a timeline from now on, as soon as its code is loaded. If it drives the past differently, the next seek simulates
+   * that anew.
+   */
+  play(timeline = ''): void {
+    this.startValues = { ...this.startValues, timeline };
+    const code = loaded.animation;
+    const { log, replayed } = this;
+    if (code && this.isAnimated) {
+      this.animation ??= new code.Animation(replayed?.changes ?? log.packed, replayed !== undefined);
+      this.animation.log.isTruncated ||= (replayed ?? log).isTruncated === true;
+    }
+    const from = this.animation?.play(timeline) ?? Infinity;
+    this.states.dropFrom(from + 1);
+    this.isStale ||= this.simulator.steps > from;
+  }
+
+  /**
+   * Records changes of values by a person that the simulator does not record.
+   * @param changes null for what follows the scene again
+   * @param time drawn, in steps
+   */
+  record(changes: Readonly<Record<string, Value | null>>, time: number): void {
+    const { animation, log, simulator } = this;
+    if (animation) return animation.record(changes, { steps: simulator.steps, time });
+    for (const key of Object.keys(changes).filter(isLook)) log.add(Math.floor(time + 1e-6), key, changes[key]);
+  }
+
   /** `values`, with the simulator's current values for every parameter that it reads. */
   valuesIn(values: Values): Values {
+    const { animation, simulator } = this;
     const { rig, rule } = this.scene;
-    const after = valuesIn(this.simulator, values, rig);
-    return Object.fromEntries(Object.entries(after).filter(([key]) => key in values || !rule?.keys.includes(key)));
+    const after: AnyValues = valuesIn(simulator, values, rig);
+    const isDriven = (key: string) => animation?.isDriven(key, simulator.steps);
+    const isKept = (key: string) => key in values || !(rule?.keys.includes(key) || isDriven(key));
+    const keys = Object.keys(after).filter(isKept);
+    return Object.fromEntries(keys.map((key) => [key, (isDriven(key) ? (values as AnyValues) : after)[key]]));
   }
 
   /**
@@ -211,6 +281,7 @@ export class Simulation {
       this.mover?.beforeStep();
       this.dropped?.clear();
       this.guide();
+      this.animation?.prepare(this.simulator, { isWhole: this.scene.rule !== undefined });
       this.sendParts();
       this.simulator.step();
       this.states.keep(this.simulator);
@@ -231,9 +302,11 @@ export class Simulation {
    */
   approach(goal: number): void {
     const { steps } = this.simulator;
+    if (goal < steps) (this.animation ?? this.log).rewind(goal);
     const state = this.states.latest(goal);
-    if (steps <= goal && (state?.step ?? 0) <= steps) return;
+    if (!this.isStale && steps <= goal && (state?.step ?? 0) <= steps) return;
     this.simulator.rewind(state?.bytes);
+    this.isStale = false;
     this.reset();
   }
 
@@ -270,11 +343,16 @@ export class Simulation {
     return simulator;
   }
 
-  private replace(next: Simulator, values: Values): void {
+  private replace(next: Simulator, values: Values, note?: Note): void {
     this.simulator.dispose();
     this.simulator = next;
-    this.startValues = values;
     this.states.clear();
+    this.log = new PlainLog();
+    this.replayed = note?.changes && note;
+    this.animation = undefined;
+    this.startValues = values;
+    this.play(values.timeline);
+    this.isStale = false;
     this.reset();
   }
 
@@ -307,6 +385,7 @@ export class Simulation {
   }
 
   private reset(): void {
+    this.animation?.reset();
     this.dropped?.clear();
     this.mover?.reset();
   }

@@ -1,9 +1,10 @@
 import { MathUtils } from 'three';
 import type { DeviceCanvas } from '../renderer/gpu/device.ts';
 import type { DebugView, Quality } from '../parameters/quality.ts';
-import { SimulatorError } from '../base/errors.ts';
+import { LoadError, SimulatorError } from '../base/errors.ts';
 import { runOnSelf } from '../base/onSelf.ts';
 import type { Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
@@ -12,11 +13,11 @@ import type { EmissionChange, EmissionOptions } from '../simulator/emitterOption
 import type { BlowInput } from './gestures.ts';
 import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { cameraControls } from './orbit.ts';
-import { openFor, openStage, withDefaults } from './openStage.ts';
+import { openFor, openStage, read } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
 import type { Sight } from './sight.ts';
 import { statsOf, type StageStats } from './stats.ts';
-import type { Take } from './take.ts';
+import type { Take, TakeOptions } from './take.ts';
 
 /**
  * A running scene on a canvas. It does not access the DOM: sizes, pointers and keys are passed as numbers, so it also
@@ -129,8 +130,7 @@ export class Stage {
   /** Takes n steps of 1/60 s and shows the last one. @throws ParameterError unless n is an integer of at least 0 */
   step(n = 1): void {
     requireWhole('n', n);
-    this.running.advance(n);
-    this.#running.showLatest();
+    this.running.step(n);
   }
 
   /**
@@ -175,22 +175,42 @@ export class Stage {
    * defaults. Among concurrent calls, the last one wins. The old scene keeps running until the new one is loaded.
    * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; nothing changes then
    */
-  async enter(values: Values, options: EnterOptions = {}): Promise<void> {
+  async enter(values: GivenValues, options: EnterOptions = {}): Promise<void> {
     const { picture } = this.running;
-    const after = withDefaults(values);
-    const entry = (this.#entering = {});
+    const [before, entry] = [this.#entering, (this.#entering = {})];
+    const after = await read(values).catch((error) => {
+      // Invalid values supersede nothing.
+      if (this.#entering === entry) this.#entering = before;
+      throw error;
+    });
     const opened = await openFor(after, picture, options);
     if (!this.#running.isDisposed && this.#entering === entry) this.#running.enter(opened, after);
   }
 
   /**
    * Changes parameters by flat key: all of them, or none if one is invalid. A new seed restarts the simulation. A new
-   * simulation.maxParticles keeps the living particles. Values that the simulator reads are recorded in the take;
-   * style, light and camera are not. Use `enter` to change the scene.
+   * simulation.maxParticles keeps the living particles. Takes record the changes. Use `enter` to change the scene.
+   *
+   * A value that the timeline animates holds until the next keyframe of its parameter; see `recordsKeyframes`. A timeline
+   * applies to all time: where it changes what the simulator has already done, the next seek simulates that anew. Its code
+   * is loaded with the first one, and `complete` waits for it. Until then the values of that call are not set, the stage does
+   * not play, `step` and `advance` wait, and an invalid value causes an `error` event in place of an error.
    * @throws ParameterError with the parameter, the value and the accepted range
    */
-  set(values: Values): void {
-    this.running.values.set(values);
+  set(values: GivenValues): void {
+    const { listeners } = this.running;
+    this.setChecked(values)?.catch((error: Error) => {
+      // The loading error was already reported.
+      if (!(error instanceof LoadError)) listeners.notify('error', error);
+    });
+  }
+
+  /**
+   * @internal Like `set`, without the event.
+   * @returns if the code of the timeline is not loaded, a promise that rejects when the timeline is invalid
+   */
+  setChecked(values: GivenValues): Promise<void> | undefined {
+    return this.running.timeline.set(values);
   }
 
   /** @internal Changes to these values as one change: like `set`, and `unset` of all optional parameters not in them. */
@@ -218,6 +238,26 @@ export class Stage {
   /** All values by flat key. Optional parameters appear only when they are set. */
   get(): Values {
     return { ...this.#running.values.all };
+  }
+
+  /**
+   * All values, with those of the timeline as they are at the time of the picture. A timeline leaves what `get()` returns as
+   * it is.
+   */
+  get shown(): Values {
+    return this.#running.values.shown;
+  }
+
+  /**
+   * Whether a change of a parameter that the timeline animates, also by the camera's gestures, makes a keyframe at the
+   * present step. By default false: the value holds until the next keyframe of that parameter.
+   */
+  get recordsKeyframes(): boolean {
+    return this.#running.values.recordsKeyframes;
+  }
+
+  set recordsKeyframes(isOn: boolean) {
+    this.#running.values.recordsKeyframes = isOn;
   }
 
   /** Converts between scene and picture coordinates, for overlays. */
@@ -271,7 +311,7 @@ export class Stage {
 
   /** Serializes the simulator's state, with the colours and the ink of emitters' looks. */
   save(): Uint8Array {
-    return this.#running.simulation.simulator.save(this.#running.values.all);
+    return this.#running.simulation.save(this.#running.values.all);
   }
 
   /**
@@ -284,12 +324,13 @@ export class Stage {
   }
 
   /**
-   * The inputs since the stage was created, restarted or restored, by step: simulator parameters, drags, steering,
-   * blows, emissions and clears. A take records up to 20,000 inputs; `isTruncated` says whether later ones took effect
-   * unrecorded.
+   * What was done since the stage was created, restarted or restored, by step: changes of parameters, drags, steering,
+   * blows, emissions and clears. A take records up to 20,000 inputs, and 40,000 characters for the changes of style, light
+   * and camera; `isTruncated` says whether later ones took effect unrecorded. After a seek back, changes of style, light and
+   * camera stay, as if they were made there.
    */
-  take(): Take {
-    return this.readTake(this.running.simulation.take());
+  take({ look = true }: TakeOptions = {}): Take {
+    return this.readTake(this.running.simulation.take(look));
   }
 
   /** Reads the metadata of a take without playing it. @throws SimulatorError for bytes that are damaged or no take */

@@ -18,14 +18,23 @@ import { runOnSelf } from '../base/onSelf.ts';
 import type { AnyValues, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { Clock } from '../simulator/clock.ts';
 import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
 import { MESHES } from '../simulator/meshes.ts';
 import type { Simulator } from '../simulator/simulator.ts';
-import { splitState } from '../simulator/savedLooks.ts';
+import { savedLooks } from '../simulator/savedState.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
-import { completionOf, type Completion } from '../renderer/completion.ts';
-import { fetchExtras, missingExtras } from '../renderer/extraPasses.ts';
+import { AnimationLoading, completionOf, type Completion } from '../renderer/completion.ts';
+import {
+  fetchExtras,
+  fetchTimelineText,
+  loaded,
+  missingExtras,
+  timelineText,
+  type PictureKind,
+} from '../renderer/extraPasses.ts';
+import type { Animation } from '../simulator/animation.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { ShownSmoke } from '../renderer/shownSmoke.ts';
@@ -47,6 +56,7 @@ import {
   changeable,
   hostStyle,
   loadPreset,
+  ofSmoke,
   requireChangeable,
   requireCreation,
   startValues,
@@ -121,6 +131,18 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private needed: LoadOptions['physics'] = false;
   private larger: Promise<void> | undefined;
   private readonly clock = new Clock();
+  /** As callers have set them. */
+  private values: Values;
+  /** With those of the timeline that the simulator has; another object after each change. */
+  private simulated: Values;
+  /** Undefined without a timeline, and until its code is loaded. */
+  private animation: Animation | undefined;
+  private readonly loading = new AnimationLoading({
+    isAnimated: () => this.isAnimated,
+    set: (values) => this.setNow(values),
+    play: () => this.play(),
+    load: () => this.completion.begin(),
+  });
   private readonly shown: ShownSmoke;
   private readonly completion: Completion;
   private readonly stopListening: () => void;
@@ -145,7 +167,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     requireKeyLight(options.keyLight);
     const given = { preset: options.preset, values: { ...options.values } };
     await loadPreset(given.preset);
-    const values = startValues(given);
+    const values = await fetchTimelineText(startValues(given));
+    const demands = loaded.animation?.demandsIn(values.timeline!);
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
@@ -157,6 +180,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
           ...hostStyle(values),
           ...(options.light === 'scene' && { lampLight: [1, 1, 1], hasAdditionalLights: true }),
         }),
+        fetchExtras(hostStyle({ ...values, ...demands })),
       ]);
       const simulator = factory.create({
         capacity: values['simulation.maxParticles'] as number,
@@ -182,29 +206,32 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.onRelight = options.onRelight ?? (() => {});
     this.simulator = simulator;
     this.start = simulator.save();
+    this.values = values;
+    this.simulated = values;
     this.shown = new ShownSmoke(values, (given) => new SmokeRenderer(device, given), hostStyle);
     this.space = options.space ?? 'world';
     this.frame = new SmokeFrame(this.space);
     this.parts = new ObjectParts(simulator, this.frame);
     this.emitters = new EmitterPool(simulator, this.parts);
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
-    this.table = new TableNumbers(simulator, this.overrides, () => this.shown.values);
+    this.table = new TableNumbers(simulator, this.overrides, () => this.simulated);
     const { parts, overrides, frame } = this;
     const need: Obstacles['need'] = (what) => this.need(what, options.physics);
     this.obstacles = { simulator, frame, taken: new Set(), need };
-    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.shown.values });
+    this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.simulated });
     const report = (error: unknown) => this.report(error);
     this.handles = new Handles({ object: this, report, isAlive: () => !this.isDisposed });
     const miss = (error: LoadError) => this.isDisposed || this.report(error);
     this.passes = new HostPasses(this.shown.renderer, device, values['simulation.maxParticles'] as number, frame, miss);
     this.completion = completionOf(
-      () => {
-        this.shown.followLooks(simulator);
-        return this.shown.style;
+      () => this.kinds,
+      () => this.isDisposed || this.loading.end(),
+      (error) => {
+        miss(error);
+        if (!this.isDisposed) this.loading.end();
       },
-      () => {},
-      miss,
     );
+    this.play();
     this.stopListening = this.device.onContext((event) => {
       if (event !== 'lost') return;
       this.passes.release();
@@ -311,11 +338,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       requireFinite({ seconds });
       this.reportDrawing();
       this.now += 1000 * seconds;
-      this.advance(this.clock.tick(this.now));
-      this.handles.show(this.clock.blend);
-      this.shown.bake(BAKING_MS);
-      this.markVisible();
-      this.showLatest();
+      const steps = this.clock.tick(this.now);
+      // The clock waits for the timeline.
+      this.advance(this.loading.isOver ? steps : 0);
+      this.showTime(BAKING_MS);
     } catch (error) {
       this.reportOnce(error);
     }
@@ -330,12 +356,11 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     requireWhole('count', count);
     this.reportDrawing();
-    this.clock.settle();
-    this.advance(count);
-    this.handles.show(this.clock.blend);
-    this.shown.bake();
-    this.markVisible();
-    this.showLatest();
+    this.loading.whenOver(() => {
+      this.clock.settle();
+      this.advance(count);
+      this.showTime();
+    });
   }
 
   /**
@@ -344,13 +369,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
    * fetch fails, smoke renders plain nailboards of lobes. A failure emits one `error` event. Later `set` calls retry only
    * if they select it again; `complete` also retries.
    */
-  set(values: Values): void {
+  set(values: GivenValues): void {
     this.requireAlive();
-    requireChangeable(values);
-    const after = { ...this.shown.values, ...values };
-    this.simulator.set(this.overrides.over(simulatorValues(values, after)));
-    this.change(after);
-    this.showLatest();
+    this.loading.set(values)?.catch((error: unknown) => this.isDisposed || this.report(error));
   }
 
   /**
@@ -377,7 +398,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
 
   /** All current values that `set` takes. */
   get(): Values {
-    return changeable(this.shown.values);
+    return changeable(this.values);
   }
 
   /** Removes all puffs, and those that wait. Handles, emitters, values and the children of this object stay. */
@@ -394,14 +415,15 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restart(): void {
     this.requireAlive();
     this.restoreState(this.start);
-    this.useValues(this.shown.values);
+    this.animation?.restore(this.start, this.values);
+    this.useValues(this.values);
   }
 
   /** Serializes the simulator's state and the values that it reads, without the effects of handles on them. */
   save(): Uint8Array {
     this.requireAlive();
     const { simulator } = this;
-    const values: AnyValues = this.shown.values;
+    const values: AnyValues = this.values;
     const numbers = simulator.parameters();
     const initial = [...numbers.keys(), ...Object.keys(values)].flatMap((key) => {
       const value = findParameter(key)?.default;
@@ -413,7 +435,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const bytes = simulator.save(values);
     // The simulator leaves out some numbers that have their defaults.
     simulator.set({ ...simulatorValues(defaults), ...Object.fromEntries(numbers) });
-    return bytes;
+    return this.animation?.saved(bytes, simulator.steps) ?? bytes;
   }
 
   /**
@@ -424,8 +446,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   restore(bytes: Uint8Array): void {
     this.requireAlive();
     this.restoreState(bytes);
-    const { values } = splitState(bytes);
-    this.useValues(valuesIn(this.simulator, { ...this.shown.values, ...values }, {}));
+    const values = valuesIn(this.simulator, { ...this.values, ...savedLooks(bytes) }, {});
+    this.animation?.restore(bytes, values);
+    this.useValues(values);
     this.shown.keepVariations(this.simulator.variationsAlive);
   }
 
@@ -498,11 +521,69 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     releaseDevice(this.device);
   }
 
+  private setNow(given: GivenValues): void {
+    const { simulator, animation } = this;
+    const values = timelineText(given);
+    requireChangeable(values);
+    const after = { ...this.values, ...values };
+    simulator.set(this.overrides.over(simulatorValues(values, after)));
+    if (animation) {
+      const now = { steps: simulator.steps, time: this.drawnTime };
+      const { changed } = animation.changedBy(this.values, after, values, now, false);
+      animation.record(changed as AnyValues, now);
+      animation.reset();
+    }
+    this.change(after);
+    this.showLatest();
+  }
+
   /** Takes over values that the simulator has. */
   private change(values: Values): void {
-    const before = missingExtras(this.shown.style);
-    this.shown.setValues(values);
-    if (missingExtras(this.shown.style) !== before) this.completion.begin();
+    const missing = () => this.kinds.map(missingExtras).join();
+    const before = missing();
+    const isOther = values.timeline !== this.values.timeline;
+    this.values = values;
+    this.simulated = values;
+    if (isOther) this.play();
+    this.animation?.follow(this.drawnTime);
+    this.showValues();
+    if (missing() !== before) this.completion.begin();
+  }
+
+  private get isAnimated(): boolean {
+    return (this.values.timeline ?? '') !== '';
+  }
+
+  /** Plays the timeline of the values if its code is loaded. */
+  private play(): void {
+    if (this.isAnimated && loaded.animation) this.animation ??= new loaded.animation.Animation();
+    this.animation?.play(this.values.timeline ?? '');
+  }
+
+  private showValues(): void {
+    this.shown.setValues({ ...this.values, ...ofSmoke(this.animation?.shown ?? {}) });
+  }
+
+  /** Of the current picture, and of all that the timeline leads to. */
+  private get kinds(): readonly PictureKind[] {
+    const { values, animation, loading, shown } = this;
+    shown.followLooks(this.simulator);
+    const demanding = animation && hostStyle({ ...values, ...ofSmoke(animation.demands) });
+    return [{ ...shown.style, isAnimated: loading.isWanted }, ...(demanding ? [demanding] : [])];
+  }
+
+  /** The simulated time that is drawn, in steps. */
+  private get drawnTime(): number {
+    return Math.max(0, this.simulator.steps - 1 + this.clock.blend);
+  }
+
+  /** Shows the drawn time. */
+  private showTime(bakingMs?: number): void {
+    if (this.animation?.follow(this.drawnTime)) this.showValues();
+    this.handles.show(this.clock.blend);
+    this.shown.bake(bakingMs);
+    this.markVisible();
+    this.showLatest();
   }
 
   /** Starts to load a larger simulator. @throws UnsupportedError if `option` is false */
@@ -606,6 +687,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.handles.look();
     for (let taken = 0; taken < steps; ++taken) {
       const [from, to] = [taken / steps, (taken + 1) / steps];
+      this.animation?.prepare(this.simulator, this.playing);
       this.handles.move(from, to);
       this.itemMotion.place((from + to) / 2);
       this.parts.place(from, to);
@@ -613,6 +695,17 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
       this.emitters.settle();
     }
   }
+
+  /** How the simulator takes what the timeline plays. */
+  private readonly playing = {
+    put: (values: Values): void => {
+      this.simulated = { ...this.simulated, ...values };
+      this.simulator.set(this.overrides.over(simulatorValues(values)));
+      this.itemMotion.refresh();
+      for (const emitter of this.emitters.followers) emitter.followTable();
+    },
+    isSilent: (emitter: number): boolean => this.overrides.isSilent(`emitters.${emitter}`),
+  };
 
   /** Reads the transform of this object. Reports errors once, until it is sound again. */
   private place(steps: number): void {

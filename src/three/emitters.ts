@@ -57,6 +57,8 @@ export class EmitterPool {
   readonly parts: ObjectParts;
   /** Indices of the emitters of active handles. */
   readonly used = new Set<number>();
+  /** Those of active handles that follow the table. */
+  readonly followers = new Set<PooledEmitter>();
   private readonly isTaken: boolean[] = Array.from({ length: OBJECT_SLOTS }, () => false);
   private bursts = 0;
   private unfinished: Burst[] = [];
@@ -185,19 +187,26 @@ export class PooledEmitter extends Handle implements EmitterHandle {
       throw error;
     }
     this.table?.overrides.reserve('emitters.0');
+    if (this.table) this.pool.followers.add(this);
+  }
+
+  /** Takes over values of the table that have changed. */
+  followTable(): void {
+    if (this.table!.read() !== this.base) this.write();
   }
 
   protected override follow(): void {
     const { parts } = this.pool;
     this.requireSound(parts.frame.toSmoke(worldPose(this.object, pose)));
     parts.move(this.part!, pose);
-    if (this.table && this.table.read() !== this.base) this.write();
+    if (this.table) this.followTable();
   }
 
   protected stop(): void {
     this.pool.parts.remove(this.part!);
     this.part = undefined;
     this.pool.used.delete(this.index);
+    this.pool.followers.delete(this);
     this.pool.drop(this.index);
   }
 

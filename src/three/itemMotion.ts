@@ -39,6 +39,11 @@ export class ItemMotion {
     this.context = context;
   }
 
+  /** Values have changed since the last look. */
+  refresh(): void {
+    if (this.part) this.carryItems();
+  }
+
   /** Reads the transform of the object for the next steps. @throws ParameterError for an invalid one, see SmokeFrame.look */
   look(object: Object3D, steps: number, isFirst = false): void {
     const { frame } = this.context;
@@ -52,11 +57,16 @@ export class ItemMotion {
 
   /** Sets what the transform changes. Values may have changed, too. */
   private carry(isFirst: boolean): void {
-    const { simulator, parts, overrides, frame, values } = this.context;
+    const { parts, frame } = this.context;
     // Until it moved, the object was at the origin.
     this.part ??= parts.add(newPose());
     parts.move(this.part, frame.object);
     if (isFirst) parts.move(this.part, frame.object);
+    this.carryItems();
+  }
+
+  private carryItems(): void {
+    const { simulator, overrides, values } = this.context;
     const items = new Set(Object.keys(values()).flatMap((key) => /^\w+\.\d+(?=\.)/.exec(key) ?? []));
     const numbers: Record<string, number> = {};
     for (const item of items) {

@@ -2,6 +2,7 @@ import type { Object3DEventMap, WebGLRenderer } from 'three';
 import { fetchValues } from '../parameters/byScene/fetchValues.ts';
 import { ParameterError, requireOptions, type SmokeError } from '../base/errors.ts';
 import type { ShareLink, Values } from '../parameters/parameter.ts';
+import type { GivenValues } from '../parameters/timeline.ts';
 import { defaults, validate } from '../parameters/values.ts';
 import type { PresetName } from '../parameters/valueTypes.ts';
 import { styleOf, type Style } from '../renderer/style.ts';
@@ -31,7 +32,7 @@ export interface CartoonSmokeOptions {
    * scene determines is ignored here and in `preset`: `scene`, kind, direction, distance and decay of the light, `camera.*`,
    * `style.renderer`, `style.backdrop`.
    */
-  values?: Values;
+  values?: GivenValues;
   /**
    * Whether larger simulators are loaded: with true that for objects that smoke pushes, before the promise resolves; with
    * false none. By default `collide` loads one for meshes, or that for objects that smoke pushes, when an object first needs it.
@@ -114,7 +115,9 @@ export function requireCreation(options: CartoonSmokeOptions): void {
   const { light = 'style', lightReference = {} } = options;
   if (!LIGHT_SOURCES.includes(light)) throw new ParameterError('light', light, LIGHT_SOURCES.join(' or '));
   requireLightReference(lightReference);
-  validate(options.values ?? {});
+  const { timeline, ...values } = options.values ?? {};
+  // An object is read, and checked, when its code is loaded.
+  validate(timeline && typeof timeline === 'object' ? values : ((options.values as Values | undefined) ?? {}));
 }
 
 /** Values of the presets and links that {@link loadPreset} has loaded. */
@@ -129,19 +132,19 @@ export async function loadPreset(preset: CartoonSmokeOptions['preset']): Promise
 }
 
 /** The initial values: the defaults, then the small emitter, the loaded preset and the caller's values. */
-export function startValues({ preset, values }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): Values {
+export function startValues({ preset, values }: Pick<CartoonSmokeOptions, 'preset' | 'values'>): GivenValues {
   const given = ofSmoke({ ...(preset && loaded.get(preset)), ...values });
   return { ...defaults(), ...EMITTER, ...given };
 }
 
 /** The values without those that the host's scene determines. */
-export function ofSmoke(values: Values): Values {
-  return Object.fromEntries(Object.entries(values).filter(([key]) => !OF_HOST.test(key)));
+export function ofSmoke<Given extends GivenValues>(values: Given): Given {
+  return Object.fromEntries(Object.entries(values).filter(([key]) => !OF_HOST.test(key))) as Given;
 }
 
 /** The values that can change after creation. */
-export function changeable(values: Values): Values {
-  return Object.fromEntries(Object.entries(ofSmoke(values)).filter(([key]) => !AT_CREATION.includes(key)));
+export function changeable<Given extends GivenValues>(values: Given): Given {
+  return Object.fromEntries(Object.entries(ofSmoke(values)).filter(([key]) => !AT_CREATION.includes(key))) as Given;
 }
 
 /**

@@ -50,6 +50,11 @@ export class Overrides {
     this.silence(item);
   }
 
+  /** Whether an item is reserved and has no users. */
+  isSilent(item: string): boolean {
+    return this.reserved.has(item) && !this.users.get(item);
+  }
+
   /** From now on the item has an effect only while it has users. */
   reserve(item: string): void {
     if (this.reserved.has(item)) return;
@@ -59,7 +64,7 @@ export class Overrides {
 
   /** Gives an item the effect that its values describe, unless it is reserved and has no users. */
   restore(item: string): void {
-    if (this.reserved.has(item) && !this.users.get(item)) return;
+    if (this.isSilent(item)) return;
     for (const key in SILENCE) this.drop(`${item}.${key}`);
   }
 

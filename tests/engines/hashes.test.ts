@@ -3,6 +3,8 @@ import { readFileSync } from 'node:fs';
 import { describe, expect } from 'vitest';
 import { presets } from '../../src/parameters/presets.ts';
 import { linesOf } from '../support/sim/hashFixture.ts';
+import { loadVariant } from '../support/sim/simWasm.ts';
+import { TIMELINE_HASH, timelineHashes, timelineValues } from '../support/sim/timelineHashes.ts';
 import { engine, test } from './fixtures.ts';
 import hashes from './hashes.json' with { type: 'json' };
 
@@ -28,4 +30,14 @@ test('meshes without Rapier end in the native state', async ({ load }) => {
   const fixture = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
   const page = await load<Page>('/tests/engines/page/hashes.ts');
   expect(await page.hashOfMeshes(fixture)).toBe(linesOf(fixture, 'hash with meshes')[0]);
+});
+
+test('a timeline with each kind of parameter ends in the state of Node, played, sought and replayed', async ({
+  load,
+}) => {
+  const page = await load<Page>('/tests/engines/page/hashes.ts');
+  const { hashes: found, values } = await page.timelineInPage();
+  expect(new Set(Object.values(found))).toEqual(new Set([TIMELINE_HASH]));
+  expect(values).toBe(timelineValues());
+  expect(await timelineHashes(await loadVariant('core'))).toEqual(found);
 });

@@ -24,7 +24,7 @@ export const anyState: fc.Arbitrary<State> = fc
   });
 
 /** @param share 0 to below 1. Every tenth number is an end of the range; the others are inside it with all digits. */
-function valueOf(parameter: Parameter, share: number): Value {
+export function valueOf(parameter: Parameter, share: number): Value {
   switch (parameter.kind) {
     case 'toggle':
       return Math.floor(2 * share);
@@ -38,6 +38,8 @@ function valueOf(parameter: Parameter, share: number): Value {
       return writeCurve(places(share, 2, MAX_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
     case 'drawing':
       return share < 0.5 ? '' : 'ff8800*GRk-gg-Cg;ffffff*GRk-gg-Cg.G5uqggqWg,3355aa*Hh4qggqWg,*G5uqv';
+    case 'timeline':
+      return share < 0.5 ? '' : `600*loop;emission.rate/0*60/120*${share}*e;burst/60*0*24`;
     case 'ramp':
       return share < 0.1 ? '' : writeRamp(places(share, 2, MAX_COLORS).map((at) => ({ at, color: gray(at) })));
     default:

@@ -8,5 +8,6 @@ export const EXAMPLE_TAKE = {
   mostParticles: 300,
   isFresh: true,
   isTruncated: false,
+  changed: ['style.rim'],
   toBytes: () => Uint8Array.of(1, 2, 3),
 } as const;

@@ -85,12 +85,10 @@ export async function drawFlipbook(
 class MapCamera {
   private readonly studio: Studio;
   private readonly reader: PixelReader;
-  private readonly style: Values;
 
   constructor(studio: Studio, width: number, height: number) {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
-    this.style = studio.stage.get();
   }
 
   /** In the order of FILES, without motion. */
@@ -100,7 +98,7 @@ class MapCamera {
     const channels = this.withStyle({ 'style.outlines': 0, 'style.rim': 0, 'style.smokeColor': '#ffffff' });
     const dark = this.withStyle({ 'style.rimColor': '#000000' });
     const bright = this.withStyle({ 'style.rimColor': '#ffffff' });
-    stage.set(this.ownStyle());
+    stage.running.showWith({});
     const normals = await this.seen('normals');
     const depth = await this.seen('depth');
     for (let at = 0; at < channels.data.length; at += 4) {
@@ -116,14 +114,8 @@ class MapCamera {
   }
 
   private withStyle(values: Values): ImageData {
-    this.studio.stage.set({ ...this.ownStyle(), ...values });
+    this.studio.stage.running.showWith(values);
     return this.reader.read(this.studio.canvas);
-  }
-
-  /** The values that the maps change. */
-  private ownStyle(): Values {
-    const keys = ['style.outlines', 'style.rim', 'style.rimColor', 'style.smokeColor'] as const;
-    return Object.fromEntries(keys.map((key) => [key, this.style[key]]));
   }
 
   private async seen(view: DebugView): Promise<ImageData> {

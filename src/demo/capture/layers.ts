@@ -16,20 +16,18 @@ const NO_ROWS: Rows = { count: 0, whole: 0, place: new Float32Array(0), attribut
 export class LayerCamera {
   private readonly studio: Studio;
   private readonly reader: PixelReader;
-  private readonly style: Values;
   private hasSmoke = true;
 
   /** @param width, height of the studio's canvas, in pixels */
   constructor(studio: Studio, width: number, height: number) {
     this.studio = studio;
     this.reader = new PixelReader(width, height);
-    this.style = studio.stage.get();
     studio.stage.running.picture.smoke.overrideFrame((input) =>
       this.hasSmoke ? input : { ...input, simulator: withoutRows(input.simulator) },
     );
   }
 
-  /** The layers in the order of LAYERS. Leaves other values of the style than before. */
+  /** The layers in the order of LAYERS. Until the next frame, the stage shows the last one. */
   async shoot(): Promise<(readonly [Layer, ImageData])[]> {
     const flats = this.flats();
     return [
@@ -45,6 +43,10 @@ export class LayerCamera {
   /** Encodes a layer as a PNG. */
   encode(pixels: ImageData): Promise<Blob> {
     return this.reader.encode(pixels);
+  }
+
+  private get style(): Values {
+    return this.studio.stage.shown;
   }
 
   private flats(): ImageData {
@@ -108,18 +110,8 @@ export class LayerCamera {
 
   private read(values: Values): ImageData {
     const { stage, canvas } = this.studio;
-    const { style } = this;
-    stage.set({
-      'style.outlines': style['style.outlines'],
-      'style.shadows': style['style.shadows'],
-      'style.inkColor': style['style.inkColor'],
-      'style.inkLight': style['style.inkLight'],
-      'style.patternColor': style['style.patternColor'],
-      // Only their own layer has marks.
-      'style.patternCoverage': 0,
-      'style.patternBackdrop': 0,
-      ...values,
-    });
+    // Only their own layer has marks.
+    stage.running.showWith({ 'style.patternCoverage': 0, 'style.patternBackdrop': 0, ...values });
     return this.reader.read(canvas);
   }
 }

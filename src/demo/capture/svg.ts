@@ -18,9 +18,10 @@ export async function makeSvg(studio: Studio, settings: CaptureSettings): Promis
   const [width, height] = pixelSize(settings);
   const { stage, canvas, draw } = studio;
   const reader = new PixelReader(width, height);
-  const style = styleOf(stage.get());
+  const values = stage.shown;
+  const style = styleOf(values);
   const inkColor = pixelOf(inkOf(style));
-  const ramp = readRamp(stage.get()['style.backdrop'] ?? '') ?? [];
+  const ramp = readRamp(values['style.backdrop'] ?? '') ?? [];
   const marks = hasMarks(style) ? marksIn(studio, reader, style, width / settings.width) : undefined;
   if (marks) stage.set(WITHOUT_MARKS);
   draw();

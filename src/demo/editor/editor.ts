@@ -20,6 +20,16 @@ export type Changes = Readonly<Record<string, Value | undefined>>;
 /** Called after each change with the new state and the changed values. */
 export type EditListener = (state: State, changed: Changes) => void;
 
+/** Turns changes into others, such as keyframes. */
+export interface Recorder {
+  /** Called before changes. @returns the changes to make instead */
+  replace(changes: Changes): Changes;
+  /** Called after the stage was changed by a gesture on it. */
+  note(changes: Changes): void;
+  /** Called at the end of a gesture. @returns changes that complete it */
+  settle(): Changes;
+}
+
 /** The page around an editor. */
 interface Surroundings {
   /** Resolves before the next frame of the page. */
@@ -39,7 +49,10 @@ export class Editor {
   private readonly stage: Pick<Stage, 'get' | 'replace' | 'on'>;
   private readonly surroundings: Surroundings;
   private readonly history: History<State>;
+  recorder: Recorder | undefined;
   private readonly listeners: EditListener[] = [];
+  private readonly animationListeners: ((changed: Changes) => void)[] = [];
+  private animated: AnyValues = {};
   /** The values that the stage had last, or was given. */
   private seen: Values;
   /** In progress while there are edits that the stage lacks. */
@@ -56,6 +69,29 @@ export class Editor {
 
   get state(): State {
     return this.history.present;
+  }
+
+  /** The values in effect: those of the state, but the present ones of animated parameters. */
+  get shown(): AnyValues {
+    return { ...this.state.values, ...this.animated };
+  }
+
+  /** Sets the present values of animated parameters, which are no change of the state. */
+  animate(values: AnyValues): void {
+    const changed = differences(this.animated, values);
+    if (isEmpty(changed)) return;
+    this.animated = values;
+    for (const listener of this.animationListeners) listener(changed);
+  }
+
+  /** @param listener called when the present values of animated parameters have changed */
+  listenToAnimation(listener: (changed: Changes) => void): void {
+    this.animationListeners.push(listener);
+  }
+
+  /** Name of the gesture in progress. */
+  get gesture(): string | undefined {
+    return this.history.gesture;
   }
 
   get canUndo(): boolean {
@@ -87,11 +123,18 @@ export class Editor {
 
   /** Sets several values, or removes optional ones, as one change. */
   changeAll(changes: Changes, gesture?: string): void {
-    this.replace({ ...this.state, values: withChanges(this.state.values, changes) }, gesture);
+    const made = this.recorder?.replace(changes) ?? changes;
+    // The stage has them only with the next frame.
+    const animated = Object.entries(changes).filter(([key, value]) => value !== undefined && !(key in made));
+    this.animated = { ...this.animated, ...(Object.fromEntries(animated) as AnyValues) };
+    this.replace({ ...this.state, values: withChanges(this.state.values, made) }, gesture);
+    if (gesture === undefined) this.recorder?.settle();
   }
 
   /** Ends a gesture. */
   settle(): void {
+    const completing = this.recorder?.settle() ?? {};
+    this.replace({ ...this.state, values: withChanges(this.state.values, completing) }, this.history.gesture);
     this.history.settle((a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
     this.notify({});
   }
@@ -150,7 +193,9 @@ export class Editor {
 
   /** Consecutive calls are undone together. */
   private adopt(values: Values): void {
-    if (isEmpty(differences(this.state.values, values))) return;
+    const changes = differences(this.state.values, values);
+    if (isEmpty(changes)) return;
+    this.recorder?.note(eyeOf(changes));
     this.show(() => this.history.record({ ...this.state, values }, 'stage'));
   }
 
@@ -184,7 +229,9 @@ export class Editor {
   private show(move: () => void): void {
     const { values } = this.state;
     move();
-    this.notify(differences(values, this.state.values));
+    const changed = differences(values, this.state.values);
+    this.animated = Object.fromEntries(Object.entries(this.animated).filter(([key]) => !(key in changed)));
+    this.notify(changed);
   }
 
   private notify(changed: Changes): void {
@@ -193,8 +240,9 @@ export class Editor {
 }
 
 /** Those of the values that belong to the camera. */
-function eyeOf(values: Values): Values {
-  return Object.fromEntries(Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera'));
+function eyeOf<Given extends Changes>(values: Given): Partial<Given> {
+  const entries = Object.entries(values).filter(([key]) => findParameter(key)?.reader === 'camera');
+  return Object.fromEntries(entries) as Partial<Given>;
 }
 
 function withChanges(values: Values, changes: Changes): Values {
@@ -223,10 +271,15 @@ class History<Snapshot> {
   private past: Snapshot[] = [];
   private current: Snapshot;
   private future: Snapshot[] = [];
-  private gesture: string | undefined;
+  private gestureName: string | undefined;
 
   constructor(present: Snapshot) {
     this.current = present;
+  }
+
+  /** Name of the gesture in progress. */
+  get gesture(): string | undefined {
+    return this.gestureName;
   }
 
   get present(): Snapshot {
@@ -242,20 +295,20 @@ class History<Snapshot> {
   }
 
   record(next: Snapshot, gesture?: string): void {
-    const continues = gesture !== undefined && gesture === this.gesture;
+    const continues = gesture !== undefined && gesture === this.gestureName;
     if (!continues) {
       this.past.push(this.current);
       this.past.splice(0, this.past.length - MAX_ENTRIES);
       this.future = [];
     }
-    this.gesture = gesture;
+    this.gestureName = gesture;
     this.current = next;
   }
 
   /** Ends a gesture. A gesture that returned to its start leaves no undo step. */
   settle(isSame: (a: Snapshot, b: Snapshot) => boolean): void {
-    if (this.gesture !== undefined && isSame(this.past[this.past.length - 1], this.current)) this.past.pop();
-    this.gesture = undefined;
+    if (this.gestureName !== undefined && isSame(this.past[this.past.length - 1], this.current)) this.past.pop();
+    this.gestureName = undefined;
   }
 
   undo(): void {
@@ -267,7 +320,7 @@ class History<Snapshot> {
   }
 
   private move(from: Snapshot[], to: Snapshot[]): void {
-    this.gesture = undefined;
+    this.gestureName = undefined;
     const state = from.pop();
     if (state === undefined) return;
     to.push(this.current);

@@ -1,5 +1,5 @@
 /** Renders the frames of a shot and sends them to the command that opened the page. */
-import { createStage, type Stage, type Values } from '../../index.ts';
+import { createStage, type Stage } from '../../index.ts';
 import { encodePng, linkCapacity, lookOf, readEnvironment, STEP_SECONDS } from '../../internal.ts';
 import { decode, encode, type Decoded } from '../../preset.ts';
 import { drawFlipbook } from '../capture/flipbook.ts';
@@ -114,7 +114,7 @@ async function replay(stage: Stage, { take: bytes, state }: Decoded): Promise<vo
   if (take.mostParticles > max) throw new Error(strings.moment.tooMany(take.mostParticles, max));
   if (take.values.scene !== stage.get().scene) await stage.enter(take.values);
   stage.playTake(take);
-  stage.set(lookOf(state.values));
+  stage.set(lookOf(state.values, take));
 }
 
 interface Drawn extends Omit<DrawnFrame, 'encodeMs'> {
@@ -132,7 +132,6 @@ class Shooting {
   private readonly encoder: PixelReader;
   private readonly layers: LayerCamera | undefined;
   private readonly depth: DepthReader | undefined;
-  private readonly look: Values;
 
   constructor(order: FilmOrder, stage: Stage, canvas: HTMLCanvasElement, start: number, receiver: Receiver) {
     const { width, height, scale, supersample } = order;
@@ -146,10 +145,6 @@ class Shooting {
     this.encoder = new PixelReader(width, height);
     this.layers = order.layers ? new LayerCamera(this.studio, ...drawn) : undefined;
     this.depth = order.layers && order.format === 'exr' ? new DepthReader(...drawn) : undefined;
-    // Layers change these.
-    const values = stage.get();
-    const changed = ['style.outlines', 'style.shadows', 'style.inkColor', 'style.inkLight'] as const;
-    this.look = Object.fromEntries(changed.map((key) => [key, values[key]]));
   }
 
   async shoot(frames: readonly number[]): Promise<void> {
@@ -208,7 +203,7 @@ class Shooting {
     const { format, supersample, camera } = this.order;
     const seconds = this.secondsAt(frame);
     const began = performance.now();
-    stage.running.showAt(seconds, { ...this.look, ...cameraAt(camera, seconds - this.start) });
+    stage.running.showAt(seconds, cameraAt(camera, seconds - this.start));
     this.waitForGpu();
     const drawMs = performance.now() - began;
     const isPlain = format === 'png' && supersample === 1;

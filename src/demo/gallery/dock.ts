@@ -15,15 +15,27 @@ export interface Dock {
   closeGallery(): void;
 }
 
-/** @param play buttons for interactions with the smoke */
-export function createDock(editor: Editor, stage: Stage, scrubber: Scrubber, ...play: HTMLElement[]): Dock {
+/**
+ * @param opener button below the scrubber
+ * @param play buttons for interactions with the smoke
+ * @param onGallery called before the gallery opens
+ */
+export function createDock(
+  editor: Editor,
+  stage: Stage,
+  scrubber: Scrubber,
+  opener: HTMLElement,
+  play: readonly HTMLElement[],
+  onGallery: () => void,
+): Dock {
   const gallery = createGallery(editor);
   const toggle = iconButton('icon-button', strings.gallery.toggle, icon('pictures'), () => dock.toggleGallery());
   const show = (isOpen: boolean) => {
+    if (isOpen) onGallery();
     gallery.hidden = !isOpen;
     toggle.setAttribute('aria-expanded', String(isOpen));
   };
-  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, ...play, toggle), gallery);
+  const element = create('div', { class: 'dock' }, createTransport(stage, scrubber, opener, ...play, toggle), gallery);
   const dock = { element, toggleGallery: () => show(gallery.hidden !== false), closeGallery: () => show(false) };
   const low = matchMedia(LOW);
   let comesBack = false;

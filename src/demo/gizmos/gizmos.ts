@@ -74,7 +74,7 @@ export class Gizmos {
   }
 
   private get values(): Values {
-    return { ...this.stage.rig, ...this.editor.state.values };
+    return { ...this.stage.rig, ...this.editor.shown };
   }
 
   private size(): { width: number; height: number } {

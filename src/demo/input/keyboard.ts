@@ -31,6 +31,7 @@ export interface KeyActions {
   toggleGallery(): void;
   surprise(): void;
   toggleGizmos(): void;
+  toggleTimeline(): void;
   toggleStatistics(): void;
   /** Drops an object into the smoke. */
   drop(): void;
@@ -103,6 +104,7 @@ function simpleKeys(actions: KeyActions): Readonly<Record<string, () => void>> {
     g: () => actions.toggleGallery(),
     x: () => actions.surprise(),
     h: () => actions.toggleGizmos(),
+    t: () => actions.toggleTimeline(),
     i: () => actions.toggleStatistics(),
     d: () => actions.drop(),
     b: () => actions.blow(),

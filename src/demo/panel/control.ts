@@ -29,7 +29,9 @@ export function createControl(
     case 'ramp':
       return createRamp(parameter, describedBy, listener, current);
     case 'drawing':
-      return createDrawing(describedBy, listener);
+      return createOpened(describedBy, listener, strings.drawing, DRAW_EVENT);
+    case 'timeline':
+      return createOpened(describedBy, listener, strings.timeline, TIMELINE_EVENT);
     default:
       return createNumber(parameter, describedBy, listener);
   }
@@ -59,22 +61,27 @@ function createChoice({ options }: ChoiceParameter, describedBy: string, listene
 
 /** Bubbles from the panel when the user wants to draw puffs. */
 export const DRAW_EVENT = 'drawpuffs';
+/** Bubbles from the panel when the user wants to open the timeline. */
+export const TIMELINE_EVENT = 'opentimeline';
 
-/** Buttons that open the sheet for drawing puffs, and that remove them. */
-function createDrawing(describedBy: string, listener: ControlListener): Control {
-  const draw = textButton('quiet', strings.drawing.open, () => {
-    draw.dispatchEvent(new CustomEvent(DRAW_EVENT, { bubbles: true }));
-  });
-  draw.id = uniqueId();
-  draw.setAttribute('aria-describedby', describedBy);
+/** Buttons that open the editor of a text, which is elsewhere on the page, and that make the text empty. */
+function createOpened(
+  describedBy: string,
+  listener: ControlListener,
+  words: { readonly open: string; readonly remove: string },
+  event: string,
+): Control {
+  const open = textButton('quiet', words.open, () => open.dispatchEvent(new CustomEvent(event, { bubbles: true })));
+  open.id = uniqueId();
+  open.setAttribute('aria-describedby', describedBy);
   // The label of the row would replace the text of the button.
-  draw.setAttribute('aria-label', strings.drawing.open);
-  const remove = textButton('quiet', strings.drawing.remove, () => {
+  open.setAttribute('aria-label', words.open);
+  const remove = textButton('quiet', words.remove, () => {
     listener.change('');
     listener.settle();
   });
-  const elements = [create('div', { class: 'drawing-buttons' }, draw, remove)];
-  return { elements, id: draw.id, show: (text) => void (remove.disabled = text === '') };
+  const elements = [create('div', { class: 'drawing-buttons' }, open, remove)];
+  return { elements, id: open.id, show: (text) => void (remove.disabled = text === '') };
 }
 
 function createColor(describedBy: string, listener: ControlListener): Control {

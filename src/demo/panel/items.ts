@@ -27,8 +27,9 @@ export interface Section {
   show(state: State): void;
 }
 
-interface Item extends Section {
+interface Item {
   readonly element: HTMLDetailsElement;
+  show(): void;
   /** The rows that exist so far. */
   rows(): ReadonlyMap<Parameter, Row>;
 }
@@ -65,7 +66,7 @@ export function createItems(editor: Editor, scene: SceneLists): Items {
         items.set(key, createItem(key, label, editor, scene));
         holder.append(items.get(key)!.element);
       }
-      items.get(key)!.show(state);
+      items.get(key)!.show();
     }
   };
   const rows = () => [...items.values()].flatMap((item) => (item.element.hidden ? [] : [...item.rows()]));
@@ -97,9 +98,9 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
   const remove = textButton('quiet', strings.items.remove(label), () => editor.changeAll(removal(group, editor)));
   const foot = create('div', { class: 'item-foot' }, remove);
   const element = create('details', { class: 'group' }, create('summary', {}, label));
-  const show = (state: State) => {
+  const show = () => {
     remove.hidden = !canBeRemoved(group, editor, scene);
-    const [values, base, rig]: AnyValues[] = [state.values, editor.base, scene.rig];
+    const [values, base, rig]: AnyValues[] = [editor.shown, editor.base, scene.rig];
     for (const [parameter, row] of rows) {
       const scenes = rig[parameter.key] ?? parameter.default;
       row.show(values[parameter.key] ?? scenes, base[parameter.key] ?? scenes);
@@ -113,7 +114,7 @@ function createItem(group: string, label: string, editor: Editor, scene: SceneLi
       element.append(row.element);
     }
     element.append(foot);
-    show(editor.state);
+    show();
     return rows;
   };
   element.addEventListener('toggle', () => {

@@ -34,15 +34,20 @@ export async function createPanel(
   explainIn(caption, panel);
   const show = (state: State) => {
     head.show();
+    showRows(state, () => true);
+  };
+  const showRows = (state: State, isShown: (key: string) => boolean) => {
     const rig = { ...scene.rig, ...automaticColors(state.values) };
-    const [values, base, scenes]: AnyValues[] = [state.values, editor.base, rig];
+    const [values, base, scenes]: AnyValues[] = [editor.shown, editor.base, rig];
     items.show(state);
     for (const [{ key, default: initial }, row] of rows) {
+      if (!isShown(key)) continue;
       const own = scenes[key] ?? initial;
       row.show(values[key] ?? own, base[key] ?? own);
     }
   };
   editor.listen(show);
+  editor.listenToAnimation((changed) => showRows(editor.state, (key) => key in changed));
   show(editor.state);
   return panel;
 }

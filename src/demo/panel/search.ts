@@ -211,6 +211,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'gravity.acceleration': 'weight fall heavy',
   'buoyancy.acceleration': 'rise lift float',
   'drag.rate': 'friction resistance damping',
+  timeline: 'keyframe animate animation record burst easing',
   'simulation.maxParticles': 'limit count amount budget performance',
   'simulation.integrator': 'physics method',
   'emitters.#.shape': 'source',

@@ -9,16 +9,22 @@ const READOUT_MS = 100;
 
 /**
  * Play, pause, step, restart, timeline, simulated time, speed and full screen.
+ * @param opener button below the timeline
  * @param more buttons after all others
  */
-export function createTransport(stage: Stage, scrubber: Scrubber, ...more: HTMLElement[]): HTMLElement {
+export function createTransport(
+  stage: Stage,
+  scrubber: Scrubber,
+  opener: HTMLElement,
+  ...more: HTMLElement[]
+): HTMLElement {
   const { title, restart, step } = strings.transport;
   const restartButton = iconButton('icon-button', restart, icon('restart'), () => stage.restart());
   const stepButton = iconButton('icon-button', step, icon('step'), () => stepOnce(stage));
   const bar = create('div', { class: 'transport card', role: 'group', 'aria-label': title });
   bar.append(restartButton, createPlayButton(stage), stepButton);
   bar.append(
-    createTimeline(stage, scrubber),
+    create('div', { class: 'scrubber' }, createTimeline(stage, scrubber), opener),
     createReadout(stage),
     createSpeed(stage),
     createFullScreenButton(),
@@ -101,7 +107,7 @@ function createTimeline(stage: Stage, scrubber: Scrubber): HTMLInputElement {
 }
 
 /** Pauses the stage while a pointer holds the thumb, and resumes afterwards if it was playing. */
-function pauseWhileDragging(line: HTMLInputElement, stage: Stage, notify: (isHeld: boolean) => void): void {
+export function pauseWhileDragging(line: HTMLElement, stage: Stage, notify: (isHeld: boolean) => void): void {
   line.addEventListener('pointerdown', () => {
     const goesOn = stage.playing;
     stage.pause();

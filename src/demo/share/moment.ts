@@ -1,6 +1,6 @@
 /** Links to an exact moment of the smoke, and the replay of such links. */
 import type { Stage, Take } from '../../index.ts';
-import { linkCapacity, LONGEST_LEAD, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
+import { linkCapacity, LONGEST_LEAD, LONGEST_LINK, lookOf, STEP_SECONDS, type Environment } from '../../internal.ts';
 import { encode, type Decoded, type State, type Values } from '../../preset.ts';
 import { enterScene, windForward } from '../ui/progress.ts';
 import type { Notices } from '../ui/notices.ts';
@@ -14,7 +14,7 @@ export interface LinkedMoment {
   readonly take: Uint8Array;
   /** Simulated seconds; defaults to the end of the take. */
   readonly seconds?: number;
-  /** Style, light and camera at the moment, which takes do not record per step. */
+  /** Style, light and camera at the moment. */
   readonly state: State;
   /** Whether it may request the simulator's full capacity, as a local file may. */
   readonly isTrusted: boolean;
@@ -30,11 +30,15 @@ export async function linkToMoment(state: State, stage: Stage): Promise<string> 
   const take = stage.take();
   const { steps, time } = stage.stats;
   // Smoke without input is reproducible from its parameters, which keeps the link short.
-  const isUntouched = take.inputs === 0 && take.isFresh && time <= LONGEST_LEAD;
+  const isLookFixed = take.changed.length === 0 || !state.values.timeline;
+  const isUntouched = take.inputs === 0 && isLookFixed && take.isFresh && time <= LONGEST_LEAD;
   const address = new URL(location.href);
   setQuery(address, 't', isUntouched || steps !== take.steps ? String(Number(time.toFixed(3))) : undefined);
   setQuery(address, 'paused', stage.playing ? undefined : '1');
   address.hash = await encode(state, isUntouched ? undefined : take.toBytes());
+  // Without the changes of the look, the link has the last one from the start.
+  if (address.href.length > LONGEST_LINK && !isUntouched)
+    address.hash = await encode(state, stage.take({ look: false }).toBytes());
   return address.href;
 }
 
@@ -56,7 +60,7 @@ export async function goToMoment(
     if (take.isTruncated) notices.notify(strings.moment.truncated);
     if (take.values.scene !== stage.get().scene) await enterScene(stage, take.values, container);
     stage.playTake(take);
-    lookAs(stage, moment.state.values);
+    lookAs(stage, moment.state.values, take);
     return await wind(stage, moment.seconds ?? take.steps * STEP_SECONDS, notices, container);
   } catch (error) {
     notices.notify(strings.moment.rejected((error as Error).message));
@@ -79,11 +83,11 @@ function errorOf({ isFresh, mostParticles }: Take): string | undefined {
   return mostParticles > max ? strings.moment.tooMany(mostParticles, max) : undefined;
 }
 
-/** Applies the values that the simulator does not read, and that takes therefore do not record per step. */
-function lookAs(stage: Stage, values: Values): void {
-  const needless = Object.keys(lookOf(stage.get())).filter((key) => !(key in values));
+/** Applies the values of style, light and camera that the take does not change over time. */
+function lookAs(stage: Stage, values: Values, take: Take): void {
+  const needless = Object.keys(lookOf(stage.get(), take)).filter((key) => !(key in values));
   stage.unset(needless);
-  stage.set(lookOf(values));
+  stage.set(lookOf(values, take));
 }
 
 function setQuery(address: URL, name: string, value: string | undefined): void {

@@ -16,6 +16,11 @@ export function create<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** Sets attributes. */
+export function setAttributes(element: Element, attributes: Readonly<Record<string, string | number | boolean>>): void {
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+}
+
 /** Creates an SVG element. */
 export function createSvg<Tag extends keyof SVGElementTagNameMap>(
   tag: Tag,

@@ -1,4 +1,4 @@
-import type { RemoteMethods } from '../../stage/remote/methods.ts';
+import type { RemoteMethods } from '../../stage/remote/calls.ts';
 import names from './methods.json' with { type: 'json' };
 
 /** Methods of a stage that the element has unchanged. It does the others itself, by attributes and its place. */

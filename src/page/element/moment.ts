@@ -12,7 +12,7 @@ const LONGEST_SECONDS = 600;
 /**
  * Replays a take from a share link.
  * @param seconds where to stop; defaults to the end of the take
- * @param values of the link for style, light and camera, which takes do not record
+ * @param values of the link for style, light and camera as far as the take does not change them
  * @returns a notice when the take is ignored; otherwise none
  */
 export async function goToMoment(
@@ -26,7 +26,7 @@ export async function goToMoment(
     checkCapacity(take);
     if (take.values.scene !== values.scene) await stage.enter(take.values);
     await stage.playTake(bytes);
-    await stage.set(lookOf(values));
+    await stage.set(lookOf(values, take));
     await stage.seek(Math.min(seconds ?? take.steps * STEP_SECONDS, LONGEST_SECONDS));
     return [];
   } catch (error) {
@@ -42,8 +42,6 @@ function checkCapacity({ isFresh, mostParticles }: Take): void {
   if (mostParticles > max) throw new Error(`it needs room for ${mostParticles} particles. The limit is ${max}.`);
 }
 
-/** Limits for share links that contain a take, and the values that takes do not record. */
-
 /** Maximum particle capacity that a take from a link may request. */
 export function linkCapacity(): number {
   const row = findParameter('simulation.maxParticles');
@@ -53,9 +51,12 @@ export function linkCapacity(): number {
 /**
  * Values for style, light and camera. The simulator does not read them, so takes do not record them per step. The colours
  * of emitters' looks are those of the take: a change would be an input, which ends the replay.
+ * @param take that changes some of them over time, itself or by its timeline; these are left out
  */
-export function lookOf(values: Values): Values {
+export function lookOf(values: Values, take?: Pick<Take, 'changed' | 'values'>): Values {
   const isLook = (key: string) =>
     ['style', 'light', 'camera'].includes(findParameter(key)!.reader) && !isOfLookStyle(key);
-  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key)));
+  const lanes = (take?.values.timeline ?? '').split(';').map((lane) => lane.split('/', 1)[0]);
+  const moving = new Set([...lanes, ...(take?.changed ?? [])]);
+  return Object.fromEntries(Object.entries(values).filter(([key]) => isLook(key) && !moving.has(key)));
 }

@@ -12,6 +12,8 @@ const modules = new LazyModules({
   link: () => import('./attributes/link.ts'),
   /** With a link to a moment of a take. */
   moment: () => import('./moment.ts'),
+  /** With `timeline`. */
+  timeline: () => import('../../parameters/timeline.ts'),
   /** With `interactive`. */
   pointers: () => import('./pointers.ts'),
   /** With `collide` or `emit-from`. */

@@ -3,7 +3,7 @@ import { HANDED_ON } from '../element/methods.ts';
 import { SimulatorError } from '../../base/errors.ts';
 import type { RemoteStage } from '../../stage/remote/contract.ts';
 import { isHandshake, handshake, OPENING } from '../../stage/remote/protocol.ts';
-import { makeMethods } from '../../stage/remote/methods.ts';
+import { makeMethods } from '../../stage/remote/makeMethods.ts';
 import { packError } from '../../stage/remote/packedErrors.ts';
 import { serveStage } from '../../stage/remote/serveStage.ts';
 

@@ -1,6 +1,6 @@
 /** Factories for rows of the parameter table. */
 import singles from '../singles.json' with { type: 'json' };
-import type { ChoiceParameter, Keyed, NumberParameter, Reader, Value } from '../parameter.ts';
+import type { ChoiceParameter, Keyed, NumberParameter, ParameterDescription, Reader, Value } from '../parameter.ts';
 
 type Quantity = Pick<NumberParameter, 'min' | 'max' | 'default'> &
   Partial<Pick<NumberParameter, 'kind' | 'unit' | 'linkMax'>>;
@@ -46,6 +46,14 @@ export function simulatedChoice<const Key extends SingleKey>(key: Key): Keyed<Ch
 /** An optional parameter, which overrides the scene's value. */
 export function ofScene<Row>(row: Row): Row & { readonly isOptional: true } {
   return { ...row, isOptional: true };
+}
+
+/** A parameter that a timeline cannot animate. */
+export function fixed<Row>(
+  by: NonNullable<ParameterDescription['fixed']>,
+  row: Row,
+): Row & { readonly fixed: NonNullable<ParameterDescription['fixed']> } {
+  return { ...row, fixed: by };
 }
 
 /** A choice with the literal types of its values. */

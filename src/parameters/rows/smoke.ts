@@ -1,5 +1,5 @@
 import type { Keyed, NumberParameter, Parameter } from '../parameter.ts';
-import { choice, ofScene, quantity, simulated, simulatedChoice } from './row.ts';
+import { choice, fixed, ofScene, quantity, simulated, simulatedChoice } from './row.ts';
 
 const SCENES = [
   'lamp',
@@ -27,7 +27,7 @@ export const smokeRows = [
   simulated('emission.growthTime'),
   { kind: 'curve', key: 'emission.density', reader: 'simulator', default: '0:1,1:0' },
   { kind: 'curve', key: 'emission.glow', reader: 'style', default: '0:0,1:0' },
-  simulatedChoice('emission.dissolve'),
+  fixed('shaders', simulatedChoice('emission.dissolve')),
   ofScene(simulated('emission.entrainment')),
   simulated('emission.company'),
   simulated('puff.size'),
@@ -36,20 +36,20 @@ export const smokeRows = [
 
 /** Shape of the puffs. */
 export const puffRows = [
-  simulated('puff.variations'),
-  simulated('puff.turn'),
-  simulated('puff.stretch'),
-  simulated('puff.billow'),
-  choice('puff.form', 'style', 'lobes', ['lobes', 'billboards']),
-  { kind: 'drawing', key: 'puff.drawing', reader: 'style', default: '' },
+  fixed('puffs', simulated('puff.variations')),
+  fixed('puffs', simulated('puff.turn')),
+  fixed('puffs', simulated('puff.stretch')),
+  fixed('puffs', simulated('puff.billow')),
+  fixed('puffs', choice('puff.form', 'style', 'lobes', ['lobes', 'billboards'])),
+  { kind: 'drawing', key: 'puff.drawing', reader: 'style', fixed: 'puffs', default: '' },
   quantity('puff.upright', 'style', { min: 0, max: 1, default: 0 }),
-  choice('puff.views', 'style', 1, [1, 2, 4, 8]),
-  choice('puff.precision', 'style', 16, [16, 8]),
-  lobeShape('lumpiness', 0.8),
-  lobeShape('flatness', 0.2),
-  lobeShape('roughness', 0.6),
-  quantity('puff.lobes', 'style', { kind: 'integer', min: 5, max: 12, default: 10 }),
-  quantity('puff.seed', 'style', { kind: 'integer', min: 0, max: 9999, default: 0 }),
+  fixed('puffs', choice('puff.views', 'style', 1, [1, 2, 4, 8])),
+  fixed('puffs', choice('puff.precision', 'style', 16, [16, 8])),
+  fixed('puffs', lobeShape('lumpiness', 0.8)),
+  fixed('puffs', lobeShape('flatness', 0.2)),
+  fixed('puffs', lobeShape('roughness', 0.6)),
+  fixed('puffs', quantity('puff.lobes', 'style', { kind: 'integer', min: 5, max: 12, default: 10 })),
+  fixed('puffs', quantity('puff.seed', 'style', { kind: 'integer', min: 0, max: 9999, default: 0 })),
 ] as const satisfies readonly Parameter[];
 
 /** Forces on smoke: multipliers, wind, turbulence, gravity, buoyancy and drag. */
@@ -77,9 +77,9 @@ export const airRows = [
   ofScene(simulated('wind.height')),
 ] as const satisfies readonly Parameter[];
 
-/** Integrator and capacity. */
+/** Integrator, capacity and timeline. */
 export const simulationRows = [
-  ofScene(simulatedChoice('simulation.integrator')),
+  fixed('simulation', ofScene(simulatedChoice('simulation.integrator'))),
   quantity('simulation.maxParticles', 'stage', {
     kind: 'integer',
     min: 1,
@@ -87,6 +87,7 @@ export const simulationRows = [
     linkMax: 50000,
     default: 4000,
   }),
+  { kind: 'timeline', key: 'timeline', reader: 'stage', default: '' },
 ] as const satisfies readonly Parameter[];
 
 function lobeShape<const Name extends string>(

@@ -6,7 +6,7 @@ import type {
   RampParameter,
   ToggleParameter,
 } from '../parameter.ts';
-import { choice, ofScene, quantity, simulated } from './row.ts';
+import { choice, fixed, ofScene, quantity, simulated } from './row.ts';
 
 /** Shadows, tones, colours and ink. The types keep the keys: the fields of `Style` follow from them. */
 export const styleRows = [
@@ -15,7 +15,7 @@ export const styleRows = [
   toggle('creases', 1),
   toggle('shadows', 1),
   choice('style.shadowSteps', 'style', 1, [1, 2]),
-  choice('style.volumes', 'style', 'receiver', ['receiver', 'counted']),
+  fixed('shaders', choice('style.volumes', 'style', 'receiver', ['receiver', 'counted'])),
   quantity('style.shadowDepth', 'style', { kind: 'integer', min: 2, max: 100, default: 6 }),
   ofScene(color('surfaceShadowColor', '#968cc4')),
   color('deepShadow', '#a79bc9'),
@@ -50,7 +50,7 @@ export const styleRows = [
   color('gradientColor', '#b9a6d8'),
   quantity('style.gradientBottom', 'style', { min: -100, max: 100, default: 0.9, unit: 'm' }),
   quantity('style.gradientTop', 'style', { min: -100, max: 100, default: 3, unit: 'm' }),
-  choice('style.pattern', 'style', 'none', ['none', 'dots', 'lines', 'crosshatch', 'grain']),
+  fixed('shaders', choice('style.pattern', 'style', 'none', ['none', 'dots', 'lines', 'crosshatch', 'grain'])),
   choice('style.patternOn', 'style', 'shadow', ['shadow', 'tones', 'both']),
   quantity('style.patternCoverage', 'style', { min: 0, max: 0.75, default: 0.35 }),
   share('patternBackdrop', 0),
@@ -60,7 +60,7 @@ export const styleRows = [
   quantity('style.patternSoftness', 'style', { min: 0, max: 8, default: 0, unit: 'px' }),
   quantity('style.patternShiftX', 'style', { min: -40, max: 40, default: 0, unit: 'px' }),
   quantity('style.patternShiftY', 'style', { min: -40, max: 40, default: 0, unit: 'px' }),
-  choice('style.renderer', 'style', 'nailboards', ['nailboards', 'selle']),
+  fixed('shaders', choice('style.renderer', 'style', 'nailboards', ['nailboards', 'selle'])),
 ] as const satisfies readonly Parameter[];
 
 type OfStyle<Row, Name extends string> = Keyed<Row, `style.${Name}`, 'style'>;

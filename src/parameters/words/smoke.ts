@@ -292,4 +292,9 @@ export const smokeWords: WordsOf<Rows> = {
     step: 100,
     slider: 'fine',
   },
+  timeline: {
+    group: 'simulation',
+    label: 'Timeline',
+    text: 'Keyframes of parameters and bursts of emitters over time.',
+  },
 };

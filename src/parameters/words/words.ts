@@ -42,7 +42,11 @@ export interface RampParameter extends bare.RampParameter, ParameterDescription 
 /** Drawn puffs, as text; empty for none. */
 export interface DrawingParameter extends bare.DrawingParameter, ParameterDescription {}
 
+/** A timeline as text; empty for none. */
+export interface TimelineParameter extends bare.TimelineParameter, ParameterDescription {}
+
 export type Parameter =
+  | TimelineParameter
   | CurveParameter
   | RampParameter
   | DrawingParameter

@@ -1,5 +1,5 @@
 import type { StageEvents, StageOptions } from '../contract.ts';
-import type { RemoteMethods } from './methods.ts';
+import type { RemoteMethods } from './calls.ts';
 
 /** Where a stage runs: on the main thread, in a worker, or in a page inside an iframe. */
 export type Thread = 'main' | 'worker' | 'frame';

@@ -4,7 +4,8 @@ import type { StageOptions } from '../contract.ts';
 import { createStage, type Stage } from '../stage.ts';
 import type { RemoteStage, RemoteStageOptions, Thread } from './contract.ts';
 import { Crowd, type CrowdTurns } from './crowd.ts';
-import { makeMethods, methodNames, methods, type MethodEntry, type MethodName } from './methods.ts';
+import { calls, type MethodName } from './calls.ts';
+import { makeMethods } from './makeMethods.ts';
 
 /**
  * Keeps the device for stages that are soon reopened, for example when a page moves its widgets: programs stay compiled
@@ -129,11 +130,12 @@ export function localStage(
   const call = async (name: MethodName, args: unknown[]) => {
     if (isDisposed) throw new SimulatorError('This stage was disposed; create a new one.');
     if (INPUTS.includes(name)) turns?.touch();
-    const entry: MethodEntry = methods[name];
-    return entry.run(stage, ...args.slice(0, entry.takes.length));
+    const act = calls[name] as (on: Stage, ...given: unknown[]) => unknown;
+    // More arguments than a method has could be options that only other calls accept.
+    return act(stage, ...args.slice(0, act.length - 1));
   };
   return {
-    ...makeMethods(methodNames, call),
+    ...makeMethods(Object.keys(calls) as MethodName[], call),
     ready: stage.ready,
     thread,
     on: (event, listener) => stage.on(event, listener),

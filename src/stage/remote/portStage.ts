@@ -3,7 +3,8 @@ import type { LoadProgress } from '../../simulator/load.ts';
 import type { StageEvents } from '../contract.ts';
 import { Listeners } from '../listeners.ts';
 import type { RemoteStage, Thread } from './contract.ts';
-import { makeMethods, methodNames, methods } from './methods.ts';
+import { makeMethods } from './makeMethods.ts';
+import { methodNames, methods } from './methods.ts';
 import { OPENING, packArgument, readReply, readNotification, type EventName, type Method } from './protocol.ts';
 
 interface Waiting {

@@ -11,7 +11,8 @@
 import { ParameterError } from '../../base/errors.ts';
 import type { StageEvents } from '../contract.ts';
 import type { Take } from '../take.ts';
-import { methodNames, methods, type MethodEntry, type MethodName } from './methods.ts';
+import type { MethodName } from './calls.ts';
+import { methodNames, methods, type MethodEntry } from './methods.ts';
 import { packError, unpackError, type PackedError } from './packedErrors.ts';
 import { figures, flag, integer, isPlain, nothing, oneOf, record, type Shape } from './shapes.ts';
 

@@ -1,5 +1,6 @@
 /** Validators for untrusted messages: whether a value has the expected shape. They never throw. */
-import type { Values } from '../../parameters/parameter.ts';
+import { TIMELINE_LIMIT, type Values } from '../../parameters/parameter.ts';
+import type { GivenValues } from '../../parameters/timeline.ts';
 import type { StageStats } from '../stats.ts';
 
 /** A shape of messages. Unless it has `pack` and `unpack`, the messages are the values themselves. */
@@ -97,9 +98,19 @@ export function record<Fields extends Readonly<Record<string, Shape>>>(
 export const valuesByKey = shape<Values>('an object of numbers and strings by parameter key', (value) => {
   if (!isPlain(value)) return false;
   const entries = Object.entries(value);
-  return (
-    entries.length <= MAX_VALUES && entries.every(([name, each]) => key(name) && (Number.isFinite(each) || text(each)))
-  );
+  return entries.length <= MAX_VALUES && entries.every(([name, each]) => key(name) && isValue(name, each));
+});
+
+function isValue(name: string, value: unknown): boolean {
+  if (name === 'timeline') return typeof value === 'string' && value.length <= TIMELINE_LIMIT;
+  return Number.isFinite(value) || text(value);
+}
+
+/** Values in which the timeline can be an object, which the stage checks. */
+export const givenValues = shape<GivenValues>(valuesByKey.words, (value) => {
+  if (!isPlain(value)) return false;
+  const { timeline, ...others } = value;
+  return valuesByKey(isPlain(timeline) ? others : value);
 });
 
 const components = record({ x: anyNumber, y: anyNumber, z: anyNumber });

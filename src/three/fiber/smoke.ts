@@ -15,6 +15,7 @@ import {
 } from 'react';
 import { ParameterError, requireOptions, type SmokeError } from '../../base/errors.ts';
 import type { AnyValues, Values } from '../../parameters/parameter.ts';
+import type { GivenValues } from '../../parameters/timeline.ts';
 import { findParameter } from '../../parameters/table.ts';
 import { differing } from '../../parameters/values.ts';
 import { CartoonSmoke } from '../cartoonSmoke.ts';
@@ -97,7 +98,7 @@ function useCreated(props: Omit<SmokeProps, 'children' | 'ref'>, report: (error:
   const renderer = useThree(({ gl }) => gl);
   const scene = useThree((state) => state.scene);
   const latest = useLatest(props);
-  const applied = useRef<Values>({});
+  const applied = useRef<GivenValues>({});
   const [smoke, setSmoke] = useState<CartoonSmoke>();
   const live = useRef<CartoonSmoke>(undefined);
 
@@ -179,11 +180,11 @@ function lightOf(given: SmokeProps['keyLight'], scene: Scene): KeyLight {
 }
 
 /** The values that differ. Keys that are no longer given have the values of the preset, or their defaults. */
-function changesOf(before: Values, now: Values, preset: SmokeProps['preset']): Values {
-  const changed = differing(before, now);
+function changesOf(before: GivenValues, now: GivenValues, preset: SmokeProps['preset']): GivenValues {
+  const changed: GivenValues = differing(before as Values, now as Values);
   const gone = Object.keys(before).filter((key) => !(key in now));
   if (gone.length === 0) return changed;
-  const start: AnyValues = startValues({ preset });
+  const start = startValues({ preset }) as AnyValues;
   const initial = gone.map((key) => [key, start[key] ?? findParameter(key)!.default]);
   return { ...Object.fromEntries(initial), ...changed };
 }

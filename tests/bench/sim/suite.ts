@@ -4,6 +4,7 @@ import { measureCollisions } from './collide/collisions.ts';
 import { measureLooks } from './looks.ts';
 import { measureParts } from './parts.ts';
 import { measureSizes } from './sizes.ts';
+import { measureTimeline } from './timeline.ts';
 import { measureAgainstCompat } from './collide/versusCompat.ts';
 import { measureAgainstOthers } from './versusOthers.ts';
 import { measureVortexParticles } from './vortexParticles.ts';
@@ -15,6 +16,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureParts(quick)),
     ...(await measureLooks(quick)),
     ...(await measureSizes(quick)),
+    ...(await measureTimeline(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),
     ...(await measureCollisions(quick)),

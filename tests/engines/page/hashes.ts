@@ -3,6 +3,7 @@ import { loadSimulators } from '../../../src/simulator/load.ts';
 import { MESHES } from '../../../src/simulator/meshes.ts';
 import { hashWithMeshes } from '../../support/sim/hashFixture.ts';
 import { hashesOf } from '../../support/sim/presetHashes.ts';
+import { timelineHashes, timelineValues } from '../../support/sim/timelineHashes.ts';
 
 /** @param moments simulated seconds, ascending @returns the hashes by seconds */
 export function hashesInPage(name: string, moments: readonly number[]): Promise<Record<string, string>> {
@@ -11,4 +12,9 @@ export function hashesInPage(name: string, moments: readonly number[]): Promise<
 
 export async function hashOfMeshes(fixture: string): Promise<string> {
   return hashWithMeshes(await loadSimulators({ physics: MESHES }), fixture);
+}
+
+/** Hashes and values of a timeline. */
+export async function timelineInPage(): Promise<{ hashes: Record<string, string>; values: string }> {
+  return { hashes: await timelineHashes(await loadSimulators({ physics: false })), values: timelineValues() };
 }

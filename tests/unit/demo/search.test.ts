@@ -57,6 +57,9 @@ test.each([
   ['random', 'puff.variations'],
   ['particles', 'simulation.maxParticles'],
   ['wobble', 'style.boil'],
+  ['keyframe', 'timeline'],
+  ['animate', 'timeline'],
+  ['timeline', 'timeline'],
   ['gradient', 'style.gradient'],
 ])('%s finds %s first', (query, key) => {
   expect(search(query)[0]).toBe(key);

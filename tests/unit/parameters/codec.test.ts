@@ -59,6 +59,38 @@ describe('encode', () => {
   });
 });
 
+describe('a timeline in a link', () => {
+  const timeline = '120*loop;emission.rate/0*60/60*240*e;style.smokeColor/0*ffffff/60*ff8800*h;burst/30*0*24';
+
+  it('is written as it is, and read without a notice', async () => {
+    const state = withChanges('lamp', { timeline });
+    const hash = await encode(state);
+    expect(hash).toBe(`#v=1&preset=lamp&timeline=${timeline}`);
+    expect(await decode(hash)).toEqual({ state, notices: [] });
+  });
+
+  it('loses what cannot be used, with a notice for each part', async () => {
+    const { state, notices } = await decode('#v=1&timeline=60;seed/0*5;emission.rate/0*-4/9*x/20*7;no.such/0*1');
+    expect(state.values.timeline).toBe('60;emission.rate/0*0/20*7');
+    expect(new Set(notices.map(({ code, key }) => `${code} ${key}`))).toEqual(new Set(['malformed timeline']));
+    expect(notices.map(({ message }) => message)).toEqual([
+      expect.stringContaining('timeline.seed'),
+      expect.stringContaining('timeline.emission.rate cannot be \u201c-4\u201d'),
+      expect.stringContaining('timeline.emission.rate cannot be \u201cx\u201d'),
+      expect.stringContaining('There is no parameter no.such'),
+    ]);
+  });
+
+  it.each(['', 'text', ';;;', '%F0', '\u0000', '{"length":60}', `60;emission.rate/${'0*1/'.repeat(9000)}`])(
+    'of %j gives a usable state',
+    async (text) => {
+      const { state } = await decode(`#v=1&timeline=${encodeURIComponent(text)}`);
+      expectUsable(state);
+      expect(await decode(await encode(state))).toEqual({ state, notices: [] });
+    },
+  );
+});
+
 describe('a take in a link', () => {
   const take = Uint8Array.from({ length: 3000 }, (_, index) => (index * index) >> 7);
 

@@ -26,18 +26,20 @@ function begun() {
   const wanted: { view: PictureKind['view'] } = { view: 'ink' };
   const notified: string[] = [];
   const completion = completionOf(
-    () => ({
-      ...wanted,
-      renderer: 'nailboards',
-      form: 'lobes',
-      isDeformed: true,
-      volumes: 'receiver',
-      simplify: 0,
-      plumeForm: 0,
-      outlines: true,
-      strokes: 0,
-      isEroded: false,
-    }),
+    () => [
+      {
+        ...wanted,
+        renderer: 'nailboards',
+        form: 'lobes',
+        isDeformed: true,
+        volumes: 'receiver',
+        simplify: 0,
+        plumeForm: 0,
+        outlines: true,
+        strokes: 0,
+        isEroded: false,
+      },
+    ],
     () => notified.push('shown'),
     ({ message }) => notified.push(message),
   );

@@ -31,6 +31,7 @@ function range(parameter: Parameter): string {
       return 'curve';
     case 'ramp':
     case 'drawing':
+    case 'timeline':
       return parameter.kind;
     case 'choice':
       return parameter.options.map(({ value }) => value).join(', ');

@@ -141,7 +141,7 @@ describe('a vortex, an emitter and a shedder on the propeller', () => {
 
       const replayed = begin({}, historyBytes);
       replayed.advance(33);
-      replayed.replay(simulation.simulator.take(noteOf(simulation.startValues)), simulation.startValues);
+      replayed.replay(simulation.simulator.take(noteOf({ values: simulation.startValues })), simulation.startValues);
       replayed.advance(STEPS);
       hashes.add(replayed.simulator.hash());
       replayed.restore(saved, VALUES);

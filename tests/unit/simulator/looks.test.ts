@@ -12,7 +12,7 @@ import {
   styleOfNumber,
   stylesOf,
 } from '../../../src/simulator/lookStyles.ts';
-import { splitState, withSavedLooks } from '../../../src/simulator/savedLooks.ts';
+import { savedLooks, splitState, withMore, withSavedLooks } from '../../../src/simulator/savedState.ts';
 import { simulatorValues, valuesIn } from '../../../src/simulator/simulatorValues.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
@@ -162,9 +162,17 @@ describe('a saved state', () => {
     const bytes = withSavedLooks(state, [numberOfStyle(STYLED)], values);
     const found = splitState(bytes);
     expect([...found.state]).toEqual([...state]);
-    expect(found.styles).toEqual([numberOfStyle(STYLED)]);
-    expect(found.values).toEqual({ 'emitters.1.look.colors': RED });
-    expect(splitState(state)).toMatchObject({ state, styles: [], values: {} });
+    expect(numbersOfStyles(found.more.styles)).toEqual([numberOfStyle(STYLED)]);
+    expect(savedLooks(bytes)).toEqual({ 'emitters.1.look.colors': RED });
+    expect(splitState(state)).toEqual({ state, more: {} });
+  });
+
+  it('has what people hold of a timeline beside the looks', () => {
+    const bytes = withMore(withSavedLooks(state, [], values), { held: { seed: 3 } });
+    expect(splitState(bytes)).toEqual({
+      state,
+      more: { styles: [], looks: { 'emitters.1.look.colors': RED }, held: { seed: 3 } },
+    });
   });
 
   it('is split whatever the bytes are', () => {
@@ -172,17 +180,14 @@ describe('a saved state', () => {
     for (let at = 0; at < bytes.length; at++) {
       const damaged = bytes.slice();
       damaged[at] ^= 0x15;
-      expect(() => splitState(damaged)).not.toThrow();
-      expect(() => splitState(bytes.subarray(0, at))).not.toThrow();
+      expect(() => savedLooks(damaged)).not.toThrow();
+      expect(() => savedLooks(bytes.subarray(0, at))).not.toThrow();
     }
-    const encoded = (text: string) => new TextEncoder().encode(`${text}${String(text.length).padStart(8)}looks`);
-    for (const text of [
-      '',
-      '5',
-      'null',
-      '{"values":7,"styles":"x"}',
-      '{"values":{"emitters.0.look.colors":9,"scene":"air"}}',
-    ])
-      expect(splitState(encoded(text))).toMatchObject({ styles: [], values: {} });
+    const plain = withMore(state, {});
+    for (const text of ['', '5', 'null', '{"looks":7}', '{"looks":{"emitters.0.look.colors":9,"scene":"air"}}']) {
+      const damaged = Uint8Array.of(...state, ...new TextEncoder().encode(text), ...plain.slice(-8));
+      expect([...splitState(damaged).state]).toEqual([...state]);
+      expect(savedLooks(damaged)).toEqual({});
+    }
   });
 });

@@ -83,13 +83,13 @@ describe('a take', () => {
   it('replays to the same hashes', () => {
     const first = lampSimulation(factory);
     const hashes = live(first);
-    const bytes = first.simulator.take(noteOf(first.startValues));
+    const bytes = first.simulator.take(noteOf({ values: first.startValues }));
     const second = lampSimulation(factory);
     second.set({ 'forces.drag': 4 });
     second.advance(77);
     second.replay(bytes, VALUES);
     expect(follow(second)).toEqual(hashes);
-    expect(second.simulator.take(noteOf(VALUES))).toEqual(bytes);
+    expect(second.simulator.take(noteOf({ values: VALUES }))).toEqual(bytes);
     first.dispose();
     second.dispose();
   });
@@ -97,7 +97,7 @@ describe('a take', () => {
   it('describes itself', () => {
     const simulation = lampSimulation(factory);
     live(simulation);
-    const bytes = simulation.simulator.take(noteOf(simulation.startValues));
+    const bytes = simulation.simulator.take(noteOf({ values: simulation.startValues }));
     const take = takeOf(bytes, factory.readTake(bytes));
     expect(take).toMatchObject({ seed: 1, start: 0, steps: LAST_STEP, isTruncated: false, values: VALUES });
     expect(take.inputs).toBe(simulation.simulator.inputCount);
@@ -112,7 +112,7 @@ describe('a take', () => {
     first.set(density);
     first.advance(10);
     const second = lampSimulation(factory);
-    second.replay(first.simulator.take(noteOf(first.startValues)), VALUES);
+    second.replay(first.simulator.take(noteOf({ values: first.startValues })), VALUES);
     second.advance(20);
     expect(second.simulator.hash()).toBe(first.simulator.hash());
     expect(second.valuesIn(VALUES)['emission.density']).toBe('0:.5,.5:1,1:0');
@@ -147,7 +147,7 @@ describe('a take', () => {
       drag.moveTo(place);
       simulation.advance(1);
     }
-    const bytes = simulation.simulator.take(noteOf(simulation.startValues));
+    const bytes = simulation.simulator.take(noteOf({ values: simulation.startValues }));
     const link = await encode(defaultState(), Uint8Array.from(bytes));
     expect(link.length).toBeLessThan(LONGEST_LINK);
     simulation.dispose();
@@ -164,7 +164,7 @@ describe('a take', () => {
     first.set({ 'forces.wind.z': 2 });
     first.advance(50);
     const second = lampSimulation(factory);
-    second.replay(first.simulator.take(noteOf(first.startValues)), first.startValues);
+    second.replay(first.simulator.take(noteOf({ values: first.startValues })), first.startValues);
     expect(second.simulator.steps).toBe(150);
     second.advance(50);
     expect(second.simulator.hash()).toBe(first.simulator.hash());
@@ -182,7 +182,7 @@ describe('a take', () => {
     simulation.replay(bytes, take.values);
     simulation.advance(60);
     expect(simulation.simulator.hash()).toBe(TAKE_HASH);
-    const again = simulation.simulator.take(noteOf(take.values));
+    const again = simulation.simulator.take(noteOf({ values: take.values }));
     expect(core.readTake(again)).toEqual(core.readTake(bytes));
     simulation.replay(again, take.values);
     simulation.advance(60);
@@ -192,7 +192,7 @@ describe('a take', () => {
 
   it('of a later version is rejected with a message', () => {
     const simulation = lampSimulation(factory);
-    const bytes = simulation.simulator.take(noteOf(VALUES));
+    const bytes = simulation.simulator.take(noteOf({ values: VALUES }));
     bytes[4] = 4;
     const words = /the take has format 4, this version reads 1 only/;
     expect(() => factory.readTake(bytes)).toThrow(words);
@@ -203,7 +203,7 @@ describe('a take', () => {
   it('is rejected if damaged or of another scene, without a change of the state', async () => {
     const simulation = lampSimulation(factory);
     simulation.advance(90);
-    const bytes = simulation.simulator.take(noteOf(VALUES));
+    const bytes = simulation.simulator.take(noteOf({ values: VALUES }));
     const before = simulation.simulator.hash();
     for (let place = 0; place < bytes.length; place += 97) {
       const damaged = bytes.slice();

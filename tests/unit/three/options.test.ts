@@ -10,7 +10,7 @@ test('the values of a preset are above the defaults and below those of the calle
   const others = Object.entries(preset).filter(([key]) => key !== 'emission.rate');
   const values = startValues({ preset: 'lamp', values: { 'emission.rate': 3 } });
   expect(values).toMatchObject({ ...preset, 'emission.rate': 3 });
-  const plain: AnyValues = startValues({});
+  const plain = startValues({}) as AnyValues;
   expect(others.filter(([key, value]) => plain[key] !== value).length).toBeGreaterThan(5);
 });
 

@@ -198,6 +198,33 @@ export function printedLayers() {
   });
 }
 
+/** Ink and shadow come and go, and ink changes its colour, at times between the frames of a clip that begins at step 180. */
+const MOVING = '600;style.inkColor/180*00ff00/188*ff0000;style.outlines/0*1/182*0/186*1;style.shadows/0*1/184*0';
+
+/** The frames of a clip with a timeline: errors of their composed layers, and which of them have ink and shadow. */
+export function animatedLayers() {
+  return untouched(async () => {
+    const stage = await lamp();
+    stage.set({ timeline: MOVING });
+    await stage.complete();
+    const before = stage.shown;
+    const settings = { scale: 2, seconds: 0.17, format: 'zip', hasBackground: false } as const;
+    const plain = unzipSync(await bytesOf(await captured(settings)));
+    const entries = unzipSync(await bytesOf(await captured({ ...settings, inLayers: true })));
+    const errors: number[] = [];
+    const parts: [ink: boolean, shadow: boolean][] = [];
+    for (const name of ['0001', '0002', '0003', '0004']) {
+      const order = ['flats', 'shadow', 'ink'].map((layer) => pixelsOfBytes(entries[`${layer}/${name}.png`]));
+      const layers = await Promise.all(order);
+      errors.push(meanDifference(await composed(layers), await pixelsOfBytes(plain[`frame-${name}.png`])));
+      parts.push([countOpaque(layers[2]) > 20, countOpaque(layers[1]) > 20]);
+    }
+    const isSame = JSON.stringify(stage.shown) === JSON.stringify(before);
+    stage.set({ timeline: '' });
+    return { errors, parts, isSame };
+  });
+}
+
 function countOpaque({ data }: ImageData): number {
   return data.filter((value, at) => at % 4 === 3 && value > 200).length;
 }

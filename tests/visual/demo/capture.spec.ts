@@ -55,6 +55,19 @@ test('composited layers equal the picture', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
+test('layers follow a timeline of what they change, and composited equal each frame', async ({ load }) => {
+  const { errors, parts, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.animatedLayers());
+  for (const error of errors) expect(error).toBeLessThan(1);
+  // At the steps 180, 182.5, 185 and 187.5.
+  expect(parts).toEqual([
+    [true, true],
+    [false, true],
+    [false, false],
+    [true, false],
+  ]);
+  expect(report).toEqual({ isSame: true, isUntouched: true });
+});
+
 test('composited layers of smoke with marks equal the picture', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.printedLayers());
   const layers = ['depth', 'flats', 'ink', 'marks', 'shadow', 'surfaces'];

@@ -26,7 +26,7 @@ const CHOICES = [
  * parameter attributes override all. Attributes have the same limits as links, because many pages let untrusted users write
  * them.
  * @param ofCss values that CSS properties set
- * @throws LoadError when the link parser cannot be fetched
+ * @throws LoadError when the parser of links or of timelines cannot be fetched
  */
 export async function parseAttributes(element: Element, ofCss: Values): Promise<ParsedAttributes> {
   const notices: Notice[] = [];
@@ -39,6 +39,8 @@ export async function parseAttributes(element: Element, ofCss: Values): Promise<
     values[parameter.key] = read.value;
     if (read.notice) notices.push(read.notice);
   }
+  if (element.hasAttribute('timeline'))
+    values.timeline = (await part('timeline')).cleanTimeline(String(values.timeline), notices);
   for (const [name, options] of CHOICES) readChoice(element, name, options, notices);
   const start = element.getAttribute('start');
   return {

@@ -35,6 +35,7 @@ const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, 
   curve: ['0:1,1:0', '0:0,.125:.5,.25:1,.375:.5,.5:1,.625:.25,.75:1,1:1'],
   ramp: ['', '0:ff0000,.1:00ff00,.2:0000ff,.3:ff00ff,.4:00ffff,.5:ffff00,1:ffffff'],
   drawing: ['', 'ff8800*GRk-gg-Cg'],
+  timeline: ['', '60;emission.rate/0*1'],
 };
 
 function endsOf(row: Parameter): readonly [Value, Value] {

@@ -110,6 +110,34 @@ test('uses the default for invalid values, with a notice and no console output',
   expect(lines).toEqual([]);
 });
 
+test('plays the timeline of its attribute, and one that comes later as an object', async ({ page, openPage }) => {
+  await openPage(
+    `<cartoon-smoke ${WISP} paused timeline="60;emission.rate/0*0;seed/0*1;style.smokeColor/0*ff0000"></cartoon-smoke>${LISTEN}`,
+  );
+  await stands(page);
+  const notices = await page.evaluate(() => window.notified.flatMap(({ detail }) => detail.notices ?? []));
+  expect(notices.map(({ message }) => message)).toEqual([expect.stringContaining('timeline.seed')]);
+  const found = await page.locator('cartoon-smoke').evaluate(async (smoke: CartoonSmokeElement) => {
+    await smoke.seek(1);
+    const before = [(await smoke.stats()).alive, (await smoke.get()).timeline];
+    const keyframes = [{ step: 0, value: 60, easing: 'linear' as const }];
+    await smoke.set({
+      timeline: { length: 60, loops: true, lanes: [{ key: 'emission.rate', keyframes }], bursts: [] },
+    });
+    await smoke.seek(2);
+    const error = await smoke.set({ timeline: '60;seed/0*1' }).catch(({ name, message }: Error) => [name, message]);
+    return [...before, (await smoke.stats()).alive, (await smoke.get()).timeline, error];
+  });
+  expect(found).toEqual([
+    0,
+    '60;emission.rate/0*0;style.smokeColor/0*ff0000',
+    expect.any(Number),
+    '60*loop;emission.rate/0*60',
+    ['ParameterError', expect.stringContaining('timeline.seed')],
+  ]);
+  expect(found[2]).toBeGreaterThan(20);
+});
+
 test('a poster in a picture element is as wide as the smoke', async ({ page, openPage }) => {
   const drawing = (width: number) =>
     `data:image/svg+xml,%3Csvg%20xmlns='http://www.w3.org/2000/svg'%20width='${width}'%20height='300'/%3E`;

@@ -5,7 +5,8 @@ import type { StageMethods } from '../../../../src/page/element/methods.ts';
 import type { Parameter } from '../../../../src/parameters/parameter.ts';
 import { listNames } from '../../../../src/parameters/lists.ts';
 import { table } from '../../../../src/parameters/table.ts';
-import { methodNames, type MethodName } from '../../../../src/stage/remote/methods.ts';
+import type { MethodName } from '../../../../src/stage/remote/calls.ts';
+import { methodNames } from '../../../../src/stage/remote/methods.ts';
 
 const METHODS = new URL('../../../../src/page/element/methods.json', import.meta.url);
 /** Does not compile without each method that the element does itself. */
