@@ -68,11 +68,11 @@ function animate(seconds: number): void {
   jet.position.set(((9 * time + 12) % 24) - 12, 5 + Math.sin(2 * time), -2);
   for (; steps < STEPS_PER_SECOND * time; steps++) {
     const position = new Vector3(runner.position.x, 0.05, runner.position.z);
-    smoke.burst({ position, direction: new Vector3(-1, 1, 0), count: 4, size: 0.2, speed: 1.2, lifetime: 0.5 });
+    void smoke.burst({ position, direction: new Vector3(-1, 1, 0), count: 4, size: 0.2, speed: 1.2, lifetime: 0.5 });
   }
   for (; explosions < EXPLOSIONS_PER_SECOND * time; explosions++) {
     const position = new Vector3(14 * Math.random() - 7, 0.4 + 2.5 * Math.random(), -4 * Math.random());
-    smoke.burst({ position, count: 12, size: 0.5, speed: 2.5, lifetime: 0.7 });
+    void smoke.burst({ position, count: 12, size: 0.5, speed: 2.5, lifetime: 0.7 });
   }
 }
 
@@ -82,7 +82,7 @@ addEventListener('pointerdown', ({ clientX, clientY }) => {
   const [hit] = raycaster.intersectObject(ground);
   if (!hit) return;
   const direction = new Vector3(0, 1, 0);
-  smoke.burst({ position: hit.point, direction, count: 40, size: 0.5, speed: 4, spread: 1, lifetime: 0.8 });
+  void smoke.burst({ position: hit.point, direction, count: 40, size: 0.5, speed: 4, spread: 1, lifetime: 0.8 });
 });
 
 /** A mesh of the scene. */

@@ -438,5 +438,5 @@ function placeOf(key: string): string {
 }
 
 function shortened(given: unknown): string {
-  return typeof given === 'object' ? 'an object' : String(given).slice(0, 40);
+  return typeof given === 'object' ? 'an object' : `${given as number | string}`.slice(0, 40);
 }

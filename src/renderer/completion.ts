@@ -83,13 +83,16 @@ export class AnimationLoading {
    */
   set(given: GivenValues): Promise<void> | undefined {
     const act = () => this.owner.set(given);
-    if (loaded.animation || !(given as GivenValues | undefined)?.timeline) return void act();
+    if (loaded.animation || !(given as GivenValues | undefined)?.timeline) {
+      act();
+      return undefined;
+    }
     return new Promise((resolve, reject) => {
       this.owed.push(() => {
         try {
           resolve(act());
         } catch (error) {
-          reject(error as Error);
+          reject(error);
         }
       });
       this.owner.load();

@@ -95,7 +95,7 @@ export function readNote(note: string): Note {
     const parameter = findParameter(key);
     if (!parameter) return [];
     if (!isAccepted(parameter, value)) throw new SimulatorError(`The take has an invalid ${key}.`);
-    return [[parameter.key, value as Value]];
+    return [[parameter.key, value]];
   });
   const hasChanges = Array.isArray(changes?.[0]) && Array.isArray(changes[1]);
   return {

@@ -530,7 +530,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     if (animation) {
       const now = { steps: simulator.steps, time: this.drawnTime };
       const { changed } = animation.changedBy(this.values, after, values, now, false);
-      animation.record(changed as AnyValues, now);
+      animation.record(changed, now);
       animation.reset();
     }
     this.change(after);

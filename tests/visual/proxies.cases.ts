@@ -73,10 +73,10 @@ export function ofSmoke(): Promise<Record<string, unknown>> {
       wrap(smoke.cast(object(-0.5))),
       wrap(smoke.attach('vortices.0', object(0))),
     ];
-    smoke.burst(wrap({ position: { x: 0, y: 1, z: 0 }, count: 5 }));
+    void smoke.burst(wrap({ position: { x: 0, y: 1, z: 0 }, count: 5 }));
     smoke.set(wrap({ 'style.tones': 3, 'vortices.0.circulation': 2 }));
     smoke.step(20);
-    emitter.burst(3);
+    void emitter.burst(3);
     smoke.update(0.1);
     smoke.update(0.1);
     await smoke.complete();

@@ -1,5 +1,5 @@
 import { LIST_LIMIT, MAX_STEP, type Easing } from '../../internal.ts';
-import { findParameter, type AnyValues } from '../../preset.ts';
+import { findParameter } from '../../preset.ts';
 import { createControl } from '../panel/control.ts';
 import type { Control } from '../panel/controlTypes.ts';
 import { create, iconButton, uniqueId } from '../ui/dom.ts';
@@ -96,7 +96,7 @@ export class Inspector {
       parameter,
       textId,
       { change: (value) => session.setValue(value), settle: () => session.settle() },
-      () => session.values as AnyValues,
+      () => session.values,
     );
     const text = create('span', { id: textId, class: 'read-aloud' }, parameter.text);
     const unit = 'unit' in parameter && parameter.unit ? [create('span', { class: 'unit' }, parameter.unit)] : [];

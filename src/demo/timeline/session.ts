@@ -12,7 +12,7 @@ import {
   type Timeline,
   type TimelineBurst,
 } from '../../internal.ts';
-import { findParameter, type AnyValues, type Value, type Values } from '../../preset.ts';
+import { findParameter, type AnyValues, type Value } from '../../preset.ts';
 import type { Changes, Editor } from '../editor/editor.ts';
 import type { Scrubber } from '../playback/scrubber.ts';
 import {
@@ -153,7 +153,7 @@ export class Session implements Recorded {
     const same = Object.entries(changes).filter(
       ([key, value]) => value !== undefined && value === values[key] && this.laneOf(key),
     );
-    if (same.length > 0) this.stage.set(Object.fromEntries(same) as Values);
+    if (same.length > 0) this.stage.set(Object.fromEntries(same));
   }
 
   /** Makes the panel of the parameters show what the timeline makes of them now. */

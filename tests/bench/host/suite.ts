@@ -118,7 +118,7 @@ async function measureBursts(rounds: number): Promise<Figure[]> {
       for (let frame = 1; frame <= FRAMES; frame++) {
         const due = hasBursts ? Math.floor((frame * BURSTS) / FRAMES) : 0;
         callMs += time(() => {
-          for (; done < due; done++) smoke.burst(options);
+          for (; done < due; done++) void smoke.burst(options);
         });
         smoke.update(FRAME);
         draw(host);

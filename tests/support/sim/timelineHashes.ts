@@ -52,9 +52,9 @@ export async function timelineHashes(factory: SimulatorFactory): Promise<Record<
     const changed = BY_HAND[steps];
     if (changed) {
       simulation.set(changed);
-      simulation.record({ ...changed } as Record<string, number | string>, steps);
+      simulation.record({ ...changed }, steps);
     }
-    if (steps === 133) state = simulation.save(values);
+    if (steps === 133) state = simulation.save(VALUES);
     simulation.advance(1);
   }
   const played = simulation.simulator.hash();

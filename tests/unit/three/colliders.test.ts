@@ -122,7 +122,7 @@ function puffsAt(factoryOfSmoke: SimulatorFactory, places: readonly [number, num
   for (const [x, y, z] of places) {
     const source = smoke.put(new Group());
     source.position.set(x, y, z);
-    smoke.emitFrom(source, { rate: 0, speed: 0, shape: 'point', size: 0.2 }).burst(1);
+    void smoke.emitFrom(source, { rate: 0, speed: 0, shape: 'point', size: 0.2 }).burst(1);
   }
   smoke.frame();
   return smoke;

@@ -52,7 +52,7 @@ test('options, set and burst reach the simulator, and remove ends the emission',
   const emitter = smoke.emitFrom(smoke.put(new Object3D(), 2), { ...RESTING, rate: 0 });
   smoke.frames(10);
   expect(smoke.simulator.alive).toBe(0);
-  emitter.burst(25);
+  void emitter.burst(25);
   smoke.frame();
   expect(smoke.places()).toEqual(Array.from({ length: 25 }, () => [2, 0, 0]));
   emitter.set({ rate: 60 });
@@ -70,7 +70,7 @@ test('options, set and burst reach the simulator, and remove ends the emission',
 test('a burst comes once, at its place, in its direction and with its speed', () => {
   const smoke = new HandledSmoke(factory);
   const [position, direction] = [new Vector3(1, 2, 3), new Vector3(0, 0, -8)];
-  smoke.pool.burst({ position, direction, count: 40, speed: 6, speedVariation: 0, spread: 0, shape: 'point' });
+  void smoke.pool.burst({ position, direction, count: 40, speed: 6, speedVariation: 0, spread: 0, shape: 'point' });
   smoke.frames(61);
   const places = smoke.places();
   expect(places).toHaveLength(40);
@@ -85,8 +85,8 @@ test('a burst comes once, at its place, in its direction and with its speed', ()
 test('a burst has no options of the one before', () => {
   const smoke = new HandledSmoke(factory);
   const position = new Vector3(0, 5, 0);
-  smoke.pool.burst({ ...RESTING, position, count: 1, temperature: 3, spread: 0 });
-  smoke.pool.burst({ position, count: 200, direction: { x: 0, y: 0, z: 1 } });
+  void smoke.pool.burst({ ...RESTING, position, count: 1, temperature: 3, spread: 0 });
+  void smoke.pool.burst({ position, count: 200, direction: { x: 0, y: 0, z: 1 } });
   smoke.frames(30);
   const moved = smoke.places().filter(([, , z]) => z > 0.1);
   expect(moved).toHaveLength(200);
@@ -96,7 +96,7 @@ test('a burst has no options of the one before', () => {
 
 test('without a direction a burst goes in all directions', () => {
   const smoke = new HandledSmoke(factory);
-  smoke.pool.burst({ position: { x: 0, y: 0, z: 0 }, count: 400, speed: 5 });
+  void smoke.pool.burst({ position: { x: 0, y: 0, z: 0 }, count: 400, speed: 5 });
   smoke.frames(30);
   const places = smoke.places();
   for (const axis of [0, 1, 2]) {
@@ -110,7 +110,7 @@ test('thousands of bursts lose nothing while there is room, and the hash depends
   const run = (count: number) => {
     const smoke = new HandledSmoke(factory, STILL, 20_000);
     for (let burst = 0; burst < 2000; burst++) {
-      smoke.pool.burst({ position: { x: burst % 7, y: 0, z: 0 }, count, tint: burst % 16 });
+      void smoke.pool.burst({ position: { x: burst % 7, y: 0, z: 0 }, count, tint: burst % 16 });
       if (burst % 200 === 199) smoke.frame();
     }
     const { alive } = smoke.simulator;
@@ -129,7 +129,7 @@ test('bursts create no objects', () => {
   const burst = { position: new Vector3(), direction: new Vector3(0, 1, 0), count: 1, speed: 4, size: 0.25, tint: 3 };
   const bytesPerBurst = () => {
     const before = process.memoryUsage().heapUsed;
-    for (let count = 0; count < 5000; count++) smoke.pool.burst(burst);
+    for (let count = 0; count < 5000; count++) void smoke.pool.burst(burst);
     return (process.memoryUsage().heapUsed - before) / 5000;
   };
   // V8 may box the seven numbers of the options, 16 bytes each, and more until it has optimised the code, which takes longer
@@ -184,7 +184,7 @@ test('a table emitter is silent while it is disabled, keeps the rates of the oth
   expect(smoke.simulator.parameters().get('emitters.1.speed')).toBe(3);
   expect(smoke.simulator.parameters().get('emitters.1.extent.z')).toBe(3);
   first.remove();
-  second.burst(7);
+  void second.burst(7);
   smoke.frames(60);
   expect(counts()).toEqual([120, 246]);
   smoke.emitFrom(smoke.put(new Object3D(), 10), 0);
@@ -204,7 +204,7 @@ test('a force rides on an object, pauses with it and stays where its values are 
   object.rotation.z = -Math.PI / 2;
   const handle = smoke.attach('jets.0', object);
   const drift = () => {
-    smoke.pool.burst({ ...RESTING, position: { x: 101, y: 0, z: 0 }, count: 1 });
+    void smoke.pool.burst({ ...RESTING, position: { x: 101, y: 0, z: 0 }, count: 1 });
     smoke.frames(20);
     return smoke.places().at(-1)![0] - 101;
   };
@@ -273,7 +273,7 @@ test.each(['emitter', 'table emitter', 'force', 'collider'] as const)(
 function isThere(smoke: HandledSmoke, from: number): boolean {
   const probe = new HandledSmoke(factory);
   probe.simulator.restore(smoke.simulator.save());
-  probe.pool.burst({
+  void probe.pool.burst({
     position: { x: from, y: 0, z: 0 },
     direction: { x: 1, y: 0, z: 0 },
     count: 1,
@@ -304,7 +304,7 @@ test('a collider that returns elsewhere does not sweep smoke on its way', () => 
   const smoke = new HandledSmoke(factory);
   const ball = smoke.put(new Mesh(new SphereGeometry(1)), -5);
   const handle = smoke.collide(ball, { boundaryLayer: 1 });
-  smoke.pool.burst({ ...RESTING, position: { x: 0, y: 0, z: 0 }, count: 1 });
+  void smoke.pool.burst({ ...RESTING, position: { x: 0, y: 0, z: 0 }, count: 1 });
   smoke.frames(3);
   handle.enabled = false;
   smoke.frame();
@@ -450,7 +450,7 @@ test('a thousand adds and removes of each handle leave rigids and memory flat, a
         smoke.collide(sheet, { boundaryLayer: 0.5 }),
         smoke.attach('jets.0', object),
       ];
-      smoke.pool.burst({ position: object.position, count: 2 });
+      void smoke.pool.burst({ position: object.position, count: 2 });
       object.position.x = (round % 10) / 10;
       if (round % 2) smoke.frame();
       for (const handle of handles) handle.remove();

@@ -117,7 +117,7 @@ test('obstacles do not move when smoke is placed before its first step', () => {
 test('in the world, forces and obstacles of the table follow the object, and gravity does not', () => {
   const smoke = smokeIn('world', { ...NOZZLE, 'emission.rate': 0, 'gravities.0.acceleration.y': -2 });
   smoke.object.rotation.z = QUARTER;
-  smoke.pool.burst({ ...RESTING, position: { x: 1, y: 2, z: 0 }, count: 1 });
+  void smoke.pool.burst({ ...RESTING, position: { x: 1, y: 2, z: 0 }, count: 1 });
   smoke.frames(60);
   const [[x, y, z]] = smoke.places();
   expect([x, y, z]).toEqual([expect.closeTo(2, 1), expect.closeTo(2, 3), expect.closeTo(0, 3)]);
@@ -125,7 +125,7 @@ test('in the world, forces and obstacles of the table follow the object, and gra
   const falling = smokeIn('world', { ...NOZZLE, 'emission.rate': 0, 'gravity.acceleration': 3 });
   falling.object.position.y = 4;
   falling.object.rotation.z = 0.3;
-  falling.pool.burst({ ...RESTING, position: { x: 2, y: 6, z: 0 }, count: 1, size: 0.2, sizeVariation: 0 });
+  void falling.pool.burst({ ...RESTING, position: { x: 2, y: 6, z: 0 }, count: 1, size: 0.2, sizeVariation: 0 });
   // A value that is set later follows, too.
   falling.set({ 'colliders.0.shape': 'plane', 'colliders.0.restitution': 0, 'colliders.0.friction': 1 });
   falling.frames(120);
@@ -186,7 +186,7 @@ test.each([
   smoke.object.position.set(1, 2, 3);
   smoke.object.rotation.set(0.7, 0.9, -1.2);
   smoke.place();
-  smoke.pool.burst({ ...RESTING, position: { x: 2, y: 1, z: 0 }, count: 1 });
+  void smoke.pool.burst({ ...RESTING, position: { x: 2, y: 1, z: 0 }, count: 1 });
   smoke.frames(60);
   const [place] = worldPlaces(smoke);
   const expected = [2 + way[0], 1 + way[1], way[2]];
@@ -205,7 +205,7 @@ test('in local smoke, bursts and emitters of handles are where they are in the w
   smoke.object.rotation.set(0.7, 0.9, -1.2);
   smoke.place();
   const fast = { shape: 'point', speed: 3, speedVariation: 0, spread: 0 } as const;
-  smoke.pool.burst({ ...fast, position: { x: 5, y: 0, z: 0 }, direction: { x: 0, y: 0, z: -2 }, count: 1 });
+  void smoke.pool.burst({ ...fast, position: { x: 5, y: 0, z: 0 }, direction: { x: 0, y: 0, z: -2 }, count: 1 });
   smoke.frames(60);
   // Births are spread over the first step.
   const flown = worldPlaces(smoke).find(({ x }) => x > 4)!;
@@ -223,7 +223,7 @@ function swept(space: SmokeSpace, isBoxMoving: boolean): [string, number] {
   const smoke = smokeIn(space, { ...NOZZLE, 'emission.rate': 0 });
   const box = smoke.put(new Mesh(new BoxGeometry(1, 4, 4)), -2);
   smoke.collide(box, { restitution: 0 });
-  smoke.pool.burst({ ...RESTING, position: { x: 0, y: 1, z: 0 }, count: 4, shape: 'ball', radius: 0.25 });
+  void smoke.pool.burst({ ...RESTING, position: { x: 0, y: 1, z: 0 }, count: 4, shape: 'ball', radius: 0.25 });
   for (let frame = 0; frame < 64; frame++) {
     if (isBoxMoving) box.position.x += 1 / 32;
     else smoke.object.position.x -= 1 / 32;
@@ -250,7 +250,7 @@ test('a jump of local smoke places obstacles as new ones, without speed', () => 
   const run = (steps: number, isNew: boolean) => {
     const smoke = smokeIn('local', { ...NOZZLE, 'emission.rate': 0 });
     const handle = smoke.collide(smoke.put(new Mesh(new BoxGeometry(1, 4, 4)), -10));
-    smoke.pool.burst({ ...RESTING, position: { x: 0, y: 1, z: 0 }, count: 30, shape: 'ball', radius: 0.5 });
+    void smoke.pool.burst({ ...RESTING, position: { x: 0, y: 1, z: 0 }, count: 30, shape: 'ball', radius: 0.5 });
     smoke.frame();
     if (isNew) handle.enabled = false;
     smoke.frames(9);
@@ -277,7 +277,7 @@ test('a scale enlarges the smoke with the places of handles, bursts and obstacle
     smoke.object.scale.setScalar(scale);
     smoke.collide(smoke.put(new Mesh(new BoxGeometry(scale, scale, scale)), scale), { friction: 0.5 });
     smoke.emitFrom(smoke.put(new Object3D(), -scale), { rate: 30, size: 0.2 });
-    smoke.pool.burst({ position: { x: 0, y: 2 * scale, z: 0 }, count: 5 });
+    void smoke.pool.burst({ position: { x: 0, y: 2 * scale, z: 0 }, count: 5 });
     smoke.frames(60);
     return smoke.simulator.hash();
   };
@@ -299,7 +299,7 @@ test('a change of the scale keeps the origin of the object, and makes obstacles 
   smoke.object.scale.setScalar(2);
   smoke.frames(10);
   expect(distinct(smoke.places())).toEqual(new Set(['2000,1000,0']));
-  smoke.pool.burst({ ...RESTING, position: { x: -3.1, y: 0, z: 0 }, count: 1, size: 0.01 });
+  void smoke.pool.burst({ ...RESTING, position: { x: -3.1, y: 0, z: 0 }, count: 1, size: 0.01 });
   smoke.frames(10);
   const along = smoke.places().map(([x]) => x);
   expect(Math.min(...along)).toBeGreaterThan(-0.5);

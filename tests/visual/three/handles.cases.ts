@@ -55,7 +55,7 @@ export async function burst(): Promise<PlacedSmoke[]> {
   const smoke = await smokeIn(host, SHORT);
   const place = new Vector3(0.8, 1.5, -0.2);
   const before = smokeAt(host, smoke, place);
-  smoke.burst({ ...CLUMP, position: place, count: 30, tint: 2 });
+  void smoke.burst({ ...CLUMP, position: place, count: 30, tint: 2 });
   smoke.step(8);
   const during = smokeAt(host, smoke, place);
   smoke.step(60);
@@ -166,7 +166,7 @@ export async function hashes(): Promise<string[]> {
     if (hasHandles) smoke.attach('vortices.0', object);
     for (let frame = 0; frame < 30; frame++) {
       object.position.x = frame / 30;
-      if (hasHandles && frame % 4 === 0) smoke.burst({ position: object.position, count: 3 });
+      if (hasHandles && frame % 4 === 0) void smoke.burst({ position: object.position, count: 3 });
       if (frame === 20) handle?.remove();
       smoke.update(1 / 30);
     }
@@ -234,7 +234,7 @@ export async function idle(): Promise<Record<string, { calls: number; changed: n
   };
   look('first');
   look('empty');
-  smoke.burst({ ...CLUMP, position: new Vector3(0.4, 1.4, 0.3), count: 20 });
+  void smoke.burst({ ...CLUMP, position: new Vector3(0.4, 1.4, 0.3), count: 20 });
   look('burst');
   smoke.step(60);
   look('after');

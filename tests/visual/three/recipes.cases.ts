@@ -138,7 +138,7 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
       [2.1, 0.15, 2, 10],
     ];
     for (const [x, y, z, age] of steps) {
-      smoke.burst({
+      void smoke.burst({
         position: { x, y, z },
         direction: { x: 0, y: 1, z: 0 },
         count: 18,

@@ -96,7 +96,7 @@ export async function besideCalls(isStrict: boolean) {
   await part({ values: changed, emitter: { rate: 200, speed: 2 }, isSolid: false });
   // What is no longer given has its default again.
   await part({ emitter: { rate: 200 } });
-  emitterRef.current!.burst(5);
+  void emitterRef.current!.burst(5);
   await part({ emitter: { rate: 200, enabled: false } });
   await part({ emitter: { rate: 200, enabled: false, tint: 2 } });
   const pictures = [tree.picture()];
@@ -153,7 +153,7 @@ async function callsInstead(changed: Values, pictures: Uint8Array[]): Promise<st
   emitter = smoke.emitFrom(emitting, { rate: 200, size: 0.15 });
   collider.enabled = true;
   frames(12);
-  emitter.burst(5);
+  void emitter.burst(5);
   emitter.enabled = false;
   frames(12);
   emitter.remove();

@@ -140,7 +140,15 @@ export async function byLamp(name: string): Promise<{ smoke: [Colors, Colors]; e
   smoke.step(1);
   for (const puff of PUFFS) {
     const position = new Vector3(...puff);
-    smoke.burst({ position, count: 1, size: 0.5 / scale, sizeVariation: 0, speed: 0, shape: 'point', lifetime: 10 });
+    void smoke.burst({
+      position,
+      count: 1,
+      size: 0.5 / scale,
+      sizeVariation: 0,
+      speed: 0,
+      shape: 'point',
+      lifetime: 10,
+    });
   }
   smoke.step(20);
   const pixels = draw(host);

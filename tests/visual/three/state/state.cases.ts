@@ -147,7 +147,7 @@ export async function again(physics: boolean) {
       const run = () => {
         smoke.step(30);
         const half = smoke.hash();
-        smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
+        void smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
         smoke.step(30);
         return [half, smoke.hash()];
       };
@@ -158,12 +158,12 @@ export async function again(physics: boolean) {
       smoke.step(30);
       const state = smoke.save();
       const untouched = smoke.hash();
-      smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
+      void smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
       smoke.step(30);
       const end = smoke.hash();
       smoke.restore(state);
       const restored = smoke.hash();
-      smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
+      void smoke.burst({ position: { x: 0, y: 1, z: 0 }, count: 20 });
       smoke.step(30);
       return { steps, first, second: [untouched, end], third: [restored, smoke.hash()] };
     },
