@@ -75,6 +75,7 @@ export type {
   PuffOptions,
   VectorComponents,
 } from './simulator/emitterOptions.ts';
+export type { LookStyle } from './simulator/lookStyles.ts';
 
 export type { EmitterHandle } from './three/emitters.ts';
 export type { SmokeSpace } from './three/smokeSpace.ts';
