@@ -37,15 +37,15 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 85.7 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 125.9 },
+    { name: 'embed.coreKb', kB: core, limit: 88.3 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 128.7 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
   await page.evaluate(() => document.querySelector('cartoon-smoke')!.setAttribute('style-simplify', '3'));
   await expect.poll(() => server.sent.filter(({ file }) => file.endsWith('simplify.js')).length).toBe(1);
   judge([
-    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 7.2 },
+    { name: 'simplified light', kB: fetched(server, (file) => isScript(file) && !isThree(file)) - core, limit: 7.4 },
   ]);
 });
 
@@ -54,8 +54,8 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 23.2 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 239.3 },
+    { name: 'page', kB: fetched(server, own), limit: 23.5 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 246.8 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 276.5 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 284.3 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
@@ -87,8 +87,8 @@ test('of an app that collides with a mesh, a simulator without Rapier beside the
   await expect(page).toHaveTitle('loaded');
   const isMeshes = (file: string) => file.endsWith('meshes/bindings_bg.wasm');
   judge([
-    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 190 },
-    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 314.2 },
+    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 191.3 },
+    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 319.8 },
   ]);
 });
 
