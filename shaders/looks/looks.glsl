@@ -46,3 +46,9 @@ ivec2 inColumns(ivec2 texel) {
 float litBorderOf(sampler2D ramps, float material) {
   return texelFetch(ramps, inColumns(ivec2(1, 4.0 * material)), 0).a;
 }
+
+// The same for selecting a texel of its ramp.
+float litToneOf(sampler2D ramps, float material) {
+  float texel = round(255.0 * texelFetch(ramps, inColumns(ivec2(2, 4.0 * material)), 0).a);
+  return (texel + 0.5) / 256.0;
+}

@@ -50,7 +50,7 @@ vec3 placeAt(ivec2 at) {
 #endif
 
 #ifdef LOOKS
-float litBorderOf(sampler2D ramps, float material);
+float litToneOf(sampler2D ramps, float material);
 #endif
 
 vec3 rampAt(float material, float row, float facing) {
@@ -162,7 +162,7 @@ void main() {
   }
   float border = litFrom;
 #ifdef LOOKS
-  border = litBorderOf(ramps, own.material);
+  border = litToneOf(ramps, own.material);
 #endif
 #ifdef FORM
   light = leaning(light, border, at);

@@ -25,7 +25,7 @@ import {
   litThresholdOf,
   washed,
 } from '../../src/renderer/palette.ts';
-import { inkPixelsOf, type Style } from '../../src/renderer/style.ts';
+import { inkPixelsOf, leastThresholdOf, type Style } from '../../src/renderer/style.ts';
 import { minCapOf } from '../../src/renderer/passes/volumes.ts';
 
 type Triple = readonly [number, number, number];
@@ -121,8 +121,8 @@ function styleAsObject(style: Style, { pixelRatio, time = 0 }: FrameInput, puffs
     pattern: hasPattern(style) ? patternAsObject(style, pixelRatio) : undefined,
     shadowDepth: style.shadowSteps === 2 ? style.shadowDepth : undefined,
     minCap: style.isDeformed
-      ? spreadOf(style.stretch) * minCapOf(litThresholdOf(style), 0)
-      : minCapOf(litThresholdOf(style), latestCapOf(style, puffs)),
+      ? spreadOf(style.stretch) * minCapOf(leastThresholdOf(style), 0)
+      : minCapOf(leastThresholdOf(style), latestCapOf(style, puffs)),
   };
 }
 

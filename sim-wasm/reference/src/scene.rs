@@ -179,6 +179,17 @@ pub struct Ramp {
     pub glow: f64,
 }
 
+impl Ramp {
+    /// Cosine from which lit smoke differs from smoke in shadow.
+    pub fn lit_from(&self) -> f64 {
+        match &self.lit[..] {
+            [first, ..] if self.is_blended => first.from,
+            [_, second, ..] => second.from,
+            _ => -1.0,
+        }
+    }
+}
+
 #[derive(Deserialize)]
 pub struct Tone {
     pub from: f64,

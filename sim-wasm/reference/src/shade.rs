@@ -97,7 +97,7 @@ impl Shade {
         let is_filled = normal.dot(towards_fill(light)) > FILL_BORDER;
         let shade = Self::of(ramp, colors, facing, is_filled);
         match whole {
-            Some((form, whole)) => shade.leaning(style, colors, ramp, facing, form, whole),
+            Some((form, whole)) => shade.leaning(colors, ramp, facing, form, whole),
             None => shade,
         }
     }
@@ -115,8 +115,8 @@ impl Shade {
     }
 
     /// Light and shadow where the light leans on the form of the whole smoke. `own`, `whole`: cosines to the light.
-    fn leaning(self, style: &Style, light: &Illumination, ramp: &Ramp, own: f64, form: &Form, whole: f64) -> Self {
-        let lit_from = style.lit_from;
+    fn leaning(self, light: &Illumination, ramp: &Ramp, own: f64, form: &Form, whole: f64) -> Self {
+        let lit_from = ramp.lit_from();
         let lit_at = |own: f64| {
             let facing = own + form.lean * (whole - own);
             Self::of(ramp, light, facing.max(lit_from), false).as_lit()

@@ -69,7 +69,8 @@ export const FIRST_BORDER = 0.3;
  * four rows: in shadow, in the light, then both again where the fill light reaches. Nearest filtering keeps the colours
  * exact. Alpha is the share of the filled tone, and in the first texel the share that glows. The last row holds the
  * {@link Bands}. With looks, ramps are in several columns, the last rows hold the bands of each look, and the alpha of the
- * second texel is the N.L from which lit smoke differs from smoke in shadow.
+ * second texel is the N.L from which lit smoke differs from smoke in shadow, in 255ths, rounded up, as shading is compared with
+ * it. That of the third one is the texel there.
  */
 export class RampTexture {
   readonly texture: DataTexture;
@@ -113,7 +114,11 @@ export class RampTexture {
     }
     const start = this.placeOf(first);
     this.data[start + 3] = Math.round(255 * glow);
-    if (this.size.bands > 1) this.data[start + 7] = borderOf(ramp);
+    if (this.size.bands > 1) {
+      const border = borderOf(ramp);
+      this.data[start + 7] = Math.ceil(255 * border - 1e-6);
+      this.data[start + 11] = Math.min(RAMP_TEXELS * border, RAMP_TEXELS - 1);
+    }
     this.texture.needsUpdate = true;
   }
 
@@ -192,9 +197,9 @@ function imageFor(size: RampSize): { data: Uint8Array<ArrayBuffer>; width: numbe
   return { data: new Uint8Array(4 * width * height), width, height };
 }
 
-/** N.L from which lit smoke differs from smoke in shadow, in 255ths, rounded up, as shading is compared with it; 0 for all. */
+/** N.L from which lit smoke differs from smoke in shadow; 0 for all. */
 function borderOf({ lit, isBlended }: Ramp): number {
-  return lit.length === 1 ? 0 : Math.ceil(255 * lit[isBlended ? 0 : 1].from - 1e-6);
+  return lit.length === 1 ? 0 : lit[isBlended ? 0 : 1].from;
 }
 
 /** The tone of a ramp at a value of max(0, N.L). */

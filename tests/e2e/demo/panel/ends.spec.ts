@@ -63,8 +63,11 @@ test.describe('with all pixels', () => {
         stage.set({ 'emitters.0.tint': tint });
         stage.step(15);
       }
-      stage.set({ 'emitters.0.tint': 0 });
-      stage.step(110);
+      stage.set({ 'emitters.0.tint': 0, 'emitters.0.look.inkWeight': 2 });
+      stage.step(15);
+      // Puffs with a look stay, so colours of looks change the picture.
+      stage.unset(['emitters.0.look.inkWeight']);
+      stage.step(95);
     });
     await ask(page, async (stage) => {
       // Optional passes load when they are first requested, all renderers together; after that each change is immediate.
