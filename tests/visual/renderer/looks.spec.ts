@@ -29,6 +29,7 @@ const PICTURES = {
   'flat puffs': [{}, { failsSelfTest: true }],
   'simplified light': [{ simplify: 2 }, {}],
   'light of the whole form': [{ simplify: 2, plumeForm: 0.6, isBlended: true, stops: STOPS }, {}],
+  'three tones of the whole form': [{ simplify: 2, plumeForm: 0.6, tones: 3 }, {}],
   strokes: [{ strokes: 1, isDeformed: true }, { pixelRatio: 2 }],
   pattern: [{ pattern: 'dots', patternCoverage: 0.4 }, {}],
   'a lamp that fades': [{ lampLight: [1, 1, 1] }, { lamp: [1, 2, 1] }],
