@@ -10,6 +10,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
+  Object3D,
   PlaneGeometry,
   SphereGeometry,
   Vector2,
@@ -35,7 +36,7 @@ const LOOK: Values = {
   'style.outlineWidth': 1.5,
 };
 
-export type Recipe = 'composer' | 'mirror' | 'fog' | 'bursts';
+export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline';
 
 interface Setting extends Host {
   smoke: CartoonSmoke;
@@ -122,6 +123,68 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
     keyLight.position.set(-3, 4.5, 4);
     smokeRises(setting);
     return [setting, () => renderer.render(scene, camera)];
+  },
+
+  async looks() {
+    const setting = await houseWithSmoke();
+    const { renderer, scene, camera, smoke } = setting;
+    const at = (x: number, y: number, z: number) => {
+      const object = new Object3D();
+      object.position.set(x, y, z);
+      scene.add(object);
+      return object;
+    };
+    const fire = { rate: 40, size: 0.4, speed: 0.7, spread: 0.35, radius: 0.12 };
+    smoke.emitFrom(at(1.25, 0.1, 1.1), {
+      ...fire,
+      look: {
+        colors: '0:a02818,.3:ff8030,.7:ffd060',
+        lifetime: 1.1,
+        sizeCurve: '0:.5,.3:1,1:.1',
+        dissolve: 'shrink',
+        inkWeight: 0.7,
+      },
+    });
+    smoke.emitFrom(at(2.15, 0.1, 0.5), {
+      rate: 16,
+      size: 0.42,
+      speed: 0.7,
+      spread: 0.3,
+      look: { ageColors: '0:7ad0a0,.3:4a90c8,.6:5a4a98', lifetime: 2.4, inkWeight: 1.6 },
+    });
+    smokeRises(setting);
+    return [setting, () => renderer.render(scene, camera)];
+  },
+
+  async timeline() {
+    const shots = [60, 130, 200];
+    const setting = await houseWithSmoke({
+      'forces.wind.x': 0.3,
+      timeline:
+        '240;style.smokeColor/60*fff4e0/130*f0a070/200*7a5a90;emitters.0.speed/0*.8;emission.rate/0*4/120*4/121*40;burst/40*0*8',
+    });
+    const { renderer, scene, camera, smoke, chimney } = setting;
+    chimney.updateWorldMatrix(true, false);
+    smoke.set({ 'emitters.0.position.x': chimney.position.x, 'emitters.0.position.y': 1.9, 'emitters.0.size': 0.5 });
+    const gap = 2;
+    const width = (WIDTH - gap * (shots.length - 1)) / shots.length;
+    camera.aspect = width / HEIGHT;
+    camera.position.set(0.25, 2, 5.6);
+    camera.lookAt(0.2, 1.75, 0);
+    camera.updateProjectionMatrix();
+    return [
+      setting,
+      () => {
+        smoke.restart();
+        renderer.setScissorTest(true);
+        for (const [index, step] of shots.entries()) {
+          smoke.step(step - smoke.stats.steps);
+          renderer.setViewport(index * (width + gap), 0, width, HEIGHT);
+          renderer.setScissor(index * (width + gap), 0, width, HEIGHT);
+          renderer.render(scene, camera);
+        }
+      },
+    ];
   },
 
   async bursts() {

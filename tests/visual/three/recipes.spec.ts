@@ -6,7 +6,7 @@ type Recipes = typeof import('./recipes.cases.ts');
 /** Largest size of a picture, bytes. */
 const LARGEST = 60_000;
 
-for (const recipe of ['composer', 'mirror', 'fog', 'bursts'] as const) {
+for (const recipe of ['composer', 'mirror', 'fog', 'looks', 'bursts', 'timeline'] as const) {
   const tag = longIf(recipe !== 'composer');
   test(`the recipe ${recipe} shows the picture of the documentation${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Recipes>('/tests/visual/three/recipes.cases.ts');
