@@ -93,12 +93,12 @@ export class TimelinePlayer {
     if (isWhole || inputsDone !== this.inputsDone) this.reset();
     this.inputsDone = inputsDone;
     const changed = this.changedAt(steps);
-    if (changed && put) put(changed);
-    else if (changed) simulator.set(this.numbersOf(changed));
+    if (changed) attempt(() => (put ? put(changed) : simulator.set(this.numbersOf(changed))));
     const { length, loops } = this.timeline;
     const at = loops ? steps % length : steps;
     if (at >= length) return;
-    for (const burst of this.bursts.get(at) ?? []) if (!isSilent?.(burst.emitter)) emit(simulator, burst);
+    for (const { emitter, count } of this.bursts.get(at) ?? [])
+      if (!isSilent?.(emitter)) attempt(() => simulator.setEmitter(emitter, NO_NUMBERS, count));
   }
 
   /** Numbers are the simulator's as they are. */
@@ -135,10 +135,13 @@ export class TimelinePlayer {
   }
 }
 
-/** Emits a burst. An emitter that the smoke does not have emits nothing. */
-function emit(simulator: Simulator, { emitter, count }: TimelineBurst): void {
+/**
+ * Acts on the simulator. What it rejects has no effect: a burst of an emitter that the smoke does not have, and a tint that
+ * would be a sixteenth look.
+ */
+function attempt(act: () => void): void {
   try {
-    simulator.setEmitter(emitter, NO_NUMBERS, count);
+    act();
   } catch (error) {
     if (!(error instanceof ParameterError)) throw error;
   }

@@ -90,6 +90,21 @@ const lane = (key: string) => readTimeline(TIMELINE).timeline.lanes.find((each) 
 const at = (key: string, step: number) => valueAt(lane(key), step % 90);
 
 describe('the simulator', () => {
+  it('keeps what it has where a lane would give it a sixteenth look', () => {
+    const looks = Array.from({ length: 14 }, (_, index) => ({ drag: 0.05 * index }));
+    const timeline = '90;emitters.0.tint/0*0*h/30*2*h/60*0;emission.rate/0*20*h/50*70*h';
+    const { simulation } = new Bench({ ...VALUES, 'emitters.0.look.drag': 5, timeline });
+    const tintAfter = (steps: number) => {
+      simulation.advance(steps);
+      return simulation.simulator.parameters().get('emitters.0.tint');
+    };
+    expect(tintAfter(10)).toBe(0);
+    for (const look of looks) simulation.emit({ position: { x: 0, y: 1, z: 0 }, rate: 1, look });
+    expect(tintAfter(30)).toBe(0);
+    expect(tintAfter(30)).toBe(0);
+    expect(simulation.simulator.parameters().get('emission.rate')).toBe(70);
+  });
+
   it('has the values of each step before it, and keeps those of people out of the values', () => {
     const bench = new Bench();
     for (let step = 0; step < 200; ++step) {
