@@ -289,9 +289,9 @@ export class RunningScene implements FrameTasks {
     if (this.isDisposed) return;
     const { simulation, picture, listeners } = this;
     const { simulator } = simulation;
-    // Emissions can have looks that need more code.
-    if (picture.smoke.followLooks(simulator)) this.completion.begin();
     this.values.followTimeline();
+    // After new values, which have no looks yet. Emissions can have looks that need more code.
+    if (picture.smoke.followLooks(simulator)) this.completion.begin();
     const isDrawn = picture.draw({ ...this.transforms(), simulator, scale, isPlaying: this.loop.isPlaying });
     if (isDrawn && listeners.has('frame')) listeners.notify('frame', statsOf(simulation, picture));
   }

@@ -41,6 +41,11 @@ test('frames of a film at 24 fps have style and camera of their own times, betwe
   expect(base).toEqual(['#f6efe2', false]);
 });
 
+test('smoke keeps the colours of its look while a timeline changes the style', async ({ load }) => {
+  const cases = await load<Cases>(CASES);
+  expect(await cases.evaluate((module) => module.looksWhileAnimated())).toEqual([true, true, true]);
+});
+
 test('the code of later pictures is loaded before the first one', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expect(await cases.evaluate((module) => module.strokesLater())).toEqual([true, true]);
