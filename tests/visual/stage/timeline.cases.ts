@@ -70,17 +70,15 @@ export async function betweenSteps(): Promise<{ colors: unknown[]; azimuths: num
   return { ...report, base: [color, 'camera.azimuth' in rest] };
 }
 
-/** Whether smoke has the colours of its emitter's look while the timeline changes the colour of the smoke. */
+/** Whether drawn smoke has the colours of its emitter's look while the timeline changes the colour of the smoke. */
 export async function looksWhileAnimated(): Promise<boolean[]> {
   const values = { ...VALUES, timeline: TEXT, 'emitters.0.look.colors': '0:ff0000,1:00ff00' };
   const stage = await createStage(document.createElement('canvas'), { values, ...SIZE });
   await stage.seek(1);
+  await stage.complete();
   const found: boolean[] = [];
-  for (let frame = 0; frame < 3; ++frame) {
-    stage.step(1);
-    await stage.picture();
-    found.push(stage.running.picture.smoke.style.looks !== undefined);
-  }
+  stage.on('frame', () => found.push(stage.running.picture.smoke.style.looks !== undefined));
+  for (let frame = 0; frame < 3; ++frame) stage.step(1);
   stage.dispose();
   return found;
 }
