@@ -9,7 +9,7 @@ import { readTimeline, withKeyframes, writeTimeline, type Lane, type Timeline } 
 import { differing } from '../parameters/values.ts';
 import { ChangeLog, type Changes } from './changeLog.ts';
 import type { PackedLog } from './plainLog.ts';
-import { splitState, withMore } from './savedState.ts';
+import { splitState, withMetadata } from './savedState.ts';
 import type { Simulator } from './simulator.ts';
 import { demandsOf, firstDifference, TimelinePlayer, type PlayOptions } from './timelinePlayer.ts';
 
@@ -138,13 +138,13 @@ export class Animation {
   /** A saved state of the simulator, with what people hold of the timeline. */
   saved(state: Uint8Array, steps: number): Uint8Array {
     const held = this.player?.held(steps) ?? {};
-    return Object.keys(held).length > 0 ? withMore(state, { held }) : state;
+    return Object.keys(held).length > 0 ? withMetadata(state, { held }) : state;
   }
 
   /** Takes over what people hold in a saved state. @param values that they hold */
   restore(bytes: Uint8Array, values: AnyValues): void {
     this.log = new ChangeLog();
-    const held = Object.entries(splitState(bytes).more.held ?? {});
+    const held = Object.entries(splitState(bytes).meta.held ?? {});
     for (const [key, step] of held)
       if (findParameter(key) && Number.isInteger(step)) this.log.add(step as number, key, values[key]);
     this.reset();

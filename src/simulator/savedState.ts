@@ -1,6 +1,6 @@
 /**
- * Saved states with what the simulator does not know. It follows the bytes of the simulator as JSON, then the number of those
- * bytes and a mark. Without any, the bytes are those of the simulator.
+ * Saved states with metadata that the simulator does not know. It follows the bytes of the simulator as JSON, then the number of
+ * those bytes and a mark. Without metadata, the bytes are those of the simulator.
  */
 import type { AnyValues, Value, Values } from '../parameters/parameter.ts';
 import { findParameter } from '../parameters/table.ts';
@@ -11,8 +11,8 @@ import { isOfLookStyle, stylesOf } from './lookStyles.ts';
 const MARK = 0x6d6f7265;
 const TAIL = 8;
 
-/** What follows the bytes of the simulator; untrusted when it is read. */
-interface More {
+/** Metadata of a saved state; untrusted when it is read. */
+interface Metadata {
   /** The colours and the ink of looks. */
   readonly styles?: unknown;
   /** Values of the style for emitters of the table. */
@@ -21,10 +21,10 @@ interface More {
   readonly held?: unknown;
 }
 
-/** A saved state with more, which replaces what it has under the same names. */
-export function withMore(bytes: Uint8Array, added: More): Uint8Array<ArrayBuffer> {
-  const { state, more } = splitState(bytes);
-  const text = new TextEncoder().encode(JSON.stringify({ ...more, ...added }));
+/** A saved state with added metadata, which replaces fields of the same names. */
+export function withMetadata(bytes: Uint8Array, added: Metadata): Uint8Array<ArrayBuffer> {
+  const { state, meta } = splitState(bytes);
+  const text = new TextEncoder().encode(JSON.stringify({ ...meta, ...added }));
   const all = new Uint8Array(state.length + text.length + TAIL);
   all.set(state);
   all.set(text, state.length);
@@ -34,17 +34,17 @@ export function withMore(bytes: Uint8Array, added: More): Uint8Array<ArrayBuffer
   return all;
 }
 
-/** The bytes of the simulator, and what follows them. What is damaged is left out. */
-export function splitState(bytes: Uint8Array): { readonly state: Uint8Array; readonly more: More } {
+/** The bytes of the simulator, and the metadata. Damaged metadata is left out. */
+export function splitState(bytes: Uint8Array): { readonly state: Uint8Array; readonly meta: Metadata } {
   const end = bytes.length - TAIL;
   const tail = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-  if (end < 0 || tail.getUint32(end + 4) !== MARK) return { state: bytes, more: {} };
+  if (end < 0 || tail.getUint32(end + 4) !== MARK) return { state: bytes, meta: {} };
   const state = bytes.subarray(0, Math.min(end, tail.getUint32(end)));
   try {
-    const more = JSON.parse(new TextDecoder().decode(bytes.subarray(state.length, end))) as More | null;
-    return { state, more: more ?? {} };
+    const meta = JSON.parse(new TextDecoder().decode(bytes.subarray(state.length, end))) as Metadata | null;
+    return { state, meta: meta ?? {} };
   } catch {
-    return { state, more: {} };
+    return { state, meta: {} };
   }
 }
 
@@ -55,12 +55,12 @@ export function withSavedLooks(
   values: AnyValues,
 ): Uint8Array<ArrayBuffer> {
   const looks = Object.entries(values).filter(([key]) => isOfLookStyle(key));
-  return withMore(state, { styles: stylesOf(styles), looks: Object.fromEntries(looks) });
+  return withMetadata(state, { styles: stylesOf(styles), looks: Object.fromEntries(looks) });
 }
 
 /** Values of the style for emitters of the table in a saved state. */
 export function savedLooks(bytes: Uint8Array): Values {
-  const looks = Object.entries(splitState(bytes).more.looks ?? {});
+  const looks = Object.entries(splitState(bytes).meta.looks ?? {});
   return Object.fromEntries(looks.filter(([key, value]) => isOfLookStyle(key) && isSound(key, value)));
 }
 

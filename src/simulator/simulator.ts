@@ -335,9 +335,9 @@ export class Simulator {
    * @param obstacles Whether with its rigids and its colliders outside the parameter table.
    */
   restore(bytes: Uint8Array, obstacles = true): void {
-    const { state, more } = splitState(bytes);
+    const { state, meta } = splitState(bytes);
     this.#attempt(() => this.#handle.restore(state, obstacles));
-    this.addStyles(numbersOfStyles(more.styles));
+    this.addStyles(numbersOfStyles(meta.styles));
   }
 
   /**
@@ -446,7 +446,7 @@ export class Simulator {
   rewind(state?: Uint8Array): void {
     const saved = state && splitState(state);
     this.#attempt(() => this.#handle.rewind(saved?.state));
-    this.addStyles(numbersOfStyles(saved?.more.styles));
+    this.addStyles(numbersOfStyles(saved?.meta.styles));
   }
 
   /** Number of inputs of the take applied so far. */

@@ -12,7 +12,7 @@ import {
   styleOfNumber,
   stylesOf,
 } from '../../../src/simulator/lookStyles.ts';
-import { savedLooks, splitState, withMore, withSavedLooks } from '../../../src/simulator/savedState.ts';
+import { savedLooks, splitState, withMetadata, withSavedLooks } from '../../../src/simulator/savedState.ts';
 import { simulatorValues, valuesIn } from '../../../src/simulator/simulatorValues.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
@@ -162,16 +162,16 @@ describe('a saved state', () => {
     const bytes = withSavedLooks(state, [numberOfStyle(STYLED)], values);
     const found = splitState(bytes);
     expect([...found.state]).toEqual([...state]);
-    expect(numbersOfStyles(found.more.styles)).toEqual([numberOfStyle(STYLED)]);
+    expect(numbersOfStyles(found.meta.styles)).toEqual([numberOfStyle(STYLED)]);
     expect(savedLooks(bytes)).toEqual({ 'emitters.1.look.colors': RED });
-    expect(splitState(state)).toEqual({ state, more: {} });
+    expect(splitState(state)).toEqual({ state, meta: {} });
   });
 
   it('has what people hold of a timeline beside the looks', () => {
-    const bytes = withMore(withSavedLooks(state, [], values), { held: { seed: 3 } });
+    const bytes = withMetadata(withSavedLooks(state, [], values), { held: { seed: 3 } });
     expect(splitState(bytes)).toEqual({
       state,
-      more: { styles: [], looks: { 'emitters.1.look.colors': RED }, held: { seed: 3 } },
+      meta: { styles: [], looks: { 'emitters.1.look.colors': RED }, held: { seed: 3 } },
     });
   });
 
@@ -183,7 +183,7 @@ describe('a saved state', () => {
       expect(() => savedLooks(damaged)).not.toThrow();
       expect(() => savedLooks(bytes.subarray(0, at))).not.toThrow();
     }
-    const plain = withMore(state, {});
+    const plain = withMetadata(state, {});
     for (const text of ['', '5', 'null', '{"looks":7}', '{"looks":{"emitters.0.look.colors":9,"scene":"air"}}']) {
       const damaged = Uint8Array.of(...state, ...new TextEncoder().encode(text), ...plain.slice(-8));
       expect([...splitState(damaged).state]).toEqual([...state]);
