@@ -37,6 +37,8 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   },
   cloudscape: { loading: 'Gathering clouds\u2026', picture: 'Clouds that drift over a meadow.' },
   wisp: { loading: 'Boiling water\u2026', picture: 'A steaming cup of tea.' },
+  firework: { loading: 'Lighting the fuse\u2026', picture: 'Coloured shells that burst over an island at night.' },
+  title: { loading: 'Raising the curtain\u2026', picture: 'Four letters that burst out of a stage: puff.' },
   air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 

@@ -6,8 +6,10 @@ import { cloudscapePresets } from './byScene/cloudscape.ts';
 import { dustPresets } from './byScene/dust.ts';
 import { geniePresets } from './byScene/genie.ts';
 import { lampPresets } from './byScene/lamp.ts';
+import { fireworkPresets } from './byScene/firework.ts';
 import type { Preset, Values } from './parameter.ts';
 import { rocketPresets } from './byScene/rocket.ts';
+import { titlePresets } from './byScene/title.ts';
 import { trainPresets } from './byScene/train.ts';
 import { wispPresets } from './byScene/wisp.ts';
 import { ParameterError } from '../base/errors.ts';
@@ -27,6 +29,8 @@ export const presets: readonly Preset[] = [
   ...dustPresets,
   ...cloudscapePresets,
   ...wispPresets,
+  ...fireworkPresets,
+  ...titlePresets,
   ...airPresets,
 ];
 

@@ -19,6 +19,8 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   dust: { hasRigids: true, load: async () => (await import('./dust.ts')).dust() },
   cloudscape: { hasRigids: false, load: async () => (await import('./cloudscape.ts')).buildCloudscape() },
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
+  firework: { hasRigids: false, load: async () => (await import('./firework.ts')).firework() },
+  title: { hasRigids: false, load: async () => (await import('./title.ts')).title() },
   air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };
 

@@ -12,6 +12,8 @@ const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
   dust: async () => (await import('./dust.ts')).dustPresets,
   cloudscape: async () => (await import('./cloudscape.ts')).cloudscapePresets,
   wisp: async () => (await import('./wisp.ts')).wispPresets,
+  firework: async () => (await import('./firework.ts')).fireworkPresets,
+  title: async () => (await import('./title.ts')).titlePresets,
   air: async () => (await import('./air.ts')).airPresets,
 };
 

@@ -11,6 +11,8 @@ const SCENES = [
   'dust',
   'cloudscape',
   'wisp',
+  'firework',
+  'title',
   'air',
 ] as const;
 

@@ -74,6 +74,8 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   'wisp-matcha': { label: 'Matcha', text: 'One green in three tones.' },
   'wisp-hearts': { label: 'Hearts', text: 'Drawn hearts that rise from a cup for two.' },
   'wisp-charcoal': { label: 'Charcoal', text: 'Grain of charcoal on grey paper.' },
+  firework: { label: 'Firework', text: 'Shells of six colours that rise, burst and fall over an island at night.' },
+  title: { label: 'Title', text: 'Twelve seconds of film: four letters burst out of the stage in clouds of colour.' },
   air: { label: 'Open air', text: 'Only smoke, to flow over pages and around their elements.' },
   'air-comic-explosion': {
     label: 'Comic explosion',

@@ -19,6 +19,8 @@ export const smokeWords: WordsOf<Rows> = {
       dust: 'Dust',
       cloudscape: 'Cloudscape',
       wisp: 'Cup of tea',
+      firework: 'Firework',
+      title: 'Title',
       air: 'Open air',
     },
   },

@@ -1,0 +1,61 @@
+import { island, trees } from './models/island.ts';
+import { lathe } from './models/lathe.ts';
+import { merged, placed } from './models/place.ts';
+import { roundedBox } from './models/roundedBox.ts';
+import type { Scene, Vector } from './scene.ts';
+
+/** An island at night with mortars, from which shells rise and burst. */
+export function firework(): Scene {
+  const look = { casts: true, inked: true };
+  return {
+    name: 'firework',
+    rig: RIG,
+    rigids: [],
+    rigidNames: [],
+    surfaces: [
+      ...island(2.6, [92, 132, 128], [112, 92, 128]),
+      ...trees(TREES, [78, 120, 132], [112, 84, 100]),
+      { name: 'box', mesh: placed(roundedBox([0.82, 0.14, 0.26], 0.06), { at: [0, 0.12, 0] }), color: [190, 116, 92], ...look }, // prettier-ignore
+      { name: 'mortars', mesh: merged(...MORTARS.map((at) => placed(mortar(), { at }))), color: [236, 150, 96], ...look }, // prettier-ignore
+    ],
+    camera: { target: [0, 2.75, 0], azimuth: 0.12, elevation: 0.06, distance: 13, fieldOfView: 0.56 },
+    portrait: { target: [0, 2.9, 0], distance: 12, minWidth: 0.56 },
+    backdrop: { top: [16, 18, 56], bottom: [74, 62, 124] },
+  };
+}
+
+/** Feet of the mortars. */
+const MORTARS: readonly Vector[] = [[-0.5, 0.2, 0], [0, 0.2, 0], [0.5, 0.2, 0]]; // prettier-ignore
+const TREES = [[-1.75, -0.6, 1.2], [-1.25, -1.3, 0.9], [1.7, -0.75, 1.1], [1.95, 0.2, 0.75]] as const; // prettier-ignore
+
+function mortar(): ReturnType<typeof lathe> {
+  return lathe(
+    20,
+    [[0, 0], [0.15, 0]],
+    [[0.15, 0], [0.17, 0.46]],
+    [[0.17, 0.46], [0.12, 0.48]],
+    [[0.12, 0.48], [0.11, 0.12], [0, 0.1]],
+  ); // prettier-ignore
+}
+
+/** A shell that bursts on all sides. */
+const burst = (index: number, position: Vector): Record<string, number> =>
+  emitter(index, position, { shape: 2, radius: 0.12, speed: 5.4, speedVariation: 0.14, spread: Math.PI, size: 0.3 });
+
+/** A rising shell, three bursts, their sparks and their cores. */
+const RIG: Readonly<Record<string, number>> = {
+  ...emitter(0, [0, 0.6, 0], { shape: 0, speed: 0.3, spread: 0.6, size: 0.17 }),
+  ...burst(1, [-1.7, 3.5, 0]),
+  ...burst(2, [1.7, 4, -0.2]),
+  ...burst(3, [0, 4.6, 0.1]),
+  ...burst(4, [0, 4.6, 0.1]),
+  ...burst(5, [0, 4.6, 0.1]),
+  'gravity.acceleration': 1.2,
+  'buoyancy.coolingTime': 0.9,
+  'drag.rate': 1.5,
+};
+
+function emitter(index: number, [x, y, z]: Vector, own: Record<string, number>): Record<string, number> {
+  const all = { 'position.x': x, 'position.y': y, 'position.z': z, sizeVariation: 0.2, temperature: 1, share: 0, ...own };
+  return Object.fromEntries(Object.entries(all).map(([key, value]) => [`emitters.${index}.${key}`, value]));
+}
