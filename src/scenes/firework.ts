@@ -18,7 +18,7 @@ export function firework(): Scene {
       { name: 'box', mesh: placed(roundedBox([0.82, 0.14, 0.26], 0.06), { at: [0, 0.12, 0] }), color: [190, 116, 92], ...look }, // prettier-ignore
       { name: 'mortars', mesh: merged(...MORTARS.map((at) => placed(mortar(), { at }))), color: [236, 150, 96], ...look }, // prettier-ignore
     ],
-    camera: { target: [0, 2.75, 0], azimuth: 0.12, elevation: 0.06, distance: 13, fieldOfView: 0.56 },
+    camera: { target: [0, 2.85, 0], azimuth: 0.12, elevation: 0.06, distance: 12.2, fieldOfView: 0.56 },
     portrait: { target: [0, 2.9, 0], distance: 12, minWidth: 0.56 },
     backdrop: { top: [16, 18, 56], bottom: [74, 62, 124] },
   };
@@ -40,7 +40,7 @@ function mortar(): ReturnType<typeof lathe> {
 
 /** A shell that bursts on all sides. */
 const burst = (index: number, position: Vector): Record<string, number> =>
-  emitter(index, position, { shape: 2, radius: 0.12, speed: 5.4, speedVariation: 0.14, spread: Math.PI, size: 0.3 });
+  emitter(index, position, { shape: 2, radius: 0.12, speed: 6.2, speedVariation: 0.12, spread: Math.PI, size: 0.34 });
 
 /** A rising shell, three bursts, their sparks and their cores. */
 const RIG: Readonly<Record<string, number>> = {

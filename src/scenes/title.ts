@@ -13,7 +13,7 @@ const RISES = [2, 2.6, 3.2, 3.8];
 const [FLIGHT, SETTLING] = [0.22, 0.9];
 /** The hop of all letters, one after another, and the time at which they fall back. */
 const HOP = { start: 7.4, gap: 0.16, length: 0.5, height: 0.32 };
-const FALL = { start: 10.4, gap: 0.12, length: 0.24 };
+const FALL = { start: 9.8, gap: 0.12, length: 0.24 };
 /** Letters lie below the stage until they are seen. */
 const HIDDEN = -0.62;
 
@@ -73,9 +73,9 @@ function share(time: number, duration: number): number {
 function stage(): Scene['surfaces'] {
   const top = lathe(80, [[0, -0.3], [2.86, -0.3]], [[2.86, -0.3], [2.95, -0.2], [2.9, -0.06], [2.78, 0]], [[2.78, 0], [0, 0]]); // prettier-ignore
   const base = lathe(80, [[0, -1.1], [2.3, -1.1]], [[2.3, -1.1], [2.62, -0.8], [2.68, -0.3]], [[2.68, -0.3], [0, -0.3]]); // prettier-ignore
-  const lamps = Array.from({ length: 28 }, (_, index) => {
-    const angle = (2 * Math.PI * index) / 28;
-    return placed(ballMesh(0.085, 8), { at: [2.68 * sin(angle), -0.62, 2.68 * sin(angle + Math.PI / 2)] });
+  const lamps = Array.from({ length: 32 }, (_, index) => {
+    const angle = (2 * Math.PI * index) / 32;
+    return placed(ballMesh(0.075, 8), { at: [2.93 * sin(angle), -0.18, 2.93 * sin(angle + Math.PI / 2)] });
   });
   const look = { casts: false, inked: true };
   return [
@@ -85,12 +85,12 @@ function stage(): Scene['surfaces'] {
   ];
 }
 
-/** A cloud for each letter, a comet, a curtain behind the letters, and mist that falls over the edge. */
+/** A cloud for each letter, a comet, a curtain behind the letters, and mist around the stage. */
 const RIG: Readonly<Record<string, number>> = {
   ...Object.assign({}, ...NAMES.map((_, index) => cloud(index))),
   ...emitter(4, [-5, 2, 0], { shape: 0, speed: 0.2, spread: 0.8, size: 0.24, share: 0 }),
-  ...emitter(5, [0, 0.1, -0.7], { shape: 7, 'extent.x': 1.7, 'extent.y': 0, 'extent.z': 0, speed: 3.4, spread: 0.5, size: 0.42, share: 0 }), // prettier-ignore
-  ...emitter(6, [0, 0.08, 0], { shape: 3, radius: 2.62, inner: 0.9, speed: 0.2, spread: 1, size: 0.2, temperature: 0 }),
+  ...emitter(5, [0, 0.1, -0.75], { shape: 7, 'extent.x': 2, 'extent.y': 0, 'extent.z': 0, speed: 5.2, speedVariation: 0.6, spread: 0.5, size: 0.5, share: 0 }), // prettier-ignore
+  ...emitter(6, [0, -0.95, 0], { shape: 3, radius: 2.75, inner: 0.85, speed: 0.12, spread: 1.2, size: 0.46, temperature: 0 }),
   'gravity.acceleration': 0.8,
   'buoyancy.acceleration': 1.1,
   'buoyancy.coolingTime': 1,
