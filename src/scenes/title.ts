@@ -9,10 +9,10 @@ import type { MovingPart, Placement, Scene, Vector } from './scene.ts';
 /** Seconds until the sequence starts again. */
 const LENGTH = 12;
 /** Seconds at which the letters jump up, and those in which they fly up and settle. */
-const RISES = [2, 2.6, 3.2, 3.8];
+const RISES = [1.6, 2.1, 2.6, 3.1];
 const [FLIGHT, SETTLING] = [0.22, 0.9];
-/** The hop of all letters, one after another, and the time at which they fall back. */
-const HOP = { start: 7.4, gap: 0.16, length: 0.5, height: 0.32 };
+/** Two hops of all letters, one after another, and the time at which they fall back. */
+const HOP = { starts: [5.5, 8.1], gap: 0.15, length: 0.5, height: 0.34 };
 const FALL = { start: 9.8, gap: 0.12, length: 0.24 };
 /** Letters lie below the stage until they are seen. */
 const HIDDEN = -0.62;
@@ -39,8 +39,8 @@ export function title(): Scene {
       name: `Letter ${index + 1}`,
       pose: (seconds) => pose(index, seconds),
     })),
-    camera: { target: [0, 0.62, 0], azimuth: 0.1, elevation: 0.2, distance: 9, fieldOfView: 0.5 },
-    portrait: { minWidth: 0.62 },
+    camera: { target: [0, 0.55, 0], azimuth: 0.1, elevation: 0.17, distance: 7.6, fieldOfView: 0.5 },
+    portrait: { minWidth: 0.76 },
     backdrop: { top: [20, 16, 58], bottom: [96, 66, 132] },
   };
 }
@@ -59,8 +59,9 @@ function pose(index: number, seconds: number): Placement {
   const standing = (1 - (1 - up) * (1 - up)) * (1 - down * down);
   const settled = share(time - RISES[index] - FLIGHT, SETTLING);
   const sway = time > RISES[index] + FLIGHT ? (1 - settled) * (1 - settled) * sin(16 * settled) : 0;
-  const hop = share(time - HOP.start - index * HOP.gap, HOP.length);
-  const height = HIDDEN * (1 - standing) + 0.22 * sway + 4 * HOP.height * hop * (1 - hop);
+  const hops = HOP.starts.map((start) => share(time - start - index * HOP.gap, HOP.length));
+  const hopped = hops.reduce((sum, hop) => sum + 4 * HOP.height * hop * (1 - hop), 0);
+  const height = HIDDEN * (1 - standing) + 0.22 * sway + hopped;
   return placement([x, Math.max(height, HIDDEN), z], [0.28 * sway - (Math.PI / 2) * (1 - standing), 0, 0.1 * sway]);
 }
 

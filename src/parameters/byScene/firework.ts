@@ -1,7 +1,7 @@
 import type { Preset } from '../parameter.ts';
 
 /** Where the three shells burst, by emitter: x, height and depth. */
-const [LEFT, RIGHT, TOP] = [[-1.7, 3.5, 0], [1.7, 4, -0.2], [0, 4.6, 0.1]] as const; // prettier-ignore
+const [LEFT, RIGHT, TOP] = [[-1.75, 3.4, 0], [1.75, 3.9, -0.2], [0, 4.3, 0.1]] as const; // prettier-ignore
 
 /** Steps at which shells burst. The last three are the finale. */
 const SHELLS = [
@@ -87,8 +87,9 @@ export const fireworkPresets: readonly Preset[] = [
       ...shell(1, '0:d83a5c,.3:ffffff', '0:d03a64,.2:e8485c,.5:ff6a5c,.85:ffd0a0,1:fff4d8'),
       ...shell(2, '0:4a8ad8,.3:ffffff', '0:2c8cd8,.2:34b0e4,.5:48d8e8,.85:b0fff0,1:f0fff8'),
       ...shell(3, '0:f0b060,.3:ffffff', '0:d8742c,.2:f09a34,.5:ffc044,.85:ffe890,1:fffbe0'),
-      'emitters.3.look.lifetime': 2.3,
-      'emitters.3.look.gravity': 1.5,
+      'emitters.3.look.lifetime': 2.1,
+      'emitters.3.look.gravity': 1.6,
+      'emitters.3.look.sizeCurve': '0:.8,.1:1,.4:.75,1:.1',
       'emitters.3.speed': 6.2,
       'emitters.3.size': 0.27,
       ...shell(5, '0:b060d8,.3:ffffff', '0:9448d8,.2:b458e8,.5:d880f4,.85:f8d0ff,1:fff4ff'),

@@ -1,8 +1,7 @@
 import type { Preset } from '../parameter.ts';
 
-/** Steps at which the letters of the scene jump up and fall back. */
-const RISES = [120, 156, 192, 228] as const;
-const FALLS = [588, 595, 602, 610] as const;
+/** Steps at which the letters of the scene jump up, hop for the second time, and fall back. */
+const [RISES, HOPS, FALLS] = [[96, 126, 156, 186], [486, 495, 504, 513], [588, 595, 602, 610]] as const; // prettier-ignore
 
 /** Easings of a circle: a sine away from its centre and back to it. */
 const [AWAY, BACK] = ['.39,.58,.57,1', '.47,0,.75,.72'];
@@ -11,28 +10,29 @@ const [AWAY, BACK] = ['.39,.58,.57,1', '.47,0,.75,.72'];
 const TIMELINE = [
   '720*loop',
   // The comet: to the first letter, then around all of them.
-  `emitters.4.position.x/0*-5*e/70*1.6*e/118*-1.62*h/300*0*${AWAY}/336*3*${BACK}/372*0*${AWAY}/408*-3*${BACK}/444*0*h`,
-  `emitters.4.position.y/0*2.4*e/70*1.6*e/118*.4*h/300*.5*e/444*2.6*h`,
-  `emitters.4.position.z/0*1.5*e/70*-1.2*e/118*.3*h/300*2*${BACK}/336*.2*${AWAY}/372*-1.6*${BACK}/408*.2*${AWAY}/444*2*h`,
-  'emitters.4.perMetre/0*0*h/1*8*h/118*0*h/301*8*h/444*0*h',
+  `emitters.4.position.x/0*-5.5*o/56*1.5*i/95*-1.62*h/264*0*${AWAY}/300*2.9*${BACK}/336*0*${AWAY}/372*-2.9*${BACK}/408*0*h`,
+  `emitters.4.position.y/0*2.2/56*1.7*i/95*.4*h/264*.4*e/408*1.9*h`,
+  `emitters.4.position.z/0*-1.6/95*.3*h/264*2*${BACK}/300*.2*${AWAY}/336*-1.6*${BACK}/372*.2*${AWAY}/408*2*h`,
+  'emitters.4.perMetre/0*0*h/1*8*h/95*0*h/265*8*h/408*0*h',
   // The camera: close to the first letter, along with the others, and back.
-  'camera.azimuth/0*-26*e/108*-16*e/150*-10/228*12*e/300*14*e/444*-14*e/590*6*e/719*-26',
-  'camera.elevation/0*20*e/108*7*e/228*6*e/300*11*e/444*15*e/575*8*e/719*20',
-  'camera.distance/0*9*e/108*6.6*e/150*6.4/228*6.6*e/290*9.2*e/444*9*e/560*8.6*e/719*9',
-  'camera.target.x/0*0*e/108*-1.3*e/228*1*e/290*0',
-  'camera.target.y/0*.6*e/108*.7*e/228*.7*e/290*.75*e/719*.6',
+  'camera.azimuth/0*-24*e/88*-15*e/120*-10/188*10*e/260*13*e/440*-13*e/590*5*e/719*-24',
+  'camera.elevation/0*15*e/88*6*e/188*6*e/260*9*e/440*13*e/590*7*e/719*15',
+  'camera.distance/0*7.9*e/88*5.6*e/188*5.6*e/250*7.6*e/440*7.5*e/560*7.2*e/719*7.9',
+  'camera.target.x/0*0*e/88*-1.2*e/188*.9*e/250*0',
+  'camera.target.y/0*.4*e/88*.6*e/188*.6*e/250*.5*e/330*.75*e/440*.6*e/719*.4',
   // Light and colours: blue, gold with the letters, and rose.
-  'light.azimuth/0*-50*e/228*20*e/444*50*e/719*-50',
-  'light.color/0*8ea4ff*e/110*a8b4ff*e/240*ffe6b8*e/460*ffc8b0*e/575*ffd8e8*e/719*8ea4ff',
-  'light.intensity/0*.5*e/110*.55*e/240*.95*e/575*.9*e/719*.5',
-  'light.ambientColor/0*7484e0*e/240*d8b0e0*e/575*e0a8d0*e/719*7484e0',
-  'light.ambient/0*.45*e/240*.8*e/575*.75*e/719*.45',
-  'style.smokeColor/0*b8c8ff*e/240*ffe8d0*e/460*ffd0d8*e/719*b8c8ff',
-  // Bursts: the letters, the curtain, and the end.
+  'light.azimuth/0*-50*e/188*20*e/440*50*e/719*-50',
+  'light.color/0*8ea4ff*e/88*b4bcff*e/200*ffe6b8*e/440*ffc8b0*e/580*ffd8e8*e/719*8ea4ff',
+  'light.intensity/0*.5*e/88*.6*e/200*1*e/580*.95*e/719*.5',
+  'light.ambientColor/0*7484e0*e/200*d8b0e0*e/580*e0a8d0*e/719*7484e0',
+  'light.ambient/0*.45*e/200*.85*e/580*.8*e/719*.45',
+  'style.smokeColor/0*b8c8ff*e/200*ffe8d0*e/440*ffd0d8*e/719*b8c8ff',
+  // Bursts: the letters, the curtain, the hops, and the end.
   [
     'burst',
     ...RISES.map((step, letter) => `${step}*${letter}*24`),
-    '446*5*70',
+    '328*5*64',
+    ...HOPS.map((step, letter) => `${step}*${letter}*13`),
     ...FALLS.map((step, letter) => `${step - 4}*${letter}*30`),
   ].join('/'),
 ].join(';');
@@ -59,6 +59,8 @@ export const titlePresets: readonly Preset[] = [
       'emission.lifetime': 4,
       'emission.growthTime': 0.8,
       'emission.company': 0.6,
+      // Clouds and the comet are warm and keep their colours in every light; mist is cold.
+      'emission.glow': '0:0,.1:.3,.6:.65',
       'forces.turbulence': 0.5,
       'simulation.maxParticles': 900,
       'puff.turn': 0.6,
