@@ -15,7 +15,7 @@ interface Example {
 
 const FOLDER = '../../../examples/';
 const sources: Readonly<Record<string, string>> = import.meta.glob(
-  '../../../examples/{cdn,game,lantern,next,product,react,svelte,three,vite,vue}/{,app/}*.{html,js,json,jsx,mjs,svelte,ts,tsx,vue}',
+  '../../../examples/{cdn,game,lantern,next,product,react,ring-game,svelte,three,vite,vue}/{,app/}*.{html,js,json,jsx,mjs,svelte,ts,tsx,vue}',
   { eager: true, query: '?raw', import: 'default' },
 );
 
@@ -26,6 +26,12 @@ const examples: readonly Example[] = [
     'A small game',
     'main.ts',
     'Twenty explosions a second, dust at each step, and a jet with a trail. Click on the ground for one more.',
+  ),
+  exampleOf(
+    'ring-game',
+    'A game of smoke rings',
+    'main.ts',
+    'Blow rings through hoops: bursts with looks of their own, and their promises. For pointers, keys and fingers.',
   ),
   exampleOf('lantern', 'Light things', 'main.ts', 'The smoke of a fire lifts a feather and a paper lantern.'),
   exampleOf(

@@ -16,6 +16,7 @@ const EXAMPLES = {
   next: ['next/dist/bin/next', 'out', 'Cartoon smoke in Next.js'],
   product: [...VITE, 'Ember, a slow kettle'],
   react: [...VITE, 'Cartoon smoke in React Three Fiber'],
+  'ring-game': [...VITE, 'A game of smoke rings'],
   svelte: [...VITE, 'Cartoon smoke in Svelte'],
   three: [...VITE, 'Cartoon smoke in a three.js scene'],
   vite: [...VITE, 'Cartoon smoke with Vite'],
