@@ -3,6 +3,7 @@
  * `tests/engines/hashes.json`.
  */
 import { findPreset, presets, presetValues } from '../../../src/parameters/presets.ts';
+import { fetchTimelineText } from '../../../src/renderer/extraPasses.ts';
 import { withDrops } from '../../../src/scenes/drops.ts';
 import { sceneNamed } from '../../../src/scenes/scenes.ts';
 import { STEP_SECONDS } from '../../../src/simulator/clock.ts';
@@ -36,7 +37,8 @@ export async function presetHashes(factoryFor: FactoryFor): Promise<HashList> {
 /** Everything of a preset that its motion depends on. */
 export function motionOf(name: string): string {
   const values = presetValues(findPreset(name)!);
-  return JSON.stringify([values.scene, values.seed, values['simulation.maxParticles'], simulatorValues(values)]);
+  const { scene, seed, timeline } = values;
+  return JSON.stringify([scene, seed, timeline, values['simulation.maxParticles'], simulatorValues(values)]);
 }
 
 /** @param moments simulated seconds, ascending */
@@ -45,7 +47,7 @@ export async function hashesOf(
   moments: readonly number[],
   factoryFor: FactoryFor,
 ): Promise<Record<string, string>> {
-  const values = presetValues(findPreset(name)!);
+  const values = await fetchTimelineText(presetValues(findPreset(name)!));
   const { load, hasRigids } = sceneNamed(values.scene as string);
   // As in `openScene`: with physics the scene has drops.
   const scene = hasRigids ? withDrops(await load()) : await load();

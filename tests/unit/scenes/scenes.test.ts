@@ -8,6 +8,7 @@ import { extrude, type TriangleMesh } from '../../../src/renderer/passes/extrusi
 import type { Scene } from '../../../src/scenes/scene.ts';
 import { sceneEntries, sceneNamed } from '../../../src/scenes/scenes.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
+import { fetchTimelineText } from '../../../src/renderer/extraPasses.ts';
 import { coarserSurfaces } from '../../../src/renderer/sceneSurfaces.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
@@ -41,6 +42,7 @@ describe.each(NAMES)('%s', (name) => {
   const begin = () => new Simulation(factory, scene, presetValues(findPreset(name)!), 1e8);
 
   beforeAll(async () => {
+    await fetchTimelineText(presetValues(findPreset(name)!));
     [scene, factory] = await Promise.all([load(), loadVariant(hasRigids ? 'physics' : 'core')]);
   });
 
