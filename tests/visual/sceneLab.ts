@@ -9,7 +9,7 @@ import { loadSimulators } from '../../src/simulator/load.ts';
 import { PLACE_FLOATS } from '../../src/simulator/layout.ts';
 import type { Simulator } from '../../src/simulator/simulator.ts';
 import { deviationFor, drawnSurfaces } from '../../src/renderer/sceneSurfaces.ts';
-import { fetchExtras } from '../../src/renderer/extraPasses.ts';
+import { fetchExtras, fetchTimelineText } from '../../src/renderer/extraPasses.ts';
 import { drawFrame } from '../../src/renderer/frame.ts';
 import type { Arranger, FrameInput, FrameReport } from '../../src/renderer/frameInput.ts';
 import { lightOf, type AdditionalLight } from '../../src/renderer/light.ts';
@@ -107,6 +107,7 @@ export class SceneLab {
       load(),
       loadSimulators({ physics: hasRigids }),
       choice.ownPuffs && fetchExtras(styleOf(values)),
+      fetchTimelineText(values),
     ]);
     const held = choice.holdsRotations ? withHeldRotations(loaded) : loaded;
     const scene = choice.surfaces ? { ...held, surfaces: choice.surfaces(held.surfaces) } : held;
