@@ -47,6 +47,8 @@ export type PresetName =
   | 'wisp-matcha'
   | 'wisp-hearts'
   | 'wisp-charcoal'
+  | 'firework'
+  | 'title'
   | 'air'
   | 'air-comic-explosion'
   | 'air-leaves'
@@ -55,7 +57,18 @@ export type PresetName =
 /** The values of parameters that exist once, by their keys. */
 export type SingleValues = {
   /** Scene: The scene to show. */ scene:
-    'lamp' | 'airplane' | 'train' | 'campfire' | 'rocket' | 'genie' | 'dust' | 'cloudscape' | 'wisp' | 'air';
+    | 'lamp'
+    | 'airplane'
+    | 'train'
+    | 'campfire'
+    | 'rocket'
+    | 'genie'
+    | 'dust'
+    | 'cloudscape'
+    | 'wisp'
+    | 'firework'
+    | 'title'
+    | 'air';
   /** Seed: Seed of the random numbers. The same seed makes the same smoke. A change restarts the smoke. */ seed: number;
   /** Rate: Number of new puffs per second. */ 'emission.rate': number;
   /** Lifetime: Lifetime of a puff. */ 'emission.lifetime': number;

@@ -35,7 +35,7 @@ export function title(): Scene {
       ...stage(),
       ...NAMES.map((name, index) => ({ name: `${name} ${index + 1}`, mesh: letter(name), color: COLORS[index], part: index, ...look })), // prettier-ignore
     ],
-    parts: NAMES.map((name, index): MovingPart => ({
+    parts: NAMES.map((_, index): MovingPart => ({
       name: `Letter ${index + 1}`,
       pose: (seconds) => pose(index, seconds),
     })),
