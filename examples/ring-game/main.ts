@@ -49,7 +49,7 @@ const scene = new Scene();
 scene.background = new Color('#8cc8ea');
 const camera = new PerspectiveCamera(42, 1, 0.1, 60);
 camera.position.set(0, 3, 9);
-camera.lookAt(0, 1.9, 0);
+camera.lookAt(0, 1.75, 0);
 const keyLight = new DirectionalLight('#fff1d6', 3);
 keyLight.position.set(-4, 8, 6);
 scene.add(keyLight, new AmbientLight('#b4c0ff', 1.3));
@@ -232,14 +232,14 @@ addEventListener('blur', () => keys.clear());
 /** A round fellow who looks at the aim. Rings leave at his mouth. */
 function player(): Object3D {
   const head = new Group();
-  head.position.set(0, 0.95, 4);
+  head.position.set(0, 0.95, 3);
   scene.add(head);
   add(new SphereGeometry(0.55, 32, 24), '#f4d35e', head);
   for (const side of [-1, 1]) add(new SphereGeometry(0.09, 16, 12), INK, head).position.set(0.2 * side, 0.22, 0.48);
   const hat = add(new ConeGeometry(0.34, 0.6, 24), '#e2504a', head);
   hat.position.set(0, 0.66, -0.1);
   hat.rotation.x = -0.15;
-  add(new BoxGeometry(0.5, 0.9, 0.4), '#e2504a', scene).position.set(0, 0.3, 4);
+  add(new BoxGeometry(0.5, 0.9, 0.4), '#e2504a', scene).position.set(0, 0.3, 3);
   const lips = add(new TorusGeometry(0.13, 0.05, 12, 24), '#c0566a', head);
   lips.position.set(0, -0.08, 0.55);
   return lips;
