@@ -12,11 +12,12 @@ const { height, width, radius } = LETTER;
 /** The centre lines stay within these. */
 const [LEFT, RIGHT, TOP, MIDDLE, FOOT] = [radius - width / 2, width / 2 - radius, height - radius, 0.6, radius];
 
-const STEM: Path = [[LEFT, FOOT], [LEFT, TOP]]; // prettier-ignore
+/** Strokes end round at the ends of their paths. */
+const STEM: Path = [[LEFT, 0], [LEFT, height]]; // prettier-ignore
 const STROKES = {
-  F: [STEM, [[LEFT, TOP], [RIGHT, TOP]], [[LEFT, MIDDLE], [RIGHT - 0.12, MIDDLE]]],
+  F: [STEM, [[LEFT, TOP], [width / 2, TOP]], [[LEFT, MIDDLE], [RIGHT, MIDDLE]]],
   P: [STEM, [[LEFT, TOP], [0.02, TOP], [RIGHT - 0.05, TOP - 0.07], [RIGHT, 0.86], [RIGHT - 0.05, 0.64], [0.02, 0.55], [LEFT, 0.55]]],
-  U: [[[LEFT, TOP], [LEFT, 0.62], [LEFT + 0.06, 0.32], [0, FOOT], [RIGHT - 0.06, 0.32], [RIGHT, 0.62], [RIGHT, TOP]]],
+  U: [[[LEFT, height], [LEFT, 0.7], [LEFT, 0.43], [-0.24, 0.29], [-0.14, 0.19], [0, FOOT], [0.14, 0.19], [0.24, 0.29], [RIGHT, 0.43], [RIGHT, 0.7], [RIGHT, height]]],
 } as const satisfies Record<string, readonly Path[]>; // prettier-ignore
 
 /** The closed mesh of a letter, centred about x = 0 with its foot at height 0. */
