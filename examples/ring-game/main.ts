@@ -234,7 +234,7 @@ function player(): Object3D {
   const head = new Group();
   head.position.set(0, 0.95, 3);
   scene.add(head);
-  add(new SphereGeometry(0.55, 32, 24), '#f4d35e', head);
+  add(new SphereGeometry(0.55, 96, 64), '#f4d35e', head);
   for (const side of [-1, 1]) add(new SphereGeometry(0.09, 16, 12), INK, head).position.set(0.2 * side, 0.22, 0.48);
   const hat = add(new ConeGeometry(0.34, 0.6, 24), '#e2504a', head);
   hat.position.set(0, 0.66, -0.1);
