@@ -176,7 +176,16 @@ function pass(): void {
     hoop.back = time + 1.2;
     showState();
     const { radius, look, mesh } = hoop;
-    void smoke.burst({ position: mesh.position, count: 26, shape: 'ring', radius, speed: 1.8, spread: 3, size: 0.3, look });
+    void smoke.burst({
+      position: mesh.position,
+      count: 26,
+      shape: 'ring',
+      radius,
+      speed: 1.8,
+      spread: 3,
+      size: 0.3,
+      look,
+    });
   }
   rings = rings.filter(({ hasPassed }) => !hasPassed);
 }

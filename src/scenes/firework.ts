@@ -70,6 +70,14 @@ const RIG: Readonly<Record<string, number>> = {
 };
 
 function emitter(index: number, [x, y, z]: Vector, own: Record<string, number>): Record<string, number> {
-  const all = { 'position.x': x, 'position.y': y, 'position.z': z, sizeVariation: 0.2, temperature: 1, share: 0, ...own };
+  const all = {
+    'position.x': x,
+    'position.y': y,
+    'position.z': z,
+    sizeVariation: 0.2,
+    temperature: 1,
+    share: 0,
+    ...own,
+  };
   return Object.fromEntries(Object.entries(all).map(([key, value]) => [`emitters.${index}.${key}`, value]));
 }

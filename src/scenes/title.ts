@@ -91,7 +91,15 @@ const RIG: Readonly<Record<string, number>> = {
   ...Object.assign({}, ...NAMES.map((_, index) => cloud(index))),
   ...emitter(4, [-5, 2, 0], { shape: 0, speed: 0.2, spread: 0.8, size: 0.24, share: 0 }),
   ...emitter(5, [0, 0.1, -0.75], { shape: 7, 'extent.x': 2, 'extent.y': 0, 'extent.z': 0, speed: 5.2, speedVariation: 0.6, spread: 0.5, size: 0.5, share: 0 }), // prettier-ignore
-  ...emitter(6, [0, -0.95, 0], { shape: 3, radius: 2.75, inner: 0.85, speed: 0.12, spread: 1.2, size: 0.46, temperature: 0 }),
+  ...emitter(6, [0, -0.95, 0], {
+    shape: 3,
+    radius: 2.75,
+    inner: 0.85,
+    speed: 0.12,
+    spread: 1.2,
+    size: 0.46,
+    temperature: 0,
+  }),
   'gravity.acceleration': 0.8,
   'buoyancy.acceleration': 1.1,
   'buoyancy.coolingTime': 1,
