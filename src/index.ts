@@ -3,6 +3,12 @@ export { CartoonSmokeElement } from './page/element/cartoonSmokeElement.ts';
 export type { ElementProperties } from './page/element/attributes/properties.ts';
 export type { SmokeEvent, SmokeEvents, StateChange } from './page/element/events.ts';
 export type { StageMethods } from './page/element/methods.ts';
+export { driveByAudio, type AudioDriverOptions } from './page/drivers/audio.ts';
+export type { DrivenSmoke, Driver, DriverOptions } from './page/drivers/driver.ts';
+export { driveByMidi, type MidiDriverOptions } from './page/drivers/midi.ts';
+export { driveByPointer, type PointerDriverOptions } from './page/drivers/pointer.ts';
+export type { DrivenRanges } from './page/drivers/ranges.ts';
+export { driveByScroll, type ScrollDriverOptions } from './page/drivers/scroll.ts';
 export {
   createDevice,
   type ContextEvent,

@@ -1,0 +1,33 @@
+/** Speeds of what moves in CSS pixels, as values from 0 to 1. */
+import { requireInRange } from './driver.ts';
+
+/** Default speed that counts as 1, in CSS pixels per second. */
+const FULL_SPEED = 2000;
+
+/** @throws ParameterError for an invalid speed */
+export function requireSpeed(fullSpeed: unknown = FULL_SPEED): number {
+  requireInRange('fullSpeed', fullSpeed, 1, 100_000, 'CSS pixels per second');
+  return fullSpeed as number;
+}
+
+export class Speed {
+  private readonly full: number;
+  private way = 0;
+
+  /** @param full speed that counts as 1 */
+  constructor(full: number) {
+    this.full = full;
+  }
+
+  /** @param pixels of a movement */
+  add(pixels: number): void {
+    this.way += pixels;
+  }
+
+  /** The speed since the last call. @param seconds since then */
+  over(seconds: number): number {
+    const value = this.way / seconds / this.full;
+    this.way = 0;
+    return value;
+  }
+}
