@@ -70,20 +70,25 @@ export function requireInRange(name: string, value: unknown, min: number, max: n
     throw new ParameterError(name, value, `a number from ${min} to ${max} ${unit}`);
 }
 
-/**
- * Starts a driver. The first values are set at once.
- * @throws ParameterError for what is no smoke and for an invalid option, and what `set` throws
- */
-export function drive(smoke: DrivenSmoke, source: Source, options: DriverOptions): Driver {
+/** @throws ParameterError for what is no smoke and for an invalid option that all drivers have */
+export function requireDriver(smoke: unknown, { smoothing, signal, onError }: DriverOptions): void {
   if (typeof (smoke as DrivenSmoke | null | undefined)?.set !== 'function')
     throw new ParameterError('smoke', smoke, 'a Stage, a CartoonSmoke, a RemoteStage or an element <cartoon-smoke>');
-  const { smoothing = 0, signal, onError } = options;
-  requireInRange('smoothing', smoothing, 0, MAX_SMOOTHING, 's');
+  if (smoothing !== undefined) requireInRange('smoothing', smoothing, 0, MAX_SMOOTHING, 's');
   if (signal !== undefined && !(signal instanceof AbortSignal))
     throw new ParameterError('signal', signal, 'an AbortSignal');
   if (onError !== undefined && typeof onError !== 'function')
     throw new ParameterError('onError', onError, 'a function');
-  const loop = new DriverLoop(smoke, source, smoothing, onError ?? reportError);
+}
+
+/**
+ * Starts a driver. The first values are set at once.
+ * @throws as {@link requireDriver}, and what `set` throws
+ */
+export function drive(smoke: DrivenSmoke, source: Source, options: DriverOptions): Driver {
+  requireDriver(smoke, options);
+  const { smoothing = 0, signal, onError = (error) => reportError(error) } = options;
+  const loop = new DriverLoop(smoke, source, smoothing, onError);
   if (!signal?.aborted) loop.start(signal);
   return { stop: () => loop.stop() };
 }
@@ -101,7 +106,8 @@ class DriverLoop {
   private sent: Readonly<Record<string, Value>> = {};
   /** The step of the last change. */
   private step: number | undefined;
-  private isWaiting = false;
+  /** Answers of the smoke that are not there yet. */
+  private waits = 0;
   private frame: number | undefined;
   /** When the last frame was, in milliseconds; undefined after a rest. */
   private last: number | undefined;
@@ -169,7 +175,7 @@ class DriverLoop {
 
   /** @returns whether nothing changes any more until the source does */
   private follow(seconds: number): boolean {
-    const aims = this.source.measure(seconds).map((aim) => aim && clamped(aim));
+    const aims = this.source.measure(seconds).map((aim) => (aim === undefined ? aim : clamped(aim)));
     for (const [track, aim] of aims.entries()) this.places[track] = this.approached(this.places[track], aim, seconds);
     const isThere = aims.every((aim, track) => this.places[track] === aim);
     return this.send() && isThere;
@@ -193,9 +199,8 @@ class DriverLoop {
   /** @returns whether the smoke has all values */
   private send(): boolean {
     if (Object.keys(this.changed).length === 0) return true;
-    if (this.isWaiting) return false;
+    if (this.waits > 0) return false;
     const { smoke } = this;
-    // `call`, because it is a method.
     const stats = typeof smoke.stats === 'function' ? smoke.stats.call(smoke) : smoke.stats;
     if (!(stats instanceof Promise)) return this.set(stats);
     this.wait(stats.then((remote) => this.set(remote)));
@@ -214,9 +219,9 @@ class DriverLoop {
 
   /** Nothing is sent before an answer, so that calls do not pile up. */
   private wait(answer: Promise<unknown>): void {
-    this.isWaiting = true;
+    ++this.waits;
     answer.then(
-      () => (this.isWaiting = false),
+      () => --this.waits,
       (error: unknown) => this.fail(error),
     );
   }

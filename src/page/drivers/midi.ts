@@ -1,6 +1,6 @@
 import { ParameterError, requireOptions, UnsupportedError } from '../../base/errors.ts';
 import { requireWhole } from '../../parameters/values.ts';
-import { drive, OPTIONS, type DrivenSmoke, type Driver, type DriverOptions } from './driver.ts';
+import { drive, OPTIONS, requireDriver, type DrivenSmoke, type Driver, type DriverOptions } from './driver.ts';
 import { requireRanges, type DrivenRanges } from './ranges.ts';
 
 export interface MidiDriverOptions extends DriverOptions {
@@ -33,6 +33,7 @@ export async function driveByMidi(smoke: DrivenSmoke, options: MidiDriverOptions
   if (channel !== undefined && !(Number.isInteger(channel) && channel >= 1 && channel <= CHANNELS))
     throw new ParameterError('channel', channel, 'a whole number from 1 to 16');
   if (onTurn !== undefined && typeof onTurn !== 'function') throw new ParameterError('onTurn', onTurn, 'a function');
+  requireDriver(smoke, options);
   const access = await requestAccess();
   signal?.throwIfAborted();
   const turned = new Map<number, number>();

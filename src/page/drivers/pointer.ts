@@ -34,6 +34,7 @@ export function driveByPointer(smoke: DrivenSmoke, options: PointerDriverOptions
     smoke,
     {
       tracks: [requireRanges('drives', drives)],
+      isLive: () => speed.isMoving,
       start(wake, signal) {
         const target: EventTarget = over ?? globalThis;
         const move = (event: Event) => {

@@ -39,6 +39,7 @@ export function driveByScroll(smoke: DrivenSmoke, options: ScrollDriverOptions):
     smoke,
     {
       tracks: [requireRanges('drives', drives)],
+      isLive: () => speed.isMoving,
       start(wake, signal) {
         const follow = () => {
           const before = top;

@@ -13,10 +13,16 @@ export function requireSpeed(fullSpeed: unknown = FULL_SPEED): number {
 export class Speed {
   private readonly full: number;
   private way = 0;
+  private value = 0;
 
   /** @param full speed that counts as 1 */
   constructor(full: number) {
     this.full = full;
+  }
+
+  /** Whether the last value was not 0: no event tells the end of a movement. */
+  get isMoving(): boolean {
+    return this.value > 0;
   }
 
   /** @param pixels of a movement */
@@ -26,8 +32,8 @@ export class Speed {
 
   /** The speed since the last call. @param seconds since then */
   over(seconds: number): number {
-    const value = this.way / seconds / this.full;
+    this.value = this.way / seconds / this.full;
     this.way = 0;
-    return value;
+    return this.value;
   }
 }
