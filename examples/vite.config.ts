@@ -2,7 +2,19 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, mergeConfig } from 'vite';
 import site from '../vite.config.ts';
 
-const PAGES = ['three', 'react', 'game', 'ring-game', 'lantern', 'vite', 'product', 'landing', 'article', 'flipbook'];
+const PAGES = [
+  'three',
+  'react',
+  'game',
+  'ring-game',
+  'lantern',
+  'vite',
+  'product',
+  'scroll',
+  'landing',
+  'article',
+  'flipbook',
+];
 /** Plugins for the demo page only; examples also draw with three.js materials. */
 const OF_THE_PAGE = ['service-worker', 'without-shaders', 'without-headsets', 'without-json'];
 const ROOT = fileURLToPath(new URL('..', import.meta.url));

@@ -17,6 +17,7 @@ const EXAMPLES = {
   product: [...VITE, 'Ember, a slow kettle'],
   react: [...VITE, 'Cartoon smoke in React Three Fiber'],
   'ring-game': [...VITE, 'A game of smoke rings'],
+  scroll: [...VITE, 'The slow train: smoke by scrolling'],
   svelte: [...VITE, 'Cartoon smoke in Svelte'],
   three: [...VITE, 'Cartoon smoke in a three.js scene'],
   vite: [...VITE, 'Cartoon smoke with Vite'],

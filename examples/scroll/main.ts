@@ -1,0 +1,13 @@
+/** A locomotive that puffs as one scrolls: faster scrolling makes more smoke, and the way along the page its colour. */
+import 'cartoon-smoke/element';
+import { driveByScroll } from 'cartoon-smoke';
+
+const smoke = document.querySelector('cartoon-smoke')!;
+
+driveByScroll(smoke, {
+  by: 'speed',
+  fullSpeed: 1500,
+  drives: { 'emission.rate': [6, 110], 'emitters.0.speed': [0.5, 2.2], 'emitters.0.size': [0.16, 0.26] },
+  smoothing: 0.25,
+});
+driveByScroll(smoke, { drives: { 'style.smokeColor': ['#fff4e3', '#f2a67c'] } });
