@@ -8,14 +8,10 @@ import type { Lane } from '../../parameters/timeline.ts';
 import { differing } from '../../parameters/values.ts';
 import { LEVELS, valuesOf } from './ranges.ts';
 
-interface Steps {
-  readonly steps: number;
-}
-
 /** A `Stage`, a `CartoonSmoke`, a `RemoteStage` or an element `<cartoon-smoke>`. */
 export interface DrivenSmoke {
   set(values: Values): unknown;
-  readonly stats: Steps | (() => Promise<Steps>);
+  readonly stats: { readonly steps: number } | (() => Promise<{ readonly steps: number }>);
 }
 
 /** Changes parameters until it is stopped. */
@@ -207,7 +203,7 @@ class DriverLoop {
     return false;
   }
 
-  private set({ steps }: Steps): boolean {
+  private set({ steps }: { readonly steps: number }): boolean {
     if (this.end.signal.aborted || steps === this.step) return false;
     const { changed } = this;
     this.step = steps;
