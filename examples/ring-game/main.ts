@@ -26,6 +26,7 @@ import {
   type Object3D,
 } from 'three';
 import { CartoonSmoke } from 'cartoon-smoke';
+import { crossing, hoopAround, type Ring } from './rules.ts';
 
 const BREATHS = 12;
 /** Metres, metres per second and seconds. */
@@ -89,14 +90,6 @@ scene.add(smoke);
 smoke.addEventListener('error', ({ error }) => console.warn(error.message));
 smoke.cast(mouth.parent!);
 
-/** A ring that flies; it passes the hoops once. */
-interface Ring {
-  readonly from: Vector3;
-  readonly velocity: Vector3;
-  readonly start: number;
-  hasPassed: boolean;
-}
-
 const keys = new Set<string>();
 let time = 0;
 let rings: Ring[] = [];
@@ -130,7 +123,7 @@ async function blow(): Promise<void> {
   if (isCounted) {
     --breaths;
     ++flying;
-    rings.push({ from, velocity: direction.clone().multiplyScalar(RING.speed), start: time, hasPassed: false });
+    rings.push({ from, velocity: direction.clone().multiplyScalar(RING.speed), start: time });
     showState();
   }
   await smoke.burst({
@@ -165,29 +158,31 @@ function finish(): void {
 
 /** Scores rings that have reached the plane of the hoops. */
 function pass(): void {
-  for (const ring of rings) {
-    const at = ring.from.clone().addScaledVector(ring.velocity, time - ring.start);
-    if (ring.hasPassed || at.z > DEPTH) continue;
-    ring.hasPassed = true;
-    const hoop = hoops.find(({ mesh, radius }) => mesh.visible && mesh.position.distanceTo(at.setZ(DEPTH)) < radius);
-    if (!hoop) continue;
-    score += hoop.points;
-    hoop.mesh.visible = false;
-    hoop.back = time + 1.2;
-    showState();
-    const { radius, look, mesh } = hoop;
-    void smoke.burst({
-      position: mesh.position,
-      count: 26,
-      shape: 'ring',
-      radius,
-      speed: 1.8,
-      spread: 3,
-      size: 0.3,
-      look,
-    });
+  const places = rings.map((ring) => crossing(ring, DEPTH, time));
+  rings = rings.filter((_, index) => !places[index]);
+  for (const place of places) {
+    const hoop = place && hoopAround(place, hoops);
+    if (hoop) hit(hoop);
   }
-  rings = rings.filter(({ hasPassed }) => !hasPassed);
+}
+
+/** Counts a hit. The hoop turns into smoke and comes back later. */
+function hit(hoop: (typeof hoops)[number]): void {
+  const { radius, look, mesh } = hoop;
+  score += hoop.points;
+  mesh.visible = false;
+  hoop.back = time + 1.2;
+  showState();
+  void smoke.burst({
+    position: mesh.position,
+    count: 26,
+    shape: 'ring',
+    radius,
+    speed: 1.8,
+    spread: 3,
+    size: 0.3,
+    look,
+  });
 }
 
 function animate(seconds: number): void {

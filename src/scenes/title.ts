@@ -1,9 +1,8 @@
 import { sin } from '../simulator/exact/sine.ts';
+import { ballMesh } from './models/ball.ts';
 import { lathe } from './models/lathe.ts';
 import { letter } from './models/letters.ts';
-import { placed, placement } from './models/place.ts';
-import { ballMesh } from './models/ball.ts';
-import { merged } from './models/place.ts';
+import { merged, placed, placement } from './models/place.ts';
 import type { MovingPart, Placement, Scene, Vector } from './scene.ts';
 
 /** Seconds until the sequence starts again. */
@@ -18,7 +17,7 @@ const FALL = { start: 9.8, gap: 0.12, length: 0.24 };
 const HIDDEN = -0.62;
 
 const NAMES = ['P', 'U', 'F', 'F'] as const;
-const COLORS = [[255, 244, 224], [255, 244, 224], [255, 244, 224], [255, 244, 224]] as const; // prettier-ignore
+const COLOR = [255, 244, 224] as const;
 /** Distance of neighbouring letters. */
 const PITCH = 1.08;
 const DEPTH = 0.25;
@@ -33,7 +32,7 @@ export function title(): Scene {
     rigidNames: [],
     surfaces: [
       ...stage(),
-      ...NAMES.map((name, index) => ({ name: `${name} ${index + 1}`, mesh: letter(name), color: COLORS[index], part: index, ...look })), // prettier-ignore
+      ...NAMES.map((name, index) => ({ name: `${name} ${index + 1}`, mesh: letter(name), color: COLOR, part: index, ...look })), // prettier-ignore
     ],
     parts: NAMES.map((_, index): MovingPart => ({
       name: `Letter ${index + 1}`,
