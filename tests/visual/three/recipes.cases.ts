@@ -21,8 +21,11 @@ import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer
 import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
 import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
-import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
+import { driveByScroll } from '../../../src/page/drivers/scroll.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
+import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
+import { createStage } from '../../../src/stage/stage.ts';
+import { CartoonSmoke } from '../../../src/three/cartoonSmoke.ts';
 import { emptyHost, makeRenderer, type Host } from './scene.ts';
 
 const [WIDTH, HEIGHT] = [400, 225];
@@ -36,7 +39,9 @@ const LOOK: Values = {
   'style.outlineWidth': 1.5,
 };
 
-export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline';
+export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline' | 'drivers';
+/** Gap between the shots of a picture, pixels. */
+const GAP = 2;
 
 interface Setting extends Host {
   smoke: CartoonSmoke;
@@ -80,7 +85,32 @@ function smokeRises({ smoke, chimney }: Setting): void {
   smoke.step(200);
 }
 
-const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
+/** The chimney's smoke by an emitter of the table, in a tall shot. */
+async function chimneySmoke(values: Values): Promise<Setting> {
+  const setting = await houseWithSmoke(values);
+  const { camera, smoke, chimney } = setting;
+  chimney.updateWorldMatrix(true, false);
+  smoke.set({ 'emitters.0.position.x': chimney.position.x, 'emitters.0.position.y': 1.9, 'emitters.0.size': 0.5 });
+  camera.position.set(0.25, 2, 5.6);
+  camera.lookAt(0.2, 1.75, 0);
+  return setting;
+}
+
+/** Draws shots side by side. @param shots what happens before each one */
+async function drawShots({ renderer, scene, camera }: Setting, shots: readonly (() => unknown)[]): Promise<void> {
+  const width = (WIDTH - GAP * (shots.length - 1)) / shots.length;
+  camera.aspect = width / HEIGHT;
+  camera.updateProjectionMatrix();
+  renderer.setScissorTest(true);
+  for (const [index, prepare] of shots.entries()) {
+    await prepare();
+    renderer.setViewport(index * (width + GAP), 0, width, HEIGHT);
+    renderer.setScissor(index * (width + GAP), 0, width, HEIGHT);
+    renderer.render(scene, camera);
+  }
+}
+
+const RECIPES: Record<Recipe, () => Promise<[Setting, () => unknown]>> = {
   async composer() {
     const setting = await houseWithSmoke();
     const { renderer, scene, camera } = setting;
@@ -157,34 +187,45 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
   },
 
   async timeline() {
-    const shots = [60, 130, 200];
-    const setting = await houseWithSmoke({
+    const setting = await chimneySmoke({
       'forces.wind.x': 0.3,
       timeline:
         '240;style.smokeColor/60*fff4e0/130*f0a070/200*7a5a90;emitters.0.speed/0*.8;emission.rate/0*4/120*4/121*40;burst/40*0*8',
     });
-    const { renderer, scene, camera, smoke, chimney } = setting;
-    chimney.updateWorldMatrix(true, false);
-    smoke.set({ 'emitters.0.position.x': chimney.position.x, 'emitters.0.position.y': 1.9, 'emitters.0.size': 0.5 });
-    const gap = 2;
-    const width = (WIDTH - gap * (shots.length - 1)) / shots.length;
-    camera.aspect = width / HEIGHT;
-    camera.position.set(0.25, 2, 5.6);
-    camera.lookAt(0.2, 1.75, 0);
-    camera.updateProjectionMatrix();
-    return [
-      setting,
-      () => {
-        smoke.restart();
-        renderer.setScissorTest(true);
-        for (const [index, step] of shots.entries()) {
-          smoke.step(step - smoke.stats.steps);
-          renderer.setViewport(index * (width + gap), 0, width, HEIGHT);
-          renderer.setScissor(index * (width + gap), 0, width, HEIGHT);
-          renderer.render(scene, camera);
-        }
+    const { smoke } = setting;
+    const shots = [60, 130, 200].map((step) => () => smoke.step(step - smoke.stats.steps));
+    return [setting, () => (smoke.restart(), drawShots(setting, shots))];
+  },
+
+  async drivers() {
+    const setting = await chimneySmoke({ 'emitters.0.speed': 0.8 });
+    const { smoke } = setting;
+    const scroller = document.createElement('div');
+    scroller.style.cssText = 'height: 100px; overflow: auto';
+    scroller.innerHTML = '<div style="height: 600px"></div>';
+    document.body.append(scroller);
+    driveByScroll(smoke, {
+      scroller,
+      drives: {
+        'emission.rate': [5, 45],
+        'style.smokeColor': ['#fff4e0', '#ee8a5c'],
+        'forces.wind.x': [0, 1],
       },
-    ];
+    });
+    const shots = [0, 0.5, 1].map((position) => async () => {
+      smoke.restart();
+      scroller.scrollTop = 500 * position;
+      const rate = 5 + 40 * position;
+      // The driver sets values once a step.
+      for (let steps = 0; Math.abs(Number(smoke.get()['emission.rate']) - rate) > 0.1; ++steps) {
+        if (steps > 60) throw new Error(`The driver did not set the rate ${rate}.`);
+        await new Promise(requestAnimationFrame);
+        smoke.step();
+      }
+      smoke.restart();
+      smoke.step(110);
+    });
+    return [setting, () => drawShots(setting, shots)];
   },
 
   async bursts() {
@@ -218,12 +259,28 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => void]>> = {
 /** A recipe as a PNG. */
 export async function pictureOf(recipe: Recipe): Promise<Blob> {
   const [{ renderer, smoke }, render] = await RECIPES[recipe]();
-  render();
+  await render();
   await smoke.complete();
-  render();
+  await render();
   const blob = await (renderer.domElement as unknown as OffscreenCanvas).convertToBlob({ type: 'image/png' });
   smoke.dispose();
   renderer.dispose();
   renderer.forceContextLoss();
   return blob;
+}
+
+/** Moments of a preset side by side, as a PNG. @param seconds their times */
+export async function momentsOf(preset: string, seconds: readonly number[]): Promise<Blob> {
+  const [width, height] = [208, 156];
+  const values = presetValues(findPreset(preset)!);
+  const stage = await createStage(new OffscreenCanvas(width, height), { values, width, height, pixelRatio: 1 });
+  const canvas = new OffscreenCanvas(seconds.length * (width + GAP) - GAP, height);
+  const context = canvas.getContext('2d')!;
+  for (const [index, time] of seconds.entries()) {
+    await stage.seek(time);
+    const picture = await createImageBitmap(await stage.picture());
+    context.drawImage(picture, index * (width + GAP), 0);
+  }
+  stage.dispose();
+  return canvas.convertToBlob({ type: 'image/png' });
 }
