@@ -150,7 +150,7 @@ function finish(): void {
   isPlaying = false;
   showState();
   element('result').textContent =
-    score === 0 ? 'No ring went through. Aim at where a hoop will be.' : `${score} points. Your best: ${best}.`;
+    score === 0 ? 'No ring went through. Aim at where a hoop will be.' : `Score: ${score}. Your best: ${best}.`;
   element('start').textContent = 'Play again';
   element('panel').hidden = false;
   element('start').focus();

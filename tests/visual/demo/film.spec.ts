@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
 import { FloatType } from 'three';
 import { EXRLoader } from 'three/examples/jsm/loaders/EXRLoader.js';
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./film.cases.ts');
 type Posters = typeof import('../page/element/poster.cases.ts');
@@ -105,19 +105,25 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(new Set(Object.values(one)).size, 'no two frames are the same').toBe(32);
 });
 
-test('a frame is the picture of the PNG sequence of the page', async ({ load }) => {
-  const link = `?t=2.5${HASH}`;
-  expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
-  const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
-  const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
-  const sequence = await cases.evaluate((module, hash) => module.sequence(hash, 2.5, 80, 45, 2), HASH);
-  expect(sequence).toHaveLength(2);
-  expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
-    true,
-    true,
-  ]);
-  expect(first.equals(second)).toBe(false);
-});
+for (const [name, hash, isLong] of [
+  ['lamp', HASH, false],
+  // Its camera, light, colours and letters move.
+  ['title', '#v=1&preset=title', true],
+] as const) {
+  test(`${name}: a frame is the picture of the PNG sequence of the page${longIf(isLong)}`, async ({ load }) => {
+    const link = `?t=2.5${hash}`;
+    expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
+    const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
+    const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
+    const sequence = await cases.evaluate((module, given) => module.sequence(given, 2.5, 80, 45, 2), hash);
+    expect(sequence).toHaveLength(2);
+    expect([first, second].map((frame, at) => frame.equals(pixelsOf(Buffer.from(sequence[at], 'base64'))))).toEqual([
+      true,
+      true,
+    ]);
+    expect(first.equals(second)).toBe(false);
+  });
+}
 
 test('a frame is the picture of the poster, in OpenEXR it has the light of the PNG, and depths in metres @long', async ({
   blank,
