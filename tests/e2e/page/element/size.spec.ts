@@ -55,7 +55,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
     { name: 'page', kB: fetched(server, own), limit: 23.5 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 246.8 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 248.6 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 284.3 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 287.9 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 

@@ -18,7 +18,7 @@ class Smoke {
   readonly sets: AnyValues[] = [];
 
   set(values: Values): void {
-    this.sets.push(values as AnyValues);
+    this.sets.push(values);
   }
 
   get values(): AnyValues {
@@ -82,7 +82,10 @@ const drivers: readonly (readonly [string, () => readonly [Start, () => void], r
     'a box that is scrolled by half',
     () => {
       const scroller = new FakeElement();
-      const scroll = () => void ((scroller.scrollTop = 1000), page.window.emit('scroll'));
+      const scroll = () => {
+        scroller.scrollTop = 1000;
+        page.window.emit('scroll');
+      };
       return [(options) => driveByScroll(smoke, { drives: RATE, scroller: scroller as never, ...options }), scroll];
     },
     128,
@@ -92,7 +95,10 @@ const drivers: readonly (readonly [string, () => readonly [Start, () => void], r
     () => {
       const along = new FakeElement();
       along.box = { top: 5000, height: 600 };
-      const scroll = () => void ((along.box = { top: 200, height: 600 }), page.window.emit('scroll'));
+      const scroll = () => {
+        along.box = { top: 200, height: 600 };
+        page.window.emit('scroll');
+      };
       return [(options) => driveByScroll(smoke, { drives: RATE, along: along as never, ...options }), scroll];
     },
     128,
@@ -120,7 +126,7 @@ const drivers: readonly (readonly [string, () => readonly [Start, () => void], r
   [
     'two bins of -33 dB, which are -30 dB together, from -60 to 0',
     () => {
-      const play = () => void [5, 6].forEach((bin) => spectrum.set(bin, 10 * Math.log10(0.0005)));
+      const play = () => [5, 6].forEach((bin) => spectrum.set(bin, 10 * Math.log10(0.0005)));
       return [
         (options) => driveByAudio(smoke, { audio: sound() as never, low: RATE, decibels: [-60, 0], ...options }),
         play,
