@@ -192,7 +192,7 @@ export type SingleValues = {
   /** Motion: How puffs follow the air. With the paper's method, vortices throw them outwards. */ 'simulation.integrator':
     'airAndSlip' | 'paper';
   /** Maximum particles: Maximum number of puffs alive at once. Further puffs wait. */ 'simulation.maxParticles': number;
-  /** Timeline: Keyframes of parameters and bursts of emitters over time. */ timeline: string;
+  /** Timeline: Keyframes of parameters and bursts of emitters over time. In your own page, drivers change parameters by scrolling, sound or MIDI knobs. */ timeline: string;
 };
 
 /** The index of an item of a list. */

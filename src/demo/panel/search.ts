@@ -211,7 +211,7 @@ export const synonyms: Readonly<Record<string, string>> = {
   'gravity.acceleration': 'weight fall heavy',
   'buoyancy.acceleration': 'rise lift float',
   'drag.rate': 'friction resistance damping',
-  timeline: 'keyframe animate animation record burst easing',
+  timeline: 'keyframe animate animation record burst easing driver drive music sound audio midi scroll',
   'simulation.maxParticles': 'limit count amount budget performance',
   'simulation.integrator': 'physics method',
   'emitters.#.shape': 'source',

@@ -10,6 +10,7 @@ const text = {
   paper: 'Comparison with the 2006 paper',
   puff: 'Smoke by one call: puff()',
   examples: 'Examples with their code',
+  drivers: 'Smoke that follows scrolling, sound, MIDI knobs or the pointer',
   licenses: 'Third-party licences',
   hand: (thing: string) => `Drag ${thing}`,
   arrows: (thing: string) => ['\u2190 \u2192 \u2191 \u2193', `move ${thing}`] as const,
@@ -66,7 +67,7 @@ export class Help {
 
   /** @param noShortcuts whether shortcuts of a single character are turned off */
   constructor(stage: Stage, noShortcuts: Flag) {
-    const { title, keyboard, shortcuts, paper, puff, examples, licenses } = text;
+    const { title, keyboard, shortcuts, paper, puff, examples, drivers, licenses } = text;
     const { close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
@@ -78,6 +79,7 @@ export class Help {
       create('a', { href: './paper.html' }, paper),
       create('a', { href: './puff.html' }, puff),
       create('a', { href: './examples.html' }, examples),
+      create('a', { href: './examples.html#scroll' }, drivers),
       create('a', { href: './third-party-licenses.txt' }, licenses),
     );
     // Otherwise the first link, far below, would get the initial focus.

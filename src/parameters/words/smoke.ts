@@ -297,6 +297,6 @@ export const smokeWords: WordsOf<Rows> = {
   timeline: {
     group: 'simulation',
     label: 'Timeline',
-    text: 'Keyframes of parameters and bursts of emitters over time.',
+    text: 'Keyframes of parameters and bursts of emitters over time. In your own page, drivers change parameters by scrolling, sound or MIDI knobs.',
   },
 };

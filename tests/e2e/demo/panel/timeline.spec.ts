@@ -360,7 +360,7 @@ test('a smoke with a timeline shows what it animates, and the search finds the t
   await expect(row(page, 'emission.rate').getByRole('spinbutton')).toHaveValue('60');
   await expect(diamond(page, 'emission.lifetime')).toBeHidden();
   expect(own()).toHaveLength(1);
-  for (const word of ['keyframe', 'animate', 'timeline']) {
+  for (const word of ['keyframe', 'animate', 'timeline', 'driver', 'midi']) {
     await page.getByRole('searchbox', { name: 'Find a parameter' }).fill(word);
     await expect(page.getByRole('button', { name: 'Open the timeline' })).toBeVisible();
   }
