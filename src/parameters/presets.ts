@@ -1,18 +1,18 @@
 /** The named presets. Each contains only values that differ from the defaults of the table. */
-import { airPresets } from './byScene/air.ts';
-import { airplanePresets } from './byScene/airplane.ts';
-import { campfirePresets } from './byScene/campfire.ts';
-import { cloudscapePresets } from './byScene/cloudscape.ts';
-import { dustPresets } from './byScene/dust.ts';
-import { geniePresets } from './byScene/genie.ts';
-import { lampPresets } from './byScene/lamp.ts';
-import { fireworkPresets } from './byScene/firework.ts';
-import type { Preset, Values } from './parameter.ts';
-import { rocketPresets } from './byScene/rocket.ts';
-import { titlePresets } from './byScene/title.ts';
-import { trainPresets } from './byScene/train.ts';
-import { wispPresets } from './byScene/wisp.ts';
 import { ParameterError } from '../base/errors.ts';
+import { presets as air } from './byScene/air.ts';
+import { presets as airplane } from './byScene/airplane.ts';
+import { presets as campfire } from './byScene/campfire.ts';
+import { presets as cloudscape } from './byScene/cloudscape.ts';
+import { presets as dust } from './byScene/dust.ts';
+import { presets as firework } from './byScene/firework.ts';
+import { presets as genie } from './byScene/genie.ts';
+import { presets as lamp } from './byScene/lamp.ts';
+import { presets as rocket } from './byScene/rocket.ts';
+import { presets as title } from './byScene/title.ts';
+import { presets as train } from './byScene/train.ts';
+import { presets as wisp } from './byScene/wisp.ts';
+import type { Preset, Values } from './parameter.ts';
 import { presetValues as valuesOf } from './values.ts';
 import type { PresetName } from './valueTypes.ts';
 
@@ -20,18 +20,18 @@ export type { Preset };
 
 /** Presets grouped by scene. The first one of a scene has the scene's name and is its default look. */
 export const presets: readonly Preset[] = [
-  ...lampPresets,
-  ...airplanePresets,
-  ...trainPresets,
-  ...campfirePresets,
-  ...rocketPresets,
-  ...geniePresets,
-  ...dustPresets,
-  ...cloudscapePresets,
-  ...wispPresets,
-  ...fireworkPresets,
-  ...titlePresets,
-  ...airPresets,
+  ...lamp,
+  ...airplane,
+  ...train,
+  ...campfire,
+  ...rocket,
+  ...genie,
+  ...dust,
+  ...cloudscape,
+  ...wisp,
+  ...firework,
+  ...title,
+  ...air,
 ];
 
 const byName: ReadonlyMap<string, Preset> = new Map(presets.map((preset) => [preset.name, preset]));

@@ -1,6 +1,6 @@
 import type { Preset } from '../parameter.ts';
 
-export const airPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'air',
     values: {

@@ -33,7 +33,7 @@ const morning: Values = {
   'light.elevation': 48,
 };
 
-export const airplanePresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'airplane',
     values: morning,

@@ -26,7 +26,7 @@ const evening: Values = {
   'style.simplify': 3,
 };
 
-export const campfirePresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'campfire',
     values: evening,

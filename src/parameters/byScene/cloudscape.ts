@@ -32,7 +32,7 @@ const inked: Values = {
   'style.strokes': 0.45,
 };
 
-export const cloudscapePresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'cloudscape',
     values: inked,

@@ -1,6 +1,6 @@
 import type { Preset } from '../parameter.ts';
 
-export const dustPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'dust',
     values: {

@@ -2,19 +2,19 @@
 import { fetched } from '../../base/timeout.ts';
 import type { Preset } from '../parameter.ts';
 
-const byScene: Readonly<Record<string, () => Promise<readonly Preset[]>>> = {
-  lamp: async () => (await import('./lamp.ts')).lampPresets,
-  airplane: async () => (await import('./airplane.ts')).airplanePresets,
-  train: async () => (await import('./train.ts')).trainPresets,
-  campfire: async () => (await import('./campfire.ts')).campfirePresets,
-  rocket: async () => (await import('./rocket.ts')).rocketPresets,
-  genie: async () => (await import('./genie.ts')).geniePresets,
-  dust: async () => (await import('./dust.ts')).dustPresets,
-  cloudscape: async () => (await import('./cloudscape.ts')).cloudscapePresets,
-  wisp: async () => (await import('./wisp.ts')).wispPresets,
-  firework: async () => (await import('./firework.ts')).fireworkPresets,
-  title: async () => (await import('./title.ts')).titlePresets,
-  air: async () => (await import('./air.ts')).airPresets,
+const byScene: Readonly<Record<string, () => Promise<{ presets: readonly Preset[] }>>> = {
+  lamp: () => import('./lamp.ts'),
+  airplane: () => import('./airplane.ts'),
+  train: () => import('./train.ts'),
+  campfire: () => import('./campfire.ts'),
+  rocket: () => import('./rocket.ts'),
+  genie: () => import('./genie.ts'),
+  dust: () => import('./dust.ts'),
+  cloudscape: () => import('./cloudscape.ts'),
+  wisp: () => import('./wisp.ts'),
+  firework: () => import('./firework.ts'),
+  title: () => import('./title.ts'),
+  air: () => import('./air.ts'),
 };
 
 /** Name of the default preset. */
@@ -27,6 +27,6 @@ export const FIRST_PRESET = 'lamp';
 export async function fetchPreset(name: string): Promise<Preset | undefined> {
   const [scene] = name.split('-', 1);
   if (!Object.hasOwn(byScene, scene)) return undefined;
-  const presets = await fetched(`The preset ${name}`, byScene[scene]());
+  const { presets } = await fetched(`The preset ${name}`, byScene[scene]());
   return presets.find((preset) => preset.name === name);
 }

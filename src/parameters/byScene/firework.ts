@@ -59,7 +59,7 @@ const shell = (index: number, colors: string, heatColors: string) =>
     [`emitters.${index}.lifetimeVariation`]: 0.15,
   }) as const;
 
-export const fireworkPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'firework',
     values: {

@@ -16,7 +16,7 @@ const smoke: Values = {
   'style.form': 0.3,
 };
 
-export const geniePresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'genie',
     values: {

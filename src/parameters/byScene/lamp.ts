@@ -38,7 +38,7 @@ const eroding: Values = {
   'puff.size': 0.8,
 };
 
-export const lampPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'lamp',
     values: {

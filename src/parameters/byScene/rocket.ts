@@ -30,7 +30,7 @@ const day: Values = {
   'style.strokes': 0.4,
 };
 
-export const rocketPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'rocket',
     values: day,

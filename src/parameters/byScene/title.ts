@@ -50,7 +50,7 @@ const cloud = (index: number, colors: string) =>
     [`emitters.${index}.look.colors`]: colors,
   }) as const;
 
-export const titlePresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'title',
     values: {

@@ -35,7 +35,7 @@ const inked: Values = {
   'style.strokes': 0.3,
 };
 
-export const trainPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'train',
     values: {

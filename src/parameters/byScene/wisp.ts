@@ -30,7 +30,7 @@ const curl: Values = {
   'vortices.0.position.y': 2.1,
 };
 
-export const wispPresets: readonly Preset[] = [
+export const presets: readonly Preset[] = [
   {
     name: 'wisp',
     values: {
