@@ -75,10 +75,14 @@ export function itemTrials(): Trial[] {
  * holds a non-finite number.
  */
 export function withoutEffectOnState(page: Page, trials: readonly Trial[]): Promise<string[]> {
-  return page.evaluate((list) => {
+  return page.evaluate(async (list) => {
     const stage = window.cartoonSmoke!;
     // No pictures are needed.
     stage.resize(0, 0);
+    // A timeline takes effect when its code is loaded.
+    stage.set({ timeline: '60;emission.rate/0*1' });
+    await stage.complete();
+    stage.set({ timeline: '' });
     const capacity = Number(stage.get()['simulation.maxParticles']);
     const start = stage.save();
     const after = (values: Record<string, string | number>) => {
