@@ -1,6 +1,6 @@
 /** Code that shows the current smoke in a three.js scene of its own. */
 import { findParameter, type AnyValues, type Value, type Values } from '../../preset.ts';
-import type { Stage } from '../../index.ts';
+import { readTimeline, writeTimeline, type Stage, type Timeline } from '../../index.ts';
 import { readRamp } from '../../internal.ts';
 import { styleOf, type EmbedOptions } from './embed.ts';
 
@@ -41,10 +41,13 @@ export function sceneOf(stage: Stage): SceneOfCode {
   const [right, up] = [unit(plane.right), unit(plane.up)];
   const halfHeight = (Math.hypot(...plane.up) * canvas.clientHeight) / 2;
   const back = cross(right, up);
+  const timeline = timelineOf(all);
+  const silent = silentEmitters(all, timeline);
+  // The first emitter of a three.js scene emits by default.
+  const isSilent = (key: string) => key !== 'emitters.0.share' && silent.has(emitterOf(key) ?? '');
+  const carried = Object.entries(all).filter(([key, value]) => isCarried(key, value) && !isSilent(key));
   return {
-    values: Object.fromEntries(
-      Object.entries(all).filter(([key, value]) => isCarried(key, value) && !isSilent(key, all)),
-    ),
+    values: { ...Object.fromEntries(carried), ...(timeline.length > 0 && { timeline: writeTimeline(timeline) }) },
     eye: rounded(centre.map((at, axis) => at + distance * back[axis])),
     centre: rounded([...centre]),
     fieldOfView: Math.round((Math.atan(halfHeight / distance) * 3600) / Math.PI) / 10,
@@ -84,16 +87,39 @@ export function ridingKeys(stage: Stage): string[] {
 }
 
 function isCarried(key: string, value: Value): boolean {
+  return isOfSmoke(key) && value !== (OWN[key] ?? findParameter(key)!.default);
+}
+
+/** Whether a parameter is one of the smoke, and not of the scene. */
+function isOfSmoke(key: string): boolean {
   const parameter = findParameter(key);
-  if (!parameter || OF_SCENE.test(key) || value === (OWN[key] ?? parameter.default)) return false;
+  if (!parameter || OF_SCENE.test(key)) return false;
   return NEEDED.includes(key) || ['simulator', 'style', 'light'].includes(parameter.reader);
 }
 
-/** Whether a value is of an emitter that emits nothing. The first emitter of a three.js scene emits by default. */
-function isSilent(key: string, values: AnyValues): boolean {
-  const emitter = /^emitters\.\d\./.exec(key)?.[0];
-  if (emitter === undefined || key === 'emitters.0.share') return false;
-  return values[`${emitter}share`] === 0 && !values[`${emitter}burst.count`];
+/** The timeline, with the lanes that the code carries. Without any, its length is 0. */
+function timelineOf(values: AnyValues): Timeline {
+  const { timeline } = readTimeline(String(values.timeline ?? ''));
+  const lanes = timeline.lanes.filter(({ key }) => isOfSmoke(key));
+  const isEmpty = lanes.length === 0 && timeline.bursts.length === 0;
+  return { ...timeline, lanes, length: isEmpty ? 0 : timeline.length };
+}
+
+/** The emitters that emit nothing, such as `emitters.3.`. */
+function silentEmitters(values: AnyValues, { bursts, lanes }: Timeline): Set<string> {
+  const led = new Set([
+    ...bursts.map(({ emitter }) => `emitters.${emitter}.`),
+    ...lanes.map(({ key }) => emitterOf(key)),
+  ]);
+  const all = new Set(Object.keys(values).flatMap((key) => emitterOf(key) ?? []));
+  const emits = (emitter: string) =>
+    values[`${emitter}share`] !== 0 || values[`${emitter}burst.count`] || values[`${emitter}perMetre`];
+  return new Set([...all].filter((emitter) => !led.has(emitter) && !emits(emitter)));
+}
+
+/** Start of the keys of its emitter. */
+function emitterOf(key: string): string | undefined {
+  return /^emitters\.\d\./.exec(key)?.[0];
 }
 
 /** A backdrop as CSS, which blends its colours as the page does. */

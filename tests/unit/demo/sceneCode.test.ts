@@ -44,3 +44,15 @@ test('leaves out what the scene of three.js has of its own, and emitters that em
   // Half the picture is 1.8 m high, 5 m away.
   expect(fieldOfView).toBeCloseTo(39.6, 1);
 });
+
+test('has the lanes of a timeline that are of the smoke, and the emitters that only a timeline or a movement lets emit', async () => {
+  const silent = Object.fromEntries([4, 5, 6, 7].map((index) => [`emitters.${index}.share`, 0])) as Values;
+  const timeline = '90*loop;emitters.4.speed/0*1/60*2;camera.azimuth/0*0/60*90;light.azimuth/0*5;burst/30*5*12';
+  const { values } = sceneOf(await stageOf('wisp', { ...silent, 'emitters.6.perMetre': 3, timeline }));
+  expect(values.timeline).toBe('90*loop;emitters.4.speed/0*1/60*2;burst/30*5*12');
+  expect(Object.keys(values).filter((key) => /^emitters\.[4-7]\.share/.test(key))).toEqual(
+    [4, 5, 6].map((index) => `emitters.${index}.share`),
+  );
+  const { values: others } = sceneOf(await stageOf('wisp', { timeline: '60;camera.azimuth/0*0/60*90' }));
+  expect(others).not.toHaveProperty('timeline');
+});
