@@ -4,6 +4,7 @@ import { ParameterError } from '../../../src/base/errors.ts';
 import type { ChoiceParameter, NumberParameter } from '../../../src/parameters/parameter.ts';
 import { fetchPreset, FIRST_PRESET } from '../../../src/parameters/byScene/fetchPreset.ts';
 import { defaultPreset, findPreset, presets, presetValues } from '../../../src/parameters/presets.ts';
+import { readTimeline, writeTimeline } from '../../../src/parameters/timeline.ts';
 import { defaults, isAccepted, validate } from '../../../src/parameters/values.ts';
 import { itemGroups } from '../../../src/parameters/words/lists.ts';
 import { findParameter, groups, table } from '../../../src/parameters/words/table.ts';
@@ -232,5 +233,15 @@ describe('readEnvironment', () => {
       expect(read.time).toBeUndefined();
       expect(read.notices.map(({ code }) => code)).toEqual(['malformed']);
     }
+  });
+});
+
+// Otherwise a stage would show another preset as changed.
+describe('the timeline of a preset is written as a stage returns it', () => {
+  const timelines = presets.flatMap(({ name, values }) => (values.timeline ? [{ name, text: values.timeline }] : []));
+  it.each(timelines)('$name', ({ text }) => {
+    const { timeline, problems } = readTimeline(text);
+    expect(problems).toEqual([]);
+    expect(writeTimeline(timeline)).toBe(text);
   });
 });
