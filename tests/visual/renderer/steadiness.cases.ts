@@ -22,14 +22,24 @@ export interface Steadiness {
   /** Largest allowed motion, pixels. */
   motion: number;
   pictures: number;
+  /** Pictures that are not counted: smoke may appear at once. */
+  sudden: number;
   /** Mean per picture: a rocket before ignition has none. */
   bodies: number;
   /** Mean number of pixels of a picture that smoke, its lines and its shadow change. */
   smoke: number;
 }
 
-/** Pictures of successive steps. Self-rotating parts, such as a propeller, are stopped. */
-export async function timePassing(scene: string, fromStep: number, steps: number): Promise<Steadiness> {
+/**
+ * Pictures of successive steps. Self-rotating parts, such as a propeller, are stopped.
+ * @param sudden steps at which smoke may appear at once
+ */
+export async function timePassing(
+  scene: string,
+  fromStep: number,
+  steps: number,
+  sudden: readonly number[] = [],
+): Promise<Steadiness> {
   const lab = await SceneLab.create(scene, { ...SIZE, holdsRotations: true });
   lab.step(fromStep);
   let corners = surfaceCorners(lab);
@@ -37,7 +47,8 @@ export async function timePassing(scene: string, fromStep: number, steps: number
     lab.step(1);
     const [before, camera] = [corners, lab.camera()];
     corners = surfaceCorners(lab);
-    return { camera, motion: Math.max(longestWay(before, corners, camera), longestWay(...particlePaths(lab), camera)) };
+    const motion = Math.max(longestWay(before, corners, camera), longestWay(...particlePaths(lab), camera));
+    return { camera, motion, isSudden: sudden.includes(lab.simulator.steps) };
   });
   lab.dispose();
   return report;
@@ -60,19 +71,20 @@ export async function orbiting(scene: string, atStep: number, degrees: number): 
   return report;
 }
 
-type Next = (picture: number) => { camera: PerspectiveCamera; motion: number };
+type Next = (picture: number) => { camera: PerspectiveCamera; motion: number; isSudden?: boolean };
 
 async function watch(lab: SceneLab, first: PerspectiveCamera, pictures: number, next: Next): Promise<Steadiness> {
-  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, bodies: 0, smoke: 0 };
+  const report: Steadiness = { largest: 0, at: 0, all: 0, motion: 0, pictures, sudden: 0, bodies: 0, smoke: 0 };
   let before = look(lab, first, SLACK);
   for (let picture = 1; picture <= pictures; picture++) {
-    const { camera, motion } = next(picture);
+    const { camera, motion, isSudden } = next(picture);
     const [reach, strip] = [Math.ceil(motion) + SLACK, { width: Math.ceil(motion), ink: lab.ink }];
     const now = look(lab, camera, reach);
     const paling = { where: now.paling.map((isPaling, pixel) => isPaling | before.paling[pixel]), ink: lab.ink };
     const besides = surfacesAlone(before.bare, now.bare, reach);
     const { all, largest } = suddenChange(before.picture, now.picture, { reach, strip, paling, besides });
-    if (largest > report.largest) Object.assign(report, { largest, at: picture });
+    if (isSudden) report.sudden++;
+    else if (largest > report.largest) Object.assign(report, { largest, at: picture });
     report.all = Math.max(report.all, all);
     report.motion = Math.max(report.motion, motion);
     report.bodies += now.bodies / pictures;
@@ -87,9 +99,9 @@ function differing(one: LabPicture, other: LabPicture): number {
   return a.reduce((sum, color, pixel) => sum + (color === b[pixel] ? 0 : 1), 0);
 }
 
-/** A picture with smoke and one without. */
+/** A picture with smoke and one without. The light of hot smoke on surfaces is left out: its rings flash with a burst. */
 function look(lab: SceneLab, camera: PerspectiveCamera, reach: number) {
-  const picture = lab.draw({ camera });
+  const picture = lab.draw({ camera, hasLamps: false });
   const bodies = lab.report!.bodiesDrawn;
   const paling = palingLines(lab, camera, reach);
   return { picture, bodies, paling, bare: lab.draw({ camera, isBare: true }) };
