@@ -1,3 +1,4 @@
+import { emitterRig } from './emitterRig.ts';
 import type { Scene } from './scene.ts';
 
 /** As many as the simulator supports. Pages with smoke choose which of them emit, and where. */
@@ -47,5 +48,5 @@ function emitter(index: number): Record<string, number> {
     temperature: 1,
     share: index === 0 ? 1 : 0,
   };
-  return Object.fromEntries(Object.entries(own).map(([key, value]) => [`emitters.${index}.${key}`, value]));
+  return emitterRig(index, own);
 }

@@ -2,6 +2,7 @@ import { finished, inPieces, type Work } from '../base/work.ts';
 import type { SurfaceDescription } from '../renderer/passes/surface.ts';
 import { atan2 } from '../simulator/exact/arc.ts';
 import { cos, sin } from '../simulator/exact/sine.ts';
+import { emitterRig } from './emitterRig.ts';
 import { AXLE, hills, sheep, sun, windmill } from './models/meadow.ts';
 import { placement, merged, placed } from './models/place.ts';
 import type { LightMove, Scene, Vector } from './scene.ts';
@@ -120,7 +121,7 @@ function clouds(
     'burst.count': count,
     ...(surface > 0 && { 'envelope.period': WIDTH / -WIND }),
   };
-  return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
+  return emitterRig(emitter, values);
 }
 
 /** Centre of a cloud's flat base, and half its width; metres. */

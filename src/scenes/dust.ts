@@ -3,6 +3,7 @@ import { cos, hypot, sin } from '../simulator/exact/sine.ts';
 import { quaternionFromAngles } from '../simulator/exact/rotation.ts';
 import type { RigidDescription } from '../simulator/rigid.ts';
 import { cloudOf, dustRule, type Cloud, type Toy } from './dustRule.ts';
+import { emitterRig } from './emitterRig.ts';
 import { desert, desertRigids, DESERT_RADIUS } from './models/desert.ts';
 import { mole, MOLE_HALF, MOLE_RADIUS } from './models/mole.ts';
 import { placement } from './models/place.ts';
@@ -125,5 +126,5 @@ function dustEmitter(emitter: number): Record<string, number> {
     temperature: 1,
     share: 0,
   };
-  return Object.fromEntries(Object.entries(values).map(([key, value]) => [`emitters.${emitter}.${key}`, value]));
+  return emitterRig(emitter, values);
 }

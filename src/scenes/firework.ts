@@ -1,5 +1,6 @@
 import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
 import { sin } from '../simulator/exact/sine.ts';
+import { emitterRig } from './emitterRig.ts';
 import { ballMesh } from './models/ball.ts';
 import { island, trees } from './models/island.ts';
 import { lathe } from './models/lathe.ts';
@@ -79,5 +80,5 @@ function emitter(index: number, [x, y, z]: Vector, own: Record<string, number>):
     share: 0,
     ...own,
   };
-  return Object.fromEntries(Object.entries(all).map(([key, value]) => [`emitters.${index}.${key}`, value]));
+  return emitterRig(index, all);
 }

@@ -6,6 +6,7 @@ import { slerp } from '../simulator/exact/quaternion.ts';
 import { sin } from '../simulator/exact/sine.ts';
 import { quaternionFromAngles } from '../simulator/exact/rotation.ts';
 import type { RigidDescription } from '../simulator/rigid.ts';
+import { emitterRig } from './emitterRig.ts';
 import { genie as genieModel, HEAD, HEAD_RADIUS, HIP, SHOULDER, WAVE } from './models/genie.ts';
 import { lampModel, type LampRole } from './models/lamp.ts';
 import { placed, placement } from './models/place.ts';
@@ -184,8 +185,7 @@ function body(index: number, { at, extent, ...values }: Limb): Record<string, nu
 }
 
 function emitter(index: number, values: Record<string, number>): Record<string, number> {
-  const entries = Object.entries({ temperature: 0, ...values });
-  return Object.fromEntries(entries.map(([key, value]) => [`emitters.${index}.${key}`, value]));
+  return emitterRig(index, { temperature: 0, ...values });
 }
 
 function line(from: Vector, to: Vector): { at: Vector; extent: Vector } {

@@ -1,4 +1,5 @@
 import { sin } from '../simulator/exact/sine.ts';
+import { emitterRig } from './emitterRig.ts';
 import { ballMesh } from './models/ball.ts';
 import { lathe } from './models/lathe.ts';
 import { letter } from './models/letters.ts';
@@ -112,5 +113,5 @@ function cloud(index: number): Record<string, number> {
 
 function emitter(index: number, [x, y, z]: Vector, own: Record<string, number>): Record<string, number> {
   const all = { 'position.x': x, 'position.y': y, 'position.z': z, 'direction.y': 1, sizeVariation: 0.35, temperature: 1, ...own }; // prettier-ignore
-  return Object.fromEntries(Object.entries(all).map(([key, value]) => [`emitters.${index}.${key}`, value]));
+  return emitterRig(index, all);
 }
