@@ -1,4 +1,4 @@
-/** A locomotive that puffs as one scrolls: faster scrolling makes more smoke, and the way along the page its colour. */
+/** A locomotive that puffs as you scroll: faster scrolling makes more smoke, and the way along the page its colour. */
 import 'cartoon-smoke/element';
 import { driveByScroll } from 'cartoon-smoke';
 

@@ -41,7 +41,7 @@ const examples: readonly Example[] = [
     'Components for smoke, emitters, colliders and casters. Drag to orbit, click the ring for another colour.',
   ),
   exampleOf('product', 'A product page', 'main.ts', 'Steam beside the text, and a puff from the button.'),
-  exampleOf('scroll', 'Smoke by scrolling', 'main.ts', 'A locomotive that puffs as one scrolls. Scroll within it.'),
+  exampleOf('scroll', 'Smoke by scrolling', 'main.ts', 'A locomotive that puffs as you scroll. Scroll inside it.'),
   exampleOf('vite', 'The element', 'main.ts', 'A custom element that a slider controls, bundled by Vite.'),
   exampleOf('vue', 'Vue', 'App.vue', 'The element in a template, with typed attributes and events.', 'vite'),
   exampleOf('svelte', 'Svelte', 'App.svelte', 'The element in a component, with typed attributes and events.', 'vite'),

@@ -53,16 +53,16 @@ export function driveByAudio(smoke: DrivenSmoke, options: AudioDriverOptions): D
     smoke,
     {
       tracks,
-      isLive: () => meter.hears && !(isElement && audio.paused),
+      isLive: () => meter.isConnected && !(isElement && audio.paused),
       start(wake, signal, fail) {
         const own = isElement ? (context ??= new AudioContext()) : audio.context;
-        const hear = () => {
-          if (own.state === 'running') meter.hear(isElement ? nodeOf(audio, own as AudioContext) : audio);
-          else meter.hush();
+        const connect = () => {
+          if (own.state === 'running') meter.connect(isElement ? nodeOf(audio, own as AudioContext) : audio);
+          else meter.disconnect();
         };
         const listen = () => {
           try {
-            hear();
+            connect();
             wake();
           } catch (error) {
             fail(error);
@@ -79,8 +79,8 @@ export function driveByAudio(smoke: DrivenSmoke, options: AudioDriverOptions): D
           resume();
         }
         own.addEventListener('statechange', listen, { signal });
-        signal.addEventListener('abort', () => meter.hush(), { once: true });
-        hear();
+        signal.addEventListener('abort', () => meter.disconnect(), { once: true });
+        connect();
       },
       measure() {
         meter.read();
@@ -102,11 +102,11 @@ class Meter {
     this.decibels = decibels;
   }
 
-  get hears(): boolean {
+  get isConnected(): boolean {
     return this.node !== undefined;
   }
 
-  hear(node: AudioNode): void {
+  connect(node: AudioNode): void {
     if (this.node === node) return;
     this.analyser ??= new AnalyserNode(node.context, { fftSize: FFT_SIZE, smoothingTimeConstant: 0 });
     this.bins = new Float32Array(this.analyser.frequencyBinCount);
@@ -114,7 +114,7 @@ class Meter {
     this.node = node;
   }
 
-  hush(): void {
+  disconnect(): void {
     if (this.analyser) this.node?.disconnect(this.analyser);
     this.node = undefined;
   }

@@ -96,16 +96,16 @@ class DriverLoop {
   private readonly smoothing: number;
   private readonly report: (error: unknown) => void;
   private readonly end = new AbortController();
-  private readonly stillness = matchMedia(REDUCED_MOTION);
+  private readonly reducedMotion = matchMedia(REDUCED_MOTION);
   /** The smoothed value of each track. */
-  private readonly places: (number | undefined)[] = [];
+  private readonly smoothed: (number | undefined)[] = [];
   private sent: Readonly<Record<string, Value>> = {};
   /** The step of the last change. */
   private step: number | undefined;
   /** Answers of the smoke that are not there yet. */
   private waits = 0;
   private frame: number | undefined;
-  /** When the last frame was, in milliseconds; undefined after a rest. */
+  /** When the last frame was, in milliseconds; undefined after a pause. */
   private last: number | undefined;
 
   constructor(smoke: DrivenSmoke, source: Source, smoothing: number, report: (error: unknown) => void) {
@@ -118,7 +118,7 @@ class DriverLoop {
   start(until: AbortSignal | undefined): void {
     const { signal } = this.end;
     until?.addEventListener('abort', () => this.stop(), { signal });
-    this.stillness.addEventListener('change', () => this.wake(), { signal });
+    this.reducedMotion.addEventListener('change', () => this.wake(), { signal });
     try {
       this.source.start(
         () => this.wake(),
@@ -139,12 +139,12 @@ class DriverLoop {
     this.frame = undefined;
   }
 
-  private get isStill(): boolean {
-    return this.end.signal.aborted || (!this.source.isControl && this.stillness.matches);
+  private get isPaused(): boolean {
+    return this.end.signal.aborted || (!this.source.isControl && this.reducedMotion.matches);
   }
 
   private wake(): boolean {
-    if (this.isStill) return false;
+    if (this.isPaused) return false;
     this.frame ??= requestAnimationFrame((now) => this.tick(now));
     return true;
   }
@@ -157,7 +157,7 @@ class DriverLoop {
 
   private tick(now: number): void {
     this.frame = undefined;
-    if (this.isStill) return;
+    if (this.isPaused) return;
     const seconds = this.last === undefined ? FRAME_SECONDS : (now - this.last) / 1000;
     this.last = undefined;
     try {
@@ -171,23 +171,24 @@ class DriverLoop {
 
   /** @returns whether nothing changes any more until the source does */
   private follow(seconds: number): boolean {
-    const aims = this.source.measure(seconds).map((aim) => (aim === undefined ? aim : clamped(aim)));
-    for (const [track, aim] of aims.entries()) this.places[track] = this.approached(this.places[track], aim, seconds);
-    const isThere = aims.every((aim, track) => this.places[track] === aim);
-    return this.send() && isThere;
+    const targets = this.source.measure(seconds).map((target) => (target === undefined ? target : clamped(target)));
+    for (const [track, target] of targets.entries())
+      this.smoothed[track] = this.approached(this.smoothed[track], target, seconds);
+    const isReached = targets.every((target, track) => this.smoothed[track] === target);
+    return this.send() && isReached;
   }
 
-  private approached(place: number | undefined, aim: number | undefined, seconds: number): number | undefined {
-    if (place === undefined || aim === undefined) return aim;
-    const next = place + ((aim - place) * seconds) / (seconds + this.smoothing);
-    return Math.abs(aim - next) < 0.5 / LEVELS ? aim : next;
+  private approached(value: number | undefined, target: number | undefined, seconds: number): number | undefined {
+    if (value === undefined || target === undefined) return target;
+    const next = value + ((target - value) * seconds) / (seconds + this.smoothing);
+    return Math.abs(target - next) < 0.5 / LEVELS ? target : next;
   }
 
   /** Values that the smoke has not yet. */
   private get changed(): Values {
     const all = this.source.tracks.map((lanes, track) => {
-      const place = this.places[track];
-      return place === undefined ? {} : valuesOf(lanes, Math.round(place * LEVELS));
+      const value = this.smoothed[track];
+      return value === undefined ? {} : valuesOf(lanes, Math.round(value * LEVELS));
     });
     return differing(this.sent, Object.assign({}, ...all));
   }

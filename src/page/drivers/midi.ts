@@ -43,19 +43,19 @@ export async function driveByMidi(smoke: DrivenSmoke, options: MidiDriverOptions
       tracks: entries.map(([, lanes]) => lanes),
       isControl: true,
       start(wake, end) {
-        const hear = ({ data }: MIDIMessageEvent) => {
+        const receive = ({ data }: MIDIMessageEvent) => {
           if (data?.length !== 3 || (data[0] & 0xf0) !== CONTROL_CHANGE) return;
           if (channel !== undefined && (data[0] & 0x0f) + 1 !== channel) return;
           turned.set(data[1], data[2] / 127);
           onTurn?.(data[1]);
           wake();
         };
-        const listen = () => {
-          for (const input of access.inputs.values()) input.addEventListener('midimessage', hear, { signal: end });
+        const connectInputs = () => {
+          for (const input of access.inputs.values()) input.addEventListener('midimessage', receive, { signal: end });
         };
         // The same function is added to an input once.
-        access.addEventListener('statechange', listen, { signal: end });
-        listen();
+        access.addEventListener('statechange', connectInputs, { signal: end });
+        connectInputs();
       },
       measure: () => entries.map(([knob]) => turned.get(knob)),
     },

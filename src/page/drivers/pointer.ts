@@ -14,7 +14,7 @@ export interface PointerDriverOptions extends DriverOptions {
 /** Default seconds: events come in bursts. */
 const SMOOTHING = 0.15;
 
-interface Place {
+interface Position {
   readonly clientX: number;
   readonly clientY: number;
 }
@@ -29,7 +29,7 @@ export function driveByPointer(smoke: DrivenSmoke, options: PointerDriverOptions
   const { drives, over, fullSpeed, smoothing = SMOOTHING } = options;
   if (over !== undefined && !(over instanceof Element)) throw new ParameterError('over', over, 'an Element');
   const speed = new Speed(requireSpeed(fullSpeed));
-  const places = new Map<number, Place>();
+  const positions = new Map<number, Position>();
   return drive(
     smoke,
     {
@@ -39,11 +39,11 @@ export function driveByPointer(smoke: DrivenSmoke, options: PointerDriverOptions
         const target: EventTarget = over ?? globalThis;
         const move = (event: Event) => {
           const { pointerId, clientX, clientY } = event as PointerEvent;
-          const before = places.get(pointerId);
-          places.set(pointerId, { clientX, clientY });
+          const before = positions.get(pointerId);
+          positions.set(pointerId, { clientX, clientY });
           if (before && wake()) speed.add(Math.hypot(clientX - before.clientX, clientY - before.clientY));
         };
-        const leave = (event: Event) => void places.delete((event as PointerEvent).pointerId);
+        const leave = (event: Event) => void positions.delete((event as PointerEvent).pointerId);
         target.addEventListener('pointermove', move, { signal, passive: true });
         // A finger that touches elsewhere has not moved there. Others leave the window or the element.
         for (const end of ['pointerup', 'pointercancel', 'pointerleave', 'pointerout']) {

@@ -12,7 +12,7 @@ export function requireSpeed(fullSpeed: unknown = FULL_SPEED): number {
 
 export class Speed {
   private readonly full: number;
-  private way = 0;
+  private distance = 0;
   private value = 0;
 
   /** @param full speed that counts as 1 */
@@ -27,13 +27,13 @@ export class Speed {
 
   /** @param pixels of a movement */
   add(pixels: number): void {
-    this.way += pixels;
+    this.distance += pixels;
   }
 
   /** The speed since the last call. @param seconds since then */
   over(seconds: number): number {
-    this.value = this.way / seconds / this.full;
-    this.way = 0;
+    this.value = this.distance / seconds / this.full;
+    this.distance = 0;
     return this.value;
   }
 }
