@@ -95,9 +95,16 @@ export { openStage } from './stage/remote/openStage.ts';
 export type { Vector } from './scenes/scene.ts';
 export type { LoadProgress } from './simulator/load.ts';
 export type { RigidSurface } from './simulator/rigid.ts';
-export type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './stage/contract.ts';
-export type { BlowInput } from './stage/gestures.ts';
+export type {
+  BlowInput,
+  EnterOptions,
+  PointerInput,
+  SeekOptions,
+  StageEvents,
+  StageOptions,
+  StageStats,
+  StatsOptions,
+} from './stage/contract.ts';
 export type { PicturePoint, ScenePlane, Sight } from './stage/sight.ts';
 export { createStage, type Stage } from './stage/stage.ts';
-export type { StageStats, StatsOptions } from './stage/stats.ts';
 export type { Take, TakeOptions } from './stage/take.ts';

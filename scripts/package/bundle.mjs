@@ -10,11 +10,9 @@ import { smallThree } from '../patches/three.mjs';
 
 const LICENSES =
   '/*! cartoon-smoke, MIT license. Contains three.js, MIT license, Copyright 2010-2026 three.js authors; third-party-licenses.txt beside it has all. */';
-/** The script for CDNs, without and with warnings, by its entry. With warnings it is not minified. */
-const SCRIPTS = {
-  'cartoon-smoke.min': 'src/script.ts',
-  'cartoon-smoke.development': 'src/script.development.ts',
-};
+/** The script for CDNs, and the module that adds warnings to it. */
+const SCRIPT = 'cartoon-smoke.min';
+const SCRIPT_WITH_WARNINGS = 'cartoon-smoke.development';
 /**
  * A single file.
  * @type {import('rolldown').OutputOptions}
@@ -99,8 +97,8 @@ export async function bundleAll(folder, plugins = shrinking()) {
   // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleWarnings(join(folder, 'development'));
-  for (const name of Object.keys(SCRIPTS))
-    await bundleScript(/** @type {keyof typeof SCRIPTS} */ (name), folder, plugins);
+  await bundleScript(folder, plugins);
+  await bundleScriptWarnings(folder);
 }
 
 /**
@@ -117,15 +115,23 @@ async function bundleWarnings(folder) {
 /**
  * Writes only the script for CDNs, with the simulator beside it.
  *
- * @param {keyof typeof SCRIPTS} name
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
  */
-export async function bundleScript(name, folder, plugins = shrinking()) {
-  const input = entries({ [name]: SCRIPTS[name] });
-  const output = name.endsWith('.min') ? ALONE : { ...ALONE, minify: false, sourcemap: false };
-  await bundle({ input, plugins: [...plugins, workerAt(`./${name}.js`)] }, folder, output);
+export async function bundleScript(folder, plugins = shrinking()) {
+  const input = entries({ [SCRIPT]: 'src/script.ts' });
+  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
   copyWasm(folder, ['core', 'physics']);
+}
+
+/**
+ * Writes the module that imports the script for CDNs and adds warnings.
+ * @param {string} folder
+ */
+async function bundleScriptWarnings(folder) {
+  const input = entries({ [SCRIPT_WITH_WARNINGS]: 'src/script.development.ts' });
+  const plugins = ['src/script.ts', 'src/page/element/define.ts'].map((source) => beside({ [SCRIPT]: source }));
+  await bundle({ input, plugins }, folder, { codeSplitting: false, minify: false });
 }
 
 /**
@@ -137,8 +143,7 @@ export async function bundleFilmPage(folder) {
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
   const input = entries({ page: 'src/demo/film/page.ts' });
-  // Only for the list of licences.
-  await bundle({ input, plugins: shrinking(), checks }, folder, { sourcemap: 'hidden' });
+  await bundle({ input, plugins: shrinking(), checks }, folder);
 }
 
 /**
@@ -148,7 +153,7 @@ export async function bundleFilmPage(folder) {
  */
 export async function bundleCommand(folder) {
   const build = await rolldown({ input: inRoot('scripts/film/command.mjs'), platform: 'node' });
-  await build.write({ dir: folder, format: 'esm', entryFileNames: '[name].js', codeSplitting: false });
+  await build.write({ dir: folder, format: 'esm', entryFileNames: '[name].js', codeSplitting: false, minify: true });
   await build.close();
 }
 
@@ -188,7 +193,8 @@ async function bundle(input, folder, output = {}) {
     dir: folder,
     format: 'esm',
     minify: true,
-    sourcemap: true,
+    // Only for the list of licences: the package contains no source maps.
+    sourcemap: 'hidden',
     entryFileNames: '[name].js',
     chunkFileNames: chunkName,
     ...output,

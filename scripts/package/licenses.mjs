@@ -22,22 +22,30 @@ const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unkn
  * @property {string} folder
  */
 
-/** @param {string} folder of built scripts with source maps, which list the bundled files */
-export async function writeLicenses(folder) {
-  const works = [...packagesIn(folder), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
-  writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...works.map(describe)].join('\n\n')}\n`);
+/**
+ * @param {string} folder that gets the file
+ * @param {readonly string[]} [bundles] folders of built scripts with source maps, which list the bundled files
+ */
+export async function writeLicenses(folder, bundles = [folder]) {
+  const works = [...packagesIn(bundles), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
+  writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...describeAll(works)].join('\n\n')}\n`);
 }
 
 const INTRODUCTION = `Cartoon Smoke contains third-party work under the licences below. The work was bundled and minified, and unused
 code was removed. It is otherwise unchanged. Each entry says where to find the source code.`;
 
+/** @param {string} folder @returns {string[]} paths of the source maps in it */
+export function sourceMaps(folder) {
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' });
+  return files.filter((name) => name.endsWith('.map')).map((name) => join(folder, name));
+}
+
 /**
- * @param {string} folder
+ * @param {readonly string[]} bundles
  * @returns {Work[]}
  */
-function packagesIn(folder) {
-  const maps = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.map'));
-  const folders = new Set(maps.flatMap((name) => packageFolders(join(folder, name))));
+function packagesIn(bundles) {
+  const folders = new Set(bundles.flatMap(sourceMaps).flatMap(packageFolders));
   return [...folders].map((place) => {
     const { name, version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8'));
     const address = typeof repository === 'string' ? repository : repository?.url;
@@ -89,13 +97,26 @@ async function ask(parameters) {
   return output.split('\n');
 }
 
-/** @param {Work} work */
-function describe({ name, version, license, source, folder }) {
-  const texts = licenceFiles(folder, license).map((file) => readFileSync(join(folder, file), 'utf8').trim());
-  const none = `The package contains no licence text. See https://spdx.org/licenses/ for the licence named above.`;
-  return ['-'.repeat(80), `${name} ${version} (${license})\n${source}`, ...(texts.length > 0 ? texts : [none])].join(
-    '\n\n',
-  );
+/**
+ * Repeats no text that an earlier work has in the same words.
+ * @param {readonly Work[]} works
+ */
+function describeAll(works) {
+  /** @type {Map<string, string>} */
+  const holders = new Map();
+  return works.map(({ name, version, license, source, folder }) => {
+    const texts = licenceFiles(folder, license).map((file) => {
+      const text = readFileSync(join(folder, file), 'utf8').trim();
+      const words = text.replace(/\s+/g, ' ');
+      const holder = holders.get(words);
+      if (holder) return `The licence text is the same as that of ${holder}.`;
+      holders.set(words, `${name} ${version}`);
+      return text;
+    });
+    const none = `The package contains no licence text. See https://spdx.org/licenses/ for the licence named above.`;
+    const work = `${name} ${version} (${license})\n${source}`;
+    return ['-'.repeat(80), work, ...(texts.length > 0 ? texts : [none])].join('\n\n');
+  });
 }
 
 /**

@@ -7,7 +7,7 @@ import { inRoot } from '../lib/paths.mjs';
 const project = JSON.parse(readFileSync(inRoot('package.json'), 'utf8'));
 
 /** Web URL of the GitHub repository in package.json. */
-const address = githubAddress(project.repository);
+export const address = githubAddress(project.repository);
 
 /**
  * A module and, for development builds, one with warnings.
@@ -68,7 +68,7 @@ export const manifest = {
   customElements: './custom-elements.json',
   'web-types': './web-types.json',
   bin: { 'cartoon-smoke': 'film/command.js' },
-  files: ['dist', 'film', 'types', 'custom-elements.json', 'html-custom-data.json', 'web-types.json'],
+  files: ['dist', 'docs', 'film', 'types', 'custom-elements.json', 'html-custom-data.json', 'web-types.json'],
   sideEffects: [
     './dist/element.js',
     './dist/development/*.js',

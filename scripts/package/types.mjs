@@ -1,6 +1,6 @@
 /** Writes the type declarations of the package's exports. */
 
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
@@ -10,6 +10,9 @@ import { writeElementTypes } from './elementTypes.mjs';
 const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/script.ts'];
 /** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['core', 'meshes', 'physics'].map((variant) => `simulator/wasm/${variant}/bindings.d.ts`);
+
+/** Names of the modules that a declaration refers to. */
+const REFERENCE = /(?:from|import) ?\(?['"](\.{1,2}\/[^'"]+)\.js['"]/g;
 
 /** Declarations of a file that a bundler's file loader imports as its URL. */
 const ASSET = 'declare const url: string;\nexport default url;\n';
@@ -34,6 +37,26 @@ export async function writeTypes(folder, say) {
   }
   writeElementTypes(folder);
   writeFileSync(join(folder, 'asset.d.ts'), ASSET);
+}
+
+/**
+ * Removes declarations that no entry refers to, which are more than half of all files.
+ * @param {string} folder
+ * @param {readonly string[]} kept paths of the declarations of the entries
+ */
+export function removeUnused(folder, kept) {
+  const used = new Set(kept);
+  for (const path of used) {
+    for (const [, name] of readFileSync(path, 'utf8').matchAll(REFERENCE)) {
+      const other = join(dirname(path), `${name}.d.ts`);
+      // A set also visits what is added meanwhile.
+      if (existsSync(other)) used.add(other);
+    }
+  }
+  for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
+    const path = join(folder, file);
+    if (file.endsWith('.d.ts') && !used.has(path)) rmSync(path);
+  }
 }
 
 /** Sources import `.ts` files; the package contains `.js` files. */

@@ -17,6 +17,7 @@ export const ARCHIVE = `cartoon-smoke-${JSON.parse(readFileSync(inRoot('package.
 
 const SOURCES = [
   'LICENSE',
+  'docs',
   'package-lock.json',
   'package.json',
   'scripts/film',
@@ -43,14 +44,16 @@ export async function bring(say) {
   // Imported late: these modules read the parameter table and require packages that may not have been installed before.
   const [
     { bundleAll, bundleCommand, bundleFilmPage },
-    { writeLicenses },
-    { writeTypes },
+    { sourceMaps, writeLicenses },
+    { removeUnused, writeTypes },
+    { writeDocuments },
     { customElements, htmlCustomData, webTypes },
     { manifest },
   ] = await Promise.all([
     import('../package/bundle.mjs'),
     import('../package/licenses.mjs'),
     import('../package/types.mjs'),
+    import('../package/documents.mjs'),
     import('../package/customElements.mjs'),
     import('../package/manifest.mjs'),
   ]);
@@ -58,11 +61,16 @@ export async function bring(say) {
   await bundleAll(inRoot(`${FOLDER}/dist`));
   await bundleFilmPage(inRoot(FILM_PAGE));
   await bundleCommand(inRoot(`${FOLDER}/film`));
-  await writeLicenses(inRoot(`${FOLDER}/dist`));
-  await writeLicenses(inRoot(FILM_PAGE));
-  for (const file of readdirSync(inRoot(FILM_PAGE))) if (file.endsWith('.map')) rmSync(inRoot(`${FILM_PAGE}/${file}`));
+  const bundles = [inRoot(`${FOLDER}/dist`), inRoot(FILM_PAGE)];
+  await writeLicenses(bundles[0], bundles);
+  for (const map of bundles.flatMap(sourceMaps)) rmSync(map);
   say('writing declarations');
   await writeTypes(inRoot(`${FOLDER}/types`), say);
+  const entries = Object.values(manifest.exports).flatMap((each) => (typeof each === 'object' ? [each.types] : []));
+  removeUnused(
+    inRoot(`${FOLDER}/types`),
+    entries.map((path) => inRoot(`${FOLDER}/${path}`)),
+  );
   writeFileSync(inRoot(`${FOLDER}/package.json`), `${JSON.stringify(manifest, null, 2)}\n`);
   const elements = customElements();
   for (const [file, content] of Object.entries({
@@ -73,7 +81,7 @@ export async function bring(say) {
     writeFileSync(inRoot(`${FOLDER}/${file}`), JSON.stringify(content));
   }
   copyFileSync(inRoot('LICENSE'), inRoot(`${FOLDER}/LICENSE`));
-  copyFileSync(inRoot('scripts/package/README.md'), inRoot(`${FOLDER}/README.md`));
+  writeDocuments(inRoot(FOLDER));
   say('packing');
   const { status, output } = await runNpm(['pack', '--pack-destination', root], { folder: inRoot(FOLDER) });
   if (status !== 0) throw new UserError(`npm pack failed: ${output.split('\n').at(-1)}`);

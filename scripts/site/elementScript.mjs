@@ -7,7 +7,7 @@ import { cpSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { inRoot } from '../lib/paths.mjs';
 import { bundleScript } from '../package/bundle.mjs';
-import { writeLicenses } from '../package/licenses.mjs';
+import { sourceMaps, writeLicenses } from '../package/licenses.mjs';
 import { integrity } from '../package/measure.mjs';
 
 const FILE = 'cartoon-smoke.min.js';
@@ -24,8 +24,9 @@ const MADE = '.cache/element';
 export async function buildElementScript() {
   const made = inRoot(MADE);
   rmSync(made, { recursive: true, force: true });
-  await bundleScript('cartoon-smoke.min', made);
+  await bundleScript(made);
   await writeLicenses(made);
+  for (const map of sourceMaps(made)) rmSync(map);
   const hash = integrity(join(made, FILE));
   const folder = `element/${nameOf(hash)}`;
   return {

@@ -4,7 +4,6 @@ import type { DebugView, Quality } from '../parameters/quality.ts';
 import type { GivenValues } from '../parameters/timeline.ts';
 import type { LoadProgress } from '../simulator/load.ts';
 import type { Turns } from './frameLoop.ts';
-import type { StageStats } from './stats.ts';
 
 export interface StageOptions extends DeviceOptions {
   /** Flat values that differ from the parameter defaults. */
@@ -67,6 +66,59 @@ export interface PointerInput {
   id: number;
   x: number;
   y: number;
+}
+
+/** A blow at a position in the picture, or a sweep across it. Lengths are in CSS pixels, y points down. */
+export interface BlowInput {
+  x: number;
+  y: number;
+  /** Pointer movement since the last blow, 1/60 s earlier; 0 blows away from the camera. */
+  dx?: number;
+  dy?: number;
+  /** Radius of the gust around the pointer. Default: 56. */
+  radius?: number;
+  /** Duration of the gust, 1/60 to 10 s. Default: 0.4. */
+  seconds?: number;
+}
+
+/** Statistics of the latest frame. */
+export interface StageStats {
+  /** Simulated seconds. */
+  time: number;
+  steps: number;
+  alive: number;
+  /** Particles that cannot be emitted until others die. */
+  waiting: number;
+  /** Number of inputs since the take started, and whether they exceed what a take can record. */
+  inputs: number;
+  isTruncated: boolean;
+  /** Bytes of the states saved for seeking backwards. */
+  historyBytes: number;
+  bodiesDrawn: number;
+  castersDrawn: number;
+  bodiesTotal: number;
+  castersTotal: number;
+  simMs: number;
+  arrangeMs: number;
+  renderMs: number;
+  drawCalls: number;
+  /**
+   * False where the GPU does not store the depth that fragments write. Puffs are then flat and intersect in straight
+   * lines.
+   */
+  writesDepth: boolean;
+  /** Fraction of the pixel ratio that the latest frame was drawn with. */
+  scale: number;
+  /**
+   * Milliseconds that the GPU took for a recent frame. Missing until it is measured (see `Stage.timeGpu`), and
+   * where the browser lacks EXT_disjoint_timer_query_webgl2.
+   */
+  gpuMs?: number;
+}
+
+export interface StatsOptions {
+  /** Whether to measure `gpuMs` in the frames until the next call. Default: false. */
+  gpu?: boolean;
 }
 
 export interface StageEvents {

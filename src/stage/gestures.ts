@@ -1,22 +1,9 @@
 import { Plane, Ray, Vector3, type Camera, type Matrix4, type Vector2, MathUtils, type PerspectiveCamera } from 'three';
-import type { PointerInput } from './contract.ts';
+import type { BlowInput, PointerInput } from './contract.ts';
 import { Drag } from './drag.ts';
 import type { Picture } from './picture.ts';
 import type { Simulation } from './simulation.ts';
 import type { Blow } from '../simulator/input.ts';
-
-/** A blow at a position in the picture, or a sweep across it. Lengths are in CSS pixels, y points down. */
-export interface BlowInput {
-  x: number;
-  y: number;
-  /** Pointer movement since the last blow, 1/60 s earlier; 0 blows away from the camera. */
-  dx?: number;
-  dy?: number;
-  /** Radius of the gust around the pointer. Default: 56. */
-  radius?: number;
-  /** Duration of the gust, 1/60 to 10 s. Default: 0.4. */
-  seconds?: number;
-}
 
 const RADIUS = 56;
 const SECONDS = 0.4;

@@ -10,13 +10,20 @@ import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
 import { STEP_SECONDS } from '../simulator/clock.ts';
 import type { EmissionChange, EmissionOptions } from '../simulator/emitterOptions.ts';
-import type { BlowInput } from './gestures.ts';
-import type { EnterOptions, PointerInput, SeekOptions, StageEvents, StageOptions } from './contract.ts';
+import type {
+  BlowInput,
+  EnterOptions,
+  PointerInput,
+  SeekOptions,
+  StageEvents,
+  StageOptions,
+  StageStats,
+} from './contract.ts';
 import { cameraControls } from './orbit.ts';
 import { openFor, openStage, read } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
 import type { Sight } from './sight.ts';
-import { statsOf, type StageStats } from './stats.ts';
+import { statsOf } from './stats.ts';
 import type { Take, TakeOptions } from './take.ts';
 
 /**

@@ -1,4 +1,4 @@
-import type { StageStats } from '../../stage/stats.ts';
+import type { StageStats } from '../../stage/contract.ts';
 
 /** Shortest interval in which the simulated time is read, milliseconds. */
 const MIN_INTERVAL_MS = 80;

@@ -4,10 +4,8 @@
  */
 import type { GivenValues } from '../../parameters/timeline.ts';
 import type { EmissionChange, EmissionOptions } from '../../simulator/emitterOptions.ts';
-import type { PointerInput } from '../contract.ts';
-import type { BlowInput } from '../gestures.ts';
+import type { BlowInput, PointerInput, StatsOptions } from '../contract.ts';
 import type { Stage } from '../stage.ts';
-import type { StatsOptions } from '../stats.ts';
 import type { Take } from '../take.ts';
 
 /** A loading error was already reported; the call works without the missing code. */

@@ -1,7 +1,7 @@
 /** Validators for untrusted messages: whether a value has the expected shape. They never throw. */
 import { TIMELINE_LIMIT, type Values } from '../../parameters/parameter.ts';
 import type { GivenValues } from '../../parameters/timeline.ts';
-import type { StageStats } from '../stats.ts';
+import type { StageStats } from '../contract.ts';
 
 /** A shape of messages. Unless it has `pack` and `unpack`, the messages are the values themselves. */
 export interface Shape<Value = unknown> {

@@ -15,6 +15,7 @@ const DOCUMENTS = [
   'ARCHITECTURE.md',
   'CONTRIBUTING.md',
   'SECURITY.md',
+  'scripts/package/README.md',
   ...readdirSync(join(ROOT, FOLDER), { recursive: true, encoding: 'utf8' })
     .filter((file) => file.endsWith('.md'))
     .map((file) => join(FOLDER, file))
@@ -117,7 +118,13 @@ it.each([
 });
 
 /** Files that a build writes. */
-const BUILT = ['custom-elements.json', 'gallery/wisp.html', 'oembed/wisp.json'];
+const BUILT = [
+  'custom-elements.json',
+  'html-custom-data.json',
+  'web-types.json',
+  'gallery/wisp.html',
+  'oembed/wisp.json',
+];
 
 it('names no source file that does not exist', () => {
   const files = ['src', 'shaders', 'scripts', 'tests', 'public', 'examples', 'docs', '.github'].flatMap((folder) =>

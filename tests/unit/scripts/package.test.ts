@@ -1,7 +1,16 @@
 /** The npm package, as checkers and servers see it. */
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
+import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { beforeAll, expect, it } from 'vitest';
@@ -33,9 +42,11 @@ it('is also written as one tarball next to the folder, which git ignores', () =>
   const { version: ofPackage } = JSON.parse(readFileSync(join(FOLDER, 'package.json'), 'utf8')) as { version: string };
   expect(archive).toBe(join(ROOT, `cartoon-smoke-${ofPackage}.tgz`));
   const listed = execFileSync('tar', ['-tzf', archive], { encoding: 'utf8' }).trim().split('\n');
-  const entries = readdirSync(FOLDER, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
-  const files = entries.map(({ parentPath, name }) => join(parentPath, name).slice(ROOT.length));
-  expect(listed.sort()).toEqual(files.map((file) => file.replaceAll('\\', '/')).sort());
+  expect(listed.sort()).toEqual(
+    filesOf('')
+      .map((file) => `package/${file}`)
+      .sort(),
+  );
   expect(execFileSync('git', ['check-ignore', archive], { cwd: ROOT, encoding: 'utf8' }).trim()).toBe(archive);
 });
 
@@ -87,14 +98,28 @@ export const rejected: SmokeAttributes[] = [
 ];
 `,
   );
+  // Projects with this option also check the declarations of packages.
+  expectTypes(folder, { skipLibCheck: false });
+});
+
+function expectTypes(folder: string, further: object): void {
   const options = { strict: true, noEmit: true, moduleResolution: 'bundler', module: 'ESNext', target: 'ES2023' };
-  // Projects with these options also check the declarations of packages.
-  const strictest = { exactOptionalPropertyTypes: true, skipLibCheck: false };
-  const config = { compilerOptions: { ...options, ...strictest, types: [] }, include: ['.'] };
-  writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify(config));
+  const all = { ...options, exactOptionalPropertyTypes: true, skipLibCheck: true, types: [], ...further };
+  writeFileSync(join(folder, 'tsconfig.json'), JSON.stringify({ compilerOptions: all, include: ['.'] }));
   const { stdout } = spawnSync(process.execPath, [join(ROOT, 'node_modules/typescript/bin/tsc'), '-p', folder]);
   expect(String(stdout)).toBe('');
-});
+}
+
+/** Paths of the files in a folder of the package. */
+function filesOf(folder: string): string[] {
+  const entries = readdirSync(join(FOLDER, folder), { recursive: true, withFileTypes: true });
+  const paths = entries.filter((entry) => entry.isFile()).map(({ parentPath, name }) => join(parentPath, name));
+  return paths.map((path) => path.slice(FOLDER.length + 1).replaceAll('\\', '/'));
+}
+
+function textOf(file: string): string {
+  return readFileSync(join(FOLDER, file), 'utf8');
+}
 
 const WARNING = ['index', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
 
@@ -105,16 +130,94 @@ it.each(['index', 'element', 'fiber', 'preset', ...WARNING])('can import %s with
   expect(Number(said)).toBeGreaterThan(0);
 });
 
-it('has a source map for each module, and no texts of parameters and presets in the code of widgets', () => {
-  const files = readdirSync(join(FOLDER, 'dist'));
-  // Code that the bundler adds has no sources, and neither has a module that passes on the exports of another.
-  const hasSources = (file: string) =>
-    !file.endsWith('rolldown-runtime.js') && !/^export\{[^}]*\}from"[^"]*";\s*$/.test(codeOf(file));
+it('is at most 8 MB, without source maps and without references to them', () => {
+  const files = filesOf('');
+  expect(files.filter((file) => file.endsWith('.map') || textOf(file).includes('sourceMapping'))).toEqual([]);
+  const bytes = files.reduce((sum, file) => sum + statSync(join(FOLDER, file)).size, 0);
+  expect(bytes).toBeGreaterThan(4e6);
+  expect(bytes).toBeLessThanOrEqual(8e6);
+});
+
+const DOCUMENTS = ['README.md', 'docs/three.md', 'docs/element.md'];
+
+it('contains its guides, whose links lead to files of the package or to its version in the repository', () => {
+  const documents = filesOf('').filter((file) => file.endsWith('.md'));
+  expect(documents).toEqual(expect.arrayContaining(DOCUMENTS));
+  expect(documents.filter((file) => file.startsWith('docs/design'))).toEqual([]);
+  const { version: ofPackage, homepage } = JSON.parse(textOf('package.json')) as { version: string; homepage: string };
+  const repository = homepage.replace('#readme', '');
+  const seen = { inside: 0, outside: 0 };
+  const wrong = documents.flatMap((file) => {
+    const text = textOf(file)
+      .replace(/^```[^]*?^```/gm, '')
+      .replace(/`[^`\n]*`/g, '');
+    const targets = [...text.matchAll(/\]\(([^()#\s]+)[^()\s]*\)/g)].map(([, target]) => target);
+    return targets.filter((target) => {
+      const [, path] = target.split(/\/(?:blob|raw)\/v/);
+      if (target.startsWith(repository) && path) {
+        ++seen.outside;
+        return !path.startsWith(`${ofPackage}/`) || !existsSync(join(ROOT, path.slice(ofPackage.length + 1)));
+      }
+      ++seen.inside;
+      return !target.startsWith('https://') && !existsSync(join(FOLDER, dirname(file), target));
+    });
+  });
+  expect(wrong).toEqual([]);
+  expect(seen.inside).toBeGreaterThan(50);
+  expect(seen.outside).toBeGreaterThan(20);
+});
+
+it('has a README with an example for each entry, which compiles with the types of the package', () => {
+  const blocks = [...textOf('README.md').matchAll(/^```(\w+)\n([^]*?)^```/gm)].map(([, language, code]) => ({
+    language,
+    code,
+  }));
+  const { exports } = JSON.parse(textOf('package.json')) as { exports: Record<string, unknown> };
+  const entries = Object.keys(exports).filter((name) => !/json$|worker|development|min\.js/.test(name));
+  const missing = entries.filter((name) => {
+    const path = `'${name.replace('.', 'cartoon-smoke')}'`;
+    return !blocks.some(({ code }) => code.includes(`from ${path}`) || code.includes(`import ${path}`));
+  });
+  // They differ from `cartoon-smoke/react` in name only.
+  expect(missing).toEqual(['./preact', './solid']);
+  expect(blocks.filter(({ code }) => code.trim().split('\n').length > 12 && !code.startsWith("'use client'"))).toEqual(
+    [],
+  );
+  const folder = join(ROOT, '.cache/readmeExamples');
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(join(folder, 'node_modules'), { recursive: true });
+  symlinkSync(FOLDER, join(folder, 'node_modules/cartoon-smoke'), 'junction');
+  const compiled = blocks.filter(({ language }) => /^tsx?$/.test(language));
+  expect(compiled).toHaveLength(8);
+  for (const [index, { language, code }] of compiled.entries())
+    writeFileSync(join(folder, `example${index}.${language}`), code);
+  expectTypes(folder, { lib: ['ES2023', 'DOM'], jsx: 'react-jsx' });
+});
+
+it('has a command that lists its commands, and the options of each', () => {
+  const run = (...words: string[]) => {
+    const { status, stdout, stderr } = spawnSync(process.execPath, [join(FOLDER, 'film/command.js'), ...words]);
+    return { status, text: `${String(stdout)}${String(stderr)}` };
+  };
+  const { status, text } = run();
+  expect(status).toBe(0);
+  expect(run('--help')).toEqual({ status, text });
+  const commands = [...text.matchAll(/^ {2}(\w+) {2,}\w/gm)].map(([, name]) => name);
+  expect(commands).toEqual(['film', 'flipbook']);
+  for (const name of commands) {
+    const usage = run(name, '--help');
+    expect(usage.status).toBe(0);
+    expect(usage.text).toMatch(new RegExp(`^Usage: cartoon-smoke ${name} LINK[^]*--out FOLDER`));
+  }
+  const [, guides] = /: (\S+)$/.exec(text.trim())!;
+  expect(readdirSync(guides)).toContain('film.md');
+  const unknown = 'There is no command poster: cartoon-smoke without a command lists them.\n';
+  expect(run('poster')).toEqual({ status: 1, text: unknown });
+});
+
+it('has no texts of parameters and presets in the code of widgets', () => {
   const codeOf = (file: string) => readFileSync(join(FOLDER, 'dist', file), 'utf8');
-  // Scripts that are not minified need no source map.
-  const isPlain = (file: string) => file.endsWith('.development.js');
-  const modules = files.filter((file) => file.endsWith('.js') && !isPlain(file) && hasSources(file));
-  expect(modules.filter((file) => !files.includes(`${file}.map`))).toEqual([]);
+  const modules = readdirSync(join(FOLDER, 'dist')).filter((file) => file.endsWith('.js'));
   const codes = new Map(modules.map((file) => [file, codeOf(file)]));
   const wordy = (rows: readonly { text: string }[]) =>
     modules.filter((file) => rows.some(({ text }) => codes.get(file)?.includes(text)));
@@ -161,8 +264,9 @@ it('contains no fault injection', () => {
 });
 
 it('lists the bundled packages and linked crates with their licences', () => {
-  const text = readFileSync(join(FOLDER, 'dist/third-party-licenses.txt'), 'utf8');
-  for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen']) {
+  const text = textOf('dist/third-party-licenses.txt');
+  // The page of films contains mediabunny.
+  for (const name of ['three', 'rapier3d', 'glam', 'wasm-bindgen', 'mediabunny']) {
     expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+ \\([^\n]+\\)\nhttps://`, 'm'));
   }
 });

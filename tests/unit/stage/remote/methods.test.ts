@@ -10,7 +10,7 @@ import { methodNames } from '../../../../src/stage/remote/methods.ts';
 import { PortStage } from '../../../../src/stage/remote/portStage.ts';
 import { serveStage } from '../../../../src/stage/remote/serveStage.ts';
 import type { Stage } from '../../../../src/stage/stage.ts';
-import type { StageStats } from '../../../../src/stage/stats.ts';
+import type { StageStats } from '../../../../src/stage/contract.ts';
 import { EXAMPLE_TAKE } from '../../../support/exampleTake.ts';
 
 /** Arguments of a method, and a result of it. */
