@@ -3,7 +3,7 @@ import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { defineConfig } from 'vite';
 import glsl from 'vite-plugin-glsl';
 import { smallThree } from './scripts/patches/three.mjs';
-import { addresses, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
+import { addresses, policies, serviceWorker, themeFirst, together } from './scripts/site/plugins.ts';
 
 const source = (name: string) => fileURLToPath(new URL(`src/${name}.ts`, import.meta.url));
 
@@ -13,6 +13,10 @@ const EXPORTING = /\/src\/(index|internal|preset|puff)\.ts$/;
 const PARTS = ['notices', 'progress', 'errorScreen'].map((name) => `demo/ui/${name}`);
 const FIRST = ['stage/stage', 'page/size', 'page/visibility', ...PARTS];
 
+/** The overlay connects to no other host, except to web sockets of the same machine. */
+const OVERLAY_POLICY =
+  "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self' ws://127.0.0.1:* ws://localhost:*; base-uri 'none'; form-action 'none'";
+
 /** The demo site. URLs are relative, so that it works in any folder of any host. */
 export default defineConfig({
   base: './',
@@ -20,6 +24,7 @@ export default defineConfig({
     glsl(),
     ...smallThree({ hasLoaders: true }),
     addresses(process.env.CARTOON_SMOKE_BASE),
+    policies({ '/overlay.html': OVERLAY_POLICY }),
     themeFirst(),
     serviceWorker(),
   ],
@@ -59,7 +64,7 @@ export default defineConfig({
     sourcemap: true,
     chunkSizeWarningLimit: 800,
     rolldownOptions: {
-      input: ['index.html', 'paper.html', 'puff.html', 'examples.html'],
+      input: ['index.html', 'paper.html', 'puff.html', 'examples.html', 'overlay.html'],
       // Otherwise the first load would contain every module that they name.
       treeshake: { moduleSideEffects: [{ test: EXPORTING, sideEffects: false }] },
       output: {

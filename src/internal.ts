@@ -9,9 +9,10 @@ export { pauseWhileHidden } from './page/visibility.ts';
 export { FullScreen } from './renderer/gpu/fullScreen.ts';
 export { LONGEST_LINK } from './parameters/codec.ts';
 export { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from './parameters/curve.ts';
-export { LONGEST_LEAD, readEnvironment, type Environment } from './parameters/environment.ts';
+export { LONGEST_LEAD, readEnvironment, readTime, type Environment } from './parameters/environment.ts';
 export { MAX_NAME, nameOf } from './parameters/file.ts';
 export { LIST_LIMIT, listNames } from './parameters/lists.ts';
+export { notice } from './parameters/notice.ts';
 export { DEBUG_VIEWS } from './parameters/quality.ts';
 export { MAX_COLORS, MIN_COLORS, readRamp, writeRamp, type RampStop } from './parameters/ramp.ts';
 export {

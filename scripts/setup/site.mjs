@@ -14,6 +14,7 @@ const SOURCES = [
   'examples',
   'examples.html',
   'index.html',
+  'overlay.html',
   'package-lock.json',
   'paper.html',
   'public',

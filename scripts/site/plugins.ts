@@ -34,6 +34,27 @@ function head(tag: string, attrs: Record<string, string>): HtmlTagDescriptor {
   return { tag, attrs, injectTo: 'head' };
 }
 
+/**
+ * Adds Content-Security-Policies to built pages. The development server needs inline styles and a web socket.
+ * @param byPath policies by the paths of pages, such as `/overlay.html`
+ */
+export function policies(byPath: Readonly<Record<string, string>>): Plugin {
+  return {
+    name: 'policies',
+    apply: 'build',
+    transformIndexHtml: {
+      order: 'post',
+      handler(_, { path }) {
+        const content = byPath[path];
+        if (content === undefined) return [];
+        // A policy applies to what follows it.
+        const attrs = { 'http-equiv': 'Content-Security-Policy', content };
+        return [{ tag: 'meta', attrs, injectTo: 'head-prepend' as const }];
+      },
+    },
+  };
+}
+
 /** Links the theme before the other style sheets, which override it. Vite's order follows the chunks of the scripts. */
 export function themeFirst(): Plugin {
   return {

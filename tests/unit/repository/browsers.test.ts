@@ -6,7 +6,7 @@ import { expect, test } from 'vitest';
 const read = (path: string) => readFileSync(path, 'utf8');
 const { browserslist } = JSON.parse(read('package.json')) as { browserslist: string[] };
 const versionOf = (name: string) => browserslist.find((each) => each.startsWith(`${name} `))!.split('>= ')[1];
-const PAGES = ['index', 'paper', 'puff', 'examples', 'embed'];
+const PAGES = ['index', 'paper', 'puff', 'examples', 'embed', 'overlay'];
 
 test('the README and the message name the versions of the list', () => {
   expect(versionOf('edge')).toBe(versionOf('chrome'));
