@@ -18,7 +18,7 @@ export async function flipbook(words, files) {
   const page = new PageRun();
   return untilStopped('Flipbook', page, async (say) => {
     await page.run(files, usesGpu, async ({ method, path, body }) => {
-      const [, name] = /^file\/((?:color|channels|normals|motion)\.png|flipbook\.json)$/.exec(path) ?? [];
+      const [, name] = /^file\/((?:color|channels|normals|motion|lightA|lightB)\.png|flipbook\.json)$/.exec(path) ?? [];
       if (path === 'order') return { body: JSON.stringify(order) };
       if (path === 'progress') say(`${Math.round(100 * Number(await bytesOf(body)))} % are drawn`);
       else if (method === 'PUT' && name) await writeWhole(join(out, name), body);

@@ -24,12 +24,15 @@ export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [
   --video FILE           also a .webm, .mp4 or .mov (ProRes 4444 by ffmpeg) of the finished frames
   --gpu                  the graphics of the machine instead of SwiftShader; pictures then depend on the machine`;
 
-export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 2048 --seconds 2 --out FOLDER [--scale N] [--gpu]
+export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 2048 --seconds 2 --out FOLDER [--lights LAYOUT]
+                       [--scale N] [--gpu]
 
   --grid 8x8             columns and rows of the atlas; each cell is a frame (8x8)
   --size 2048            width of the atlas in pixels (2048)
   --seconds 2            length of the loop (2)
-  --out FOLDER           where color.png, channels.png, normals.png, motion.png and flipbook.json go
+  --out FOLDER           where color.png, channels.png, normals.png, motion.png, lightA.png, lightB.png and
+                         flipbook.json go
+  --lights unity         layout of the six-way light maps: unity, unreal or none (unity)
   --scale N              pixels per CSS pixel (1)
   --gpu                  the graphics of the machine instead of SwiftShader`;
 
@@ -39,6 +42,7 @@ const FULL_HEIGHT = 1080;
 
 /**
  * @typedef {import('../../src/demo/film/order.ts').FilmOrder} FilmOrder
+ * @typedef {import('../../src/demo/film/order.ts').FlipbookOrder} FlipbookOrder
  * @typedef {object} FilmOptions
  * @property {FilmOrder} order
  * @property {number} first of all shards
@@ -128,13 +132,17 @@ const FLIPBOOK = /** @type {const} */ ({
   size: { type: 'string', default: '2048' },
   seconds: { type: 'string', default: '2' },
   out: { type: 'string' },
+  lights: { type: 'string', default: 'unity' },
   scale: { type: 'string', default: '1' },
   gpu: { type: 'boolean', default: false },
 });
 
+/** @type {readonly (FlipbookOrder['lights'] & string)[]} */
+const LIGHT_LAYOUTS = ['unity', 'unreal'];
+
 /**
  * @param {string[]} words after `flipbook`
- * @returns {{ order: import('../../src/demo/film/order.ts').FlipbookOrder, out: string, usesGpu: boolean }}
+ * @returns {{ order: FlipbookOrder, out: string, usesGpu: boolean }}
  * @throws {UserError} one line that names the option
  */
 export function readFlipbookOptions(words) {
@@ -149,7 +157,14 @@ export function readFlipbookOptions(words) {
   const cell = size / Number(columns);
   const grid = { columns: Number(columns), rows: Number(rows), width: cell, height: cell };
   const scale = readScale(values.scale, cell);
-  return { order: { link: onlyLink(positionals), ...grid, scale, seconds }, out: values.out, usesGpu: values.gpu };
+  const lights = LIGHT_LAYOUTS.find((layout) => layout === values.lights);
+  if (!lights && values.lights !== 'none')
+    throw new UserError(`--lights ${values.lights}: it takes unity, unreal or none.`);
+  return {
+    order: { link: onlyLink(positionals), ...grid, scale, seconds, lights },
+    out: values.out,
+    usesGpu: values.gpu,
+  };
 }
 
 function onlyLink(/** @type {string[]} */ positionals) {

@@ -178,7 +178,9 @@ export const strings = {
       rate: 'Frame rate',
       background: 'With background',
       layers: 'In layers',
+      lights: 'Light maps',
     },
+    lights: { unity: 'For Unity', unreal: 'For Unreal (RLT, BBF)', none: 'None' },
     formats: {
       png: 'Picture (PNG)',
       svg: 'Drawing (SVG)',
@@ -195,7 +197,8 @@ export const strings = {
       webm: 'Contains every frame, even on a slow machine.',
       mp4: 'Contains every frame, even on a slow machine.',
       zip: 'Layers: one folder each for flat colours, shadow, ink, surfaces and depth.',
-      flipbook: 'A seamless loop as atlases of colour, light, normals and motion.',
+      flipbook:
+        'A seamless loop as atlases of colour, light, normals and motion. Light maps have light from six sides and take twice the time.',
     },
     window: (width: number, height: number) => `Window, ${width} \u00d7 ${height}`,
     times: (scale: number) => `${scale}\u00d7`,

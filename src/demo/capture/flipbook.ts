@@ -4,6 +4,8 @@ import type { Task, Studio } from './studio.ts';
 import { shootLoop } from './loop.ts';
 import { linear, NOISE, PixelReader } from './pixels.ts';
 import { Archive } from './pngSequence.ts';
+import { describeLightMaps, LIGHT_FILES, shootLightMaps, type LightMapInfo } from './lightMaps.ts';
+import { encodePng } from '../gallery/straightPng.ts';
 import { columnsOf, frameCount, pixelSize, type CaptureSettings } from './settings.ts';
 import { Matrix4, Vector4 } from 'three';
 import { ALL_THAT_LIVES, PLACE_FLOATS, STEP_SECONDS, type FrameInput } from '../../internal.ts';
@@ -25,6 +27,7 @@ export interface FlipbookLayout {
   readonly channels: string;
   readonly normals: string;
   readonly motion: string;
+  readonly light?: LightMapInfo;
 }
 
 const FILES = { color: 'color.png', channels: 'channels.png', normals: 'normals.png', motion: 'motion.png' } as const;
@@ -42,7 +45,7 @@ export async function makeFlipbook(studio: Studio, settings: CaptureSettings, ta
 /**
  * Draws a seamless loop. `color` has straight alpha. The `channels` are light in red, rim light in green, nearness in
  * blue and coverage in alpha; light and rim are linear. `normals` are in view space, 0 to 255 for -1 to 1. `motion` is
- * described in motion.ts.
+ * described in motion.ts. Light maps are added if the settings name their layout, see lightMaps.ts.
  * @param columns of the atlases
  * @returns the files by name
  */
@@ -53,6 +56,7 @@ export async function drawFlipbook(
   columns = columnsOf(settings),
 ): Promise<[string, Blob][]> {
   const [width, height] = pixelSize(settings);
+  const { lights } = settings;
   const frames = frameCount(settings);
   const rows = Math.ceil(frames / columns);
   const atlas = [width * columns, height * rows] as const;
@@ -65,24 +69,40 @@ export async function drawFlipbook(
     atlas,
     motionRange: MOTION_RANGE,
     ...FILES,
+    ...(lights && { light: describeLightMaps(lights) }),
   };
   const canvases = Object.values(FILES).map((name) => [name, new OffscreenCanvas(...atlas)] as const);
+  // A canvas would lose the light of pixels whose alpha is 0, where nothing glows.
+  const lightAtlases = lights ? LIGHT_FILES.map((name) => [name, new ImageData(...atlas)] as const) : [];
   const camera = new MapCamera(studio, width, height);
-  await shootLoop(studio, settings, task, async (frame, drawn) => {
+  const shoot = async (frame: number, drawn: FrameInput): Promise<void> => {
     const motion = new ImageData(drawMotion(drawn, width, height, settings.rate), width, height);
     const maps = [...(await camera.shoot()), motion];
     const [x, y] = [width * (frame % columns), height * Math.floor(frame / columns)];
     canvases.forEach(([, canvas], at) => canvas.getContext('2d')!.putImageData(maps[at], x, y));
-  });
+    const lightMaps = lights ? shootLightMaps(lights, maps[0], camera.relit) : [];
+    lightMaps.forEach((map, at) => insert(map, lightAtlases[at][1], x, y));
+  };
+  await shootLoop(studio, settings, task, shoot, (input) => camera.change(input));
   const pictures = canvases.map(
     async ([name, canvas]) => [name, await canvas.convertToBlob({ type: 'image/png' })] as [string, Blob],
   );
+  const lightPictures = lightAtlases.map(async ([name, pixels]) => [name, await encodePng(pixels)] as [string, Blob]);
   const text = new Blob([JSON.stringify(layout, null, 2)], { type: 'application/json' });
-  return [...(await Promise.all(pictures)), ['flipbook.json', text]];
+  return [...(await Promise.all([...pictures, ...lightPictures])), ['flipbook.json', text]];
 }
 
-/** Draws a frame as colour, channels and normals. */
+/** Copies pixels into an atlas. @param x, y of the upper left corner */
+function insert({ data, width, height }: ImageData, atlas: ImageData, x: number, y: number): void {
+  for (let row = 0; row < height; ++row) {
+    atlas.data.set(data.subarray(4 * width * row, 4 * width * (row + 1)), 4 * ((y + row) * atlas.width + x));
+  }
+}
+
+/** Draws a frame as colour, channels and normals, and in other light. */
 class MapCamera {
+  /** Applied to the input of each picture. */
+  change: (input: FrameInput) => FrameInput = (input) => input;
   private readonly studio: Studio;
   private readonly reader: PixelReader;
 
@@ -112,6 +132,15 @@ class MapCamera {
     }
     return [color, channels, normals];
   }
+
+  /** Draws the frame once with a changed input. */
+  readonly relit = (change: (input: FrameInput) => FrameInput): ImageData => {
+    const { change: before } = this;
+    this.change = change;
+    const pixels = this.withStyle({});
+    this.change = before;
+    return pixels;
+  };
 
   private withStyle(values: Values): ImageData {
     this.studio.stage.running.showWith(values);

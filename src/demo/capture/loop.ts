@@ -12,12 +12,14 @@ const JOIN_SHARE = 0.5;
  * Renders a clip that loops. It stores the smoke from before the first frame, and at the end the smoke dissolves into
  * it.
  * @param shoot as in shootClip; also gets what the frame was drawn from
+ * @param change of each input of a frame, after the transition
  */
 export async function shootLoop(
   { stage, ...studio }: Studio,
   settings: CaptureSettings,
   task: Task,
   shoot: (frame: number, drawn: FrameInput) => Promise<void> | void,
+  change: (input: FrameInput) => FrameInput = (input) => input,
 ): Promise<void> {
   const count = frameCount(settings);
   const lead = Math.floor(Math.min(JOIN_SECONDS * settings.rate, JOIN_SHARE * count));
@@ -26,7 +28,7 @@ export async function shootLoop(
   stage.running.picture.smoke.overrideFrame((input) => {
     const still = stills[frame - count];
     drawn = still ? joined(input, still, (frame - count + 1) / (lead + 1)) : input;
-    return drawn;
+    return change(drawn);
   });
   const whole = { ...settings, seconds: (count + lead) / settings.rate };
   await shootClip({ stage, ...studio }, whole, task, async (shot) => {

@@ -1,3 +1,5 @@
+import type { LightLayout } from './lightMaps.ts';
+
 /** Capture formats and settings. */
 export const FORMATS = {
   png: { isClip: false, hasAlpha: true },
@@ -32,6 +34,8 @@ export interface CaptureSettings {
   readonly rate: number;
   /** Whether the zip contains flats, shadow, ink, surfaces and depth as separate layers instead of complete frames. */
   readonly inLayers: boolean;
+  /** Layout of the six-way light maps of a flipbook; none if absent. */
+  readonly lights?: LightLayout;
 }
 
 /** Columns of the atlas of a flipbook, as many as rows or one more. */

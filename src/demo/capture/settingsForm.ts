@@ -1,5 +1,6 @@
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
+import type { LightLayout } from './lightMaps.ts';
 import {
   FASTEST_GIF,
   columnsOf,
@@ -20,6 +21,7 @@ const WINDOW = 'window';
 const DRAWING_SCALE = 2;
 /** Width of the atlas of a flipbook at scale 1, in pixels. */
 const ATLAS_WIDTH = 1024;
+const NO_LIGHTS = 'none';
 
 /** Capture settings as native form fields. */
 export class SettingsForm {
@@ -33,6 +35,11 @@ export class SettingsForm {
   private readonly seconds = create('input', { type: 'number', name: 'seconds', min: 0.1, max: LONGEST, step: 'any' });
   private readonly background = create('input', { type: 'checkbox', name: 'background', checked: true });
   private readonly layers = create('input', { type: 'checkbox', name: 'layers' });
+  private readonly lights = choice(
+    'lights',
+    ['unity', 'unreal', NO_LIGHTS] as const,
+    (name) => strings.capture.lights[name],
+  );
 
   constructor() {
     const { labels } = strings.capture;
@@ -46,6 +53,7 @@ export class SettingsForm {
       row(labels.rate, this.rate),
       row(labels.background, this.background),
       row(labels.layers, this.layers),
+      row(labels.lights, this.lights),
     );
     this.element.append(this.fields, this.summary);
     this.element.addEventListener('input', () => this.updateFields());
@@ -77,7 +85,9 @@ export class SettingsForm {
       inLayers: this.layers.checked,
     };
     if (format !== 'flipbook') return settings;
-    return { ...settings, scale: (ATLAS_WIDTH * settings.scale) / (columnsOf(settings) * width) };
+    const lights = this.lights.value as LightLayout | typeof NO_LIGHTS;
+    const layout = lights === NO_LIGHTS ? {} : { lights };
+    return { ...settings, ...layout, scale: (ATLAS_WIDTH * settings.scale) / (columnsOf(settings) * width) };
   }
 
   /** Shows the fields of the selected format, and a summary of the result. */
@@ -89,6 +99,7 @@ export class SettingsForm {
     show(this.rate, isClip);
     show(this.background, hasAlpha);
     show(this.layers, format === 'zip');
+    show(this.lights, format === 'flipbook');
     for (const option of this.rate.options) option.disabled = format === 'gif' && Number(option.value) > FASTEST_GIF;
     if (this.rate.selectedOptions[0].disabled) this.rate.value = String(FASTEST_GIF);
     this.notify();

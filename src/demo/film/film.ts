@@ -47,13 +47,13 @@ async function encodeFrames(
 
 /** Draws a flipbook and sends its files. */
 export async function flipbook(order: FlipbookOrder, receiver: Receiver): Promise<void> {
-  const { columns, rows, width, height, scale, seconds } = order;
+  const { columns, rows, width, height, scale, seconds, lights } = order;
   const { stage, canvas, beginning } = await openShot({ ...order, hasBackground: false, supersample: 1, camera: [] });
   try {
     await stage.seek(beginning.start);
     const studio = { stage, canvas, draw: () => stage.resize(width / scale, height / scale, scale) };
     const css = { width: width / scale, height: height / scale, scale };
-    const clip = { hasBackground: false, inLayers: false, seconds, rate: (columns * rows) / seconds };
+    const clip = { hasBackground: false, inLayers: false, lights, seconds, rate: (columns * rows) / seconds };
     const task = {
       signal: new AbortController().signal,
       onProgress: (share: number) => void receiver.progress(share).catch(() => undefined),

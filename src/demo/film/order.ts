@@ -1,4 +1,5 @@
 /** What the film page and the command exchange. scripts/film/server.mjs is the other side. */
+import type { LightLayout } from '../capture/lightMaps.ts';
 
 /** Camera values at a time, by parameter key. */
 export interface Keyframe {
@@ -42,6 +43,8 @@ export interface FlipbookOrder {
   readonly scale: number;
   /** Length of the loop. */
   readonly seconds: number;
+  /** Layout of the six-way light maps; none if absent. */
+  readonly lights?: LightLayout;
 }
 
 /** What the page finds out before the first frame. */

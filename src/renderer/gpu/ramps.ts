@@ -243,7 +243,7 @@ export function linear(color: Color): Factors {
 }
 
 /** The display-encoded colour of linear light, which is clamped to 0..1. */
-function encoded(light: readonly number[]): Color {
+export function encoded(light: readonly number[]): Color {
   return light.map((channel) => {
     const value = Math.min(Math.max(channel, 0), 1);
     return Math.round(255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));

@@ -156,6 +156,15 @@ describe('options of a flipbook', () => {
   });
 
   it.each([
+    [[], 'unity'],
+    [['--lights', 'unreal'], 'unreal'],
+    [['--lights', 'none'], undefined],
+  ])('%j gives light maps for %s', (words, lights) => {
+    expect(flip(...words).order).toMatchObject({ lights });
+  });
+
+  it.each([
+    [['--lights', 'godot'], /^--lights godot: it takes unity, unreal or none/],
     [['--grid', '0x2'], /^--grid 0x2: give columns and rows/],
     [['--grid', '3x3', '--size', '1024'], /^--size 1024: it has to be a multiple of 3 columns/],
     [['--seconds', 'long'], /^--seconds long: it takes 0.1 to 60/],

@@ -4,6 +4,10 @@ import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
 import { capture } from '../../../src/demo/capture/dialog.ts';
 import type { CaptureSettings } from '../../../src/demo/capture/settings.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
+import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
+import type { LightLayout } from '../../../src/demo/capture/lightMaps.ts';
+import { decodePng } from '../../../src/demo/gallery/straightPng.ts';
+import type { PixelImage } from '../../../src/index.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
@@ -266,6 +270,44 @@ export function flipbook() {
       channels: [0, 2].map((channel) => new Set(light.data.filter((_, at) => at % 4 === channel)).size),
     };
   });
+}
+
+/** Light maps of rising smoke, one frame. @param glow 0 or 1 */
+export async function lightMaps(lights: LightLayout, glow: number) {
+  const values: Values = { scene: 'air', 'emission.glow': `0:${glow},1:${glow}`, 'simulation.maxParticles': 300 };
+  const stage = await createStage(new OffscreenCanvas(WIDTH, HEIGHT), { values });
+  await stage.seek(3);
+  const settings = { ...PLAIN, format: 'flipbook', hasBackground: false, rate: 12, seconds: 1 / 12, lights } as const;
+  const blob = await capture(stage, settings, { signal: new AbortController().signal, onProgress: () => undefined });
+  stage.dispose();
+  const entries = unzipSync(await bytesOf(blob));
+  const { light } = JSON.parse(new TextDecoder().decode(entries['flipbook.json'])) as FlipbookLayout;
+  const maps = await Promise.all(light!.files.map((name) => decodePng(new File([entries[name]], name))));
+  const sides = maps.flatMap((map, at) => light!.channels[at].map((name, channel) => [name, momentsOf(map, channel)]));
+  return {
+    sides: Object.fromEntries(sides) as Readonly<Record<string, Moments>>,
+    order: light!.channels.flat(),
+  };
+}
+
+interface Moments {
+  readonly sum: number;
+  readonly most: number;
+  /** Centre of the light in pixels from the upper left corner. */
+  readonly x: number;
+  readonly y: number;
+}
+
+function momentsOf({ data, width }: PixelImage, channel: number): Moments {
+  let [sum, most, x, y] = [0, 0, 0, 0];
+  for (let at = channel; at < data.length; at += 4) {
+    const pixel = (at - channel) / 4;
+    sum += data[at];
+    most = Math.max(most, data[at]);
+    x += data[at] * (pixel % width);
+    y += data[at] * Math.floor(pixel / width);
+  }
+  return { sum, most, x: x / sum, y: y / sum };
 }
 
 function cropped({ data, width }: ImageData, left: number, top: number, columns: number, rows: number): ImageData {

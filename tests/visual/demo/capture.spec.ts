@@ -98,6 +98,33 @@ test('a flipbook has its frames in rows, loops, and covers the same pixels in al
   expect(report.isUntouched).toBe(true);
 });
 
+const LAYOUTS = {
+  unity: ['right', 'top', 'back', 'coverage', 'left', 'bottom', 'front', 'emission'],
+  unreal: ['right', 'left', 'top', 'coverage', 'bottom', 'back', 'front', 'emission'],
+} as const;
+
+for (const [layout, glow] of [
+  ['unity', 1],
+  ['unreal', 0],
+] as const) {
+  test(`light maps for ${layout} have light from six sides, and emission ${glow}`, async ({ load }) => {
+    const report = await (
+      await load<Cases>(CASES)
+    ).evaluate((cases, given) => cases.lightMaps(...given), [layout, glow] as const);
+    expect(report.order).toEqual(LAYOUTS[layout]);
+    const { coverage, right, left, top, bottom, front, back, emission } = report.sides;
+    expect(coverage.sum).toBeGreaterThan(50_000);
+    expect(right.x - coverage.x).toBeGreaterThan(1);
+    expect(coverage.x - left.x).toBeGreaterThan(1);
+    expect(bottom.y - top.y).toBeGreaterThan(2);
+    expect(front.sum).toBeGreaterThan(3 * back.sum);
+    for (const { most } of [right, left, top, bottom, front]) expect(most).toBe(255);
+    // The violet of the darkest tone has 0.55 of the light of white in its brightest channel.
+    if (glow) expect(emission.sum).toBeGreaterThan(0.5 * coverage.sum);
+    else expect(emission.sum).toBe(0);
+  });
+}
+
 test('a drawing has the flat colours in named groups, and looks like the picture', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.drawing());
   expect(report.groups).toEqual(['flats', 'ink']);
