@@ -7,6 +7,6 @@ export {
   SmokeError,
   UnsupportedError,
 } from './base/errors.ts';
-export type { Effect, PuffOptions } from './page/puff/options.ts';
+export type { Effect, PuffOptions, WipeOptions } from './page/puff/options.ts';
 export { puff, type OwnPuff, type Puff } from './page/puff/puff.ts';
 export type { PuffTarget } from './page/puff/target.ts';

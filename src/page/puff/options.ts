@@ -40,6 +40,18 @@ export interface PuffOptions {
   reducedMotion?: 'skip' | 'play';
 }
 
+/** Options of `puff.wipe()`. */
+export interface WipeOptions extends Pick<PuffOptions, 'color' | 'seed' | 'zIndex' | 'reducedMotion'> {
+  /** Changes the page. It is called exactly once, while smoke covers the target, or without smoke if there is none. */
+  to: () => unknown;
+  /** Direction in which the smoke comes, degrees, -360 to 360: 0 is to the right, 90 up. Default: 0. */
+  direction?: number;
+  /** Seconds until everything is covered, 0.4 to 10. Default: 0.9. */
+  duration?: number;
+  /** Name of a preset, or a share link or its hash, whose colours, ink and light the smoke gets. */
+  preset?: PuffOptions['preset'];
+}
+
 /** Range of each number. */
 export const RANGES: Readonly<Record<string, readonly [min: number, max: number, isWhole?: true]>> = {
   count: [1, 500, true],
@@ -69,6 +81,25 @@ export function requirePuffOptions(options: PuffOptions): void {
     const accepted = acceptedBy(name, value);
     if (accepted !== undefined) throw new ParameterError(name, value, accepted);
   }
+}
+
+const WIPE_OPTIONS = ['to', 'direction', 'duration', 'color', 'preset', 'seed', 'zIndex', 'reducedMotion'];
+
+/** @throws ParameterError for an unknown option or a value that is out of range */
+export function requireWipeOptions(options: WipeOptions): void {
+  if (typeof (options as WipeOptions | undefined)?.to !== 'function')
+    throw new ParameterError('to', (options as WipeOptions | undefined)?.to, 'a function that changes the page');
+  const { to: _, duration, ...others } = options;
+  const unknown = Object.keys(others).find((name) => !WIPE_OPTIONS.includes(name));
+  if (unknown !== undefined)
+    throw new ParameterError(
+      unknown,
+      Reflect.get(others, unknown),
+      `no value, because there is no such option. The options are ${WIPE_OPTIONS.join(', ')}`,
+    );
+  if (duration !== undefined && !(duration >= 0.4 && duration <= 10))
+    throw new ParameterError('duration', duration, 'a number from 0.4 to 10');
+  requirePuffOptions(others);
 }
 
 /** @returns undefined if the value is accepted, otherwise what is */

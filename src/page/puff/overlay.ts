@@ -139,7 +139,7 @@ function visible(): [width: number, height: number] {
 }
 
 /** Sets styles by script, so that policies without 'unsafe-inline' allow them. */
-function styled<Styled extends HTMLElement>(element: Styled, style: Readonly<Record<string, string>>): Styled {
+export function styled<Styled extends HTMLElement>(element: Styled, style: Readonly<Record<string, string>>): Styled {
   for (const [name, value] of Object.entries(style)) element.style.setProperty(name, value, 'important');
   return element;
 }

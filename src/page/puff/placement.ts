@@ -6,7 +6,7 @@ import type { ScenePlane } from '../../stage/sight.ts';
 import type { Sheet } from './overlay.ts';
 
 /** CSS pixels per metre of the scene `air`. */
-const PIXELS_PER_METRE = 150;
+export const PIXELS_PER_METRE = 150;
 /** The camera can be this far from the middle of the scene, metres. */
 const FARTHEST = 49;
 /** Places of the scene are up to this far, metres. */

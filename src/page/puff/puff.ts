@@ -1,7 +1,14 @@
 /** `puff()`: smoke by one call. This file is all that a page downloads before the first call. */
 import { LoadError, ParameterError } from '../../base/errors.ts';
 import type { Engine } from './engine.ts';
-import { requirePuffOptions, EFFECTS, type Effect, type PuffOptions } from './options.ts';
+import {
+  requirePuffOptions,
+  requireWipeOptions,
+  EFFECTS,
+  type Effect,
+  type PuffOptions,
+  type WipeOptions,
+} from './options.ts';
 import { sourceOf, type PuffTarget } from './target.ts';
 
 export interface Puff {
@@ -22,6 +29,14 @@ export interface Puff {
    * @throws as a call does
    */
   preload(): Promise<void>;
+  /**
+   * Covers the window or an element with smoke, changes it while nothing of it is visible, and clears.
+   *
+   * @param target as for a call; an event or a point stands for its element. Default: the window
+   * @returns resolves when the smoke is gone and `to` is done. `to` is called exactly once in any case: without smoke with
+   * reduced motion, in a hidden tab, without WebGL2, or when the smoke fails. Rejects as a call does, or with the error of `to`
+   */
+  wipe(target: PuffTarget | undefined, options: WipeOptions): Promise<void>;
   /** Removes all smoke. The promises of its calls resolve; elements that vanish or appear have done so. */
   clear(): void;
   /**
@@ -39,6 +54,21 @@ export interface OwnPuff extends Puff {
 
 /** Whether nothing can be drawn here, as on servers and in the simulated DOMs of unit tests: calls then do nothing. */
 const isInert = (): boolean => !('WebGL2RenderingContext' in globalThis);
+
+/** Whether a call shows nothing. */
+function isCalm({ reducedMotion = 'skip' }: Pick<PuffOptions, 'reducedMotion'>): boolean {
+  return isInert() || (reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches);
+}
+
+/** Within a view transition where there are some, so that the browser shows no half-changed page. */
+async function changePage(to: () => unknown): Promise<void> {
+  if (!globalThis.document?.startViewTransition || document.hidden) return void (await to());
+  const transition = document.startViewTransition(async () => void (await to()));
+  // The smoke is the transition.
+  transition.ready.then(() => transition.skipTransition()).catch(() => undefined);
+  transition.finished.catch(() => undefined);
+  await transition.updateCallbackDone;
+}
 
 function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
   let opening: Promise<Engine> | undefined;
@@ -68,13 +98,12 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     requirePuffOptions(options);
     if (!globalThis.document) return;
     const source = sourceOf(target);
-    const { effect = 'poof', reducedMotion = 'skip' } = options;
+    const { effect = 'poof' } = options;
     const change = visibilityChange(effect, source.element);
     const { signal } = calls;
     signal.addEventListener('abort', change.end);
     try {
-      const isCalm = isInert() || (reducedMotion === 'skip' && matchMedia('(prefers-reduced-motion: reduce)').matches);
-      if (isCalm || !source.box()) return change.end();
+      if (isCalm(options) || !source.box()) return change.end();
       const engine = await open();
       if (signal.aborted) return;
       await engine.play({ ...options, effect, source, signal, onBegin: change.begin });
@@ -87,6 +116,28 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
     }
   };
 
+  const wipe = async (target: PuffTarget | undefined, options: WipeOptions): Promise<void> => {
+    requireWipeOptions(options);
+    let changed: Promise<void> | undefined;
+    const change = () => (changed ??= changePage(options.to));
+    const stop = new AbortController();
+    const { signal } = stop;
+    const { signal: cleared } = calls;
+    try {
+      if (isCalm(options) || document.hidden) return;
+      const source = target ? sourceOf(target) : undefined;
+      if (source && !source.box()) return;
+      cleared.addEventListener('abort', () => stop.abort(), { signal });
+      document.addEventListener('visibilitychange', () => document.hidden && stop.abort(), { signal });
+      addEventListener('keydown', ({ key }) => key === 'Escape' && stop.abort(), { signal, capture: true });
+      const { playWipe } = await fetchWipe();
+      await playWipe(source, options, change, signal);
+    } finally {
+      stop.abort();
+      await change();
+    }
+  };
+
   const preload = async () => {
     isKept = true;
     if (!isInert()) await (await open()).warmUp();
@@ -95,6 +146,7 @@ function makePuff(canvas?: HTMLCanvasElement): OwnPuff {
   const puff = (target?: PuffTarget, options?: PuffOptions) => handled(play(target, options));
   return Object.assign(puff, {
     effects: EFFECTS,
+    wipe: (target: PuffTarget | undefined, options: WipeOptions) => handled(wipe(target, options)),
     preload: () => handled(preload()),
     clear: () => end((engine) => engine.clear()),
     create(own: HTMLCanvasElement) {
@@ -112,10 +164,13 @@ function handled(call: Promise<void>): Promise<void> {
   return call;
 }
 
+const fetchEngine = () => loaded(import('./engine.ts'));
+const fetchWipe = () => loaded(import('./wipe.ts'));
+
 /** Not by `fetched`, which would bring code of the element into the download before the first call. */
-async function fetchEngine() {
+async function loaded<Module>(module: Promise<Module>): Promise<Module> {
   try {
-    return await import('./engine.ts');
+    return await module;
   } catch (cause) {
     throw new LoadError(`The smoke could not be loaded: ${(cause as Error).message}`, { cause });
   }

@@ -1,6 +1,6 @@
 /** Warnings about `puff()`: what makes its smoke invisible, and failures. */
 import { warnOfError, warnOnce } from '../../base/warn.ts';
-import type { PuffOptions } from './options.ts';
+import type { PuffOptions, WipeOptions } from './options.ts';
 import type { OwnPuff, Puff } from './puff.ts';
 import type { PuffTarget } from './target.ts';
 
@@ -17,6 +17,7 @@ export function watch<Kind extends Puff>(puff: Kind): Kind {
     return handled(puff(target, options));
   };
   return Object.assign(watched, puff, {
+    wipe: (target: PuffTarget | undefined, options: WipeOptions) => handled(puff.wipe(target, options)),
     preload: () => handled(puff.preload()),
     create: (canvas: HTMLCanvasElement): OwnPuff => watch(puff.create(canvas)),
   });
