@@ -184,6 +184,8 @@ export const strings = {
     formats: {
       png: 'Picture (PNG)',
       svg: 'Drawing (SVG)',
+      apng: 'Looped APNG',
+      webp: 'Looped WebP',
       gif: 'Looped GIF',
       webm: 'Video (WebM)',
       mp4: 'Video (MP4)',
@@ -193,7 +195,9 @@ export const strings = {
     notes: {
       png: '',
       svg: 'Flat colours and ink as grouped paths. Gradients become steps.',
-      gif: 'Loops seamlessly.',
+      apng: 'Loops seamlessly, with all colours and exact alpha.',
+      webp: 'Loops seamlessly, with alpha.',
+      gif: 'Loops seamlessly, with 256 colours for each frame and no partial transparency.',
       webm: 'Contains every frame, even on a slow machine.',
       mp4: 'Contains every frame, even on a slow machine.',
       zip: 'Layers: one folder each for flat colours, shadow, ink, surfaces and depth.',
@@ -212,6 +216,7 @@ export const strings = {
     failed: (reason: string) => `The capture failed. ${reason}`,
     tooLarge: (width: number, height: number, max: number) =>
       `${width} \u00d7 ${height} pixels are too large for this GPU. The limit is ${max} pixels per side.`,
+    noWebp: 'This browser cannot encode WebP. Choose APNG, which every browser shows.',
     noEncoder: (format: string, width: number, height: number) =>
       `This browser cannot encode ${format} at ${width} \u00d7 ${height} pixels. Use a smaller size, the other video format or a PNG sequence.`,
   },

@@ -1,5 +1,6 @@
 /** Captures are files. Without an encoder for a video, capture fails with a VideoError. */
 import { describe, expect } from 'vitest';
+import { decodeApng } from '../support/apng.ts';
 import { engine, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
 
@@ -20,6 +21,32 @@ test('a GIF', async ({ load }) => {
   expect([file.type, bytes.toString('latin1', 0, 6)]).toEqual(['image/gif', 'GIF89a']);
   expect([bytes.readUInt16LE(6), bytes.readUInt16LE(8)]).toEqual([80, 60]);
   expect(bytes.length).toBeGreaterThan(2_000);
+});
+
+test('an APNG', async ({ load }) => {
+  const file = fileIn(await (await load<Page>(STAGES)).captured('apng'));
+  expect(file.type).toBe('image/apng');
+  const { width, height, plays, frames } = decodeApng(Buffer.from(file.bytes, 'base64'));
+  expect([width, height, plays]).toEqual([80, 60, 0]);
+  expect(frames.length).toBeGreaterThan(1);
+  for (const frame of frames) expect(colorsIn({ data: frame })).toBeGreaterThan(20);
+});
+
+test('a WebP, or the reason why there is none', async ({ load, task }) => {
+  const outcome = await (await load<Page>(STAGES)).captured('webp');
+  let note = 'is encoded';
+  if ('error' in outcome) {
+    expect(outcome.error).toBe('VideoError');
+    expect(outcome.message).toMatch(/^This browser cannot encode WebP\. Choose APNG/);
+    note = outcome.message;
+  } else {
+    const bytes = Buffer.from(outcome.bytes, 'base64');
+    expect([outcome.type, bytes.toString('latin1', 8, 16)]).toEqual(['image/webp', 'WEBPVP8X']);
+    expect([bytes.readUIntLE(24, 3), bytes.readUIntLE(27, 3)]).toEqual([79, 59]);
+    expect(bytes.length).toBeGreaterThan(2_000);
+    note += bytes.includes('VP8L') ? ' without loss' : ' with loss';
+  }
+  task.meta.note = `webp  ${engine.title}  ${note}`;
 });
 
 // Debian's WebKitGTK has VideoEncoder, but its web process crashes in isConfigSupported().

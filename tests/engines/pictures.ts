@@ -6,7 +6,7 @@ export function pictureIn(base64: string): PNG {
 }
 
 /** Number of colours of a picture; a blank one has a single colour. */
-export function colorsIn({ data }: PNG): number {
+export function colorsIn({ data }: Pick<PNG, 'data'>): number {
   const colors = new Set<number>();
   for (let at = 0; at < data.length; at += 4) colors.add(data.readUInt32LE(at));
   return colors.size;

@@ -85,7 +85,9 @@ type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<
 const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
   png: async () => (await import('./png.ts')).makePng,
   svg: async () => (await import('./svg.ts')).makeSvg,
-  gif: async () => (await import('./gif.ts')).makeGif,
+  apng: async () => (await import('./clips/loops.ts')).makeLoop,
+  webp: async () => (await import('./clips/loops.ts')).makeLoop,
+  gif: async () => (await import('./clips/loops.ts')).makeLoop,
   webm: async () => (await import('./video.ts')).makeVideo,
   mp4: async () => (await import('./video.ts')).makeVideo,
   zip: async () => (await import('./pngSequence.ts')).makePngSequence,

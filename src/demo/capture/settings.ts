@@ -4,6 +4,8 @@ import type { LightLayout } from './lightMaps.ts';
 export const FORMATS = {
   png: { isClip: false, hasAlpha: true },
   svg: { isClip: false, hasAlpha: true },
+  apng: { isClip: true, hasAlpha: true },
+  webp: { isClip: true, hasAlpha: true },
   gif: { isClip: true, hasAlpha: true },
   webm: { isClip: true, hasAlpha: true },
   mp4: { isClip: true, hasAlpha: false },

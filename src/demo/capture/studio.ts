@@ -37,6 +37,11 @@ function maxPixels(canvas: HTMLCanvasElement): number {
   return context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number;
 }
 
+/** The browser has no encoder for a format. The message suggests an alternative. */
+export class VideoError extends Error {
+  override name = 'VideoError';
+}
+
 /** A long-running operation that can be cancelled. */
 export interface Task {
   readonly signal: AbortSignal;

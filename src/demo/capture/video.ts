@@ -10,7 +10,7 @@ import {
   type VideoCodec,
 } from 'mediabunny';
 import { strings } from '../strings.ts';
-import { shootClip, type Task, type Studio } from './studio.ts';
+import { shootClip, VideoError, type Task, type Studio } from './studio.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 
 /** Codecs in order of browser support. */
@@ -18,11 +18,6 @@ const CODECS: Readonly<Record<'webm' | 'mp4', VideoCodec[]>> = {
   webm: ['vp9', 'vp8', 'av1'],
   mp4: ['avc', 'hevc', 'av1', 'vp9'],
 };
-
-/** The browser has no encoder for a format. The message suggests an alternative. */
-export class VideoError extends Error {
-  override name = 'VideoError';
-}
 
 type VideoSettings = Pick<CaptureSettings, 'format' | 'width' | 'height' | 'scale' | 'hasBackground' | 'rate'>;
 type AddFrame = (canvas: HTMLCanvasElement | OffscreenCanvas, frame: number) => Promise<void>;

@@ -4,8 +4,8 @@
  */
 import { ShapeError, type PixelImage } from '../../index.ts';
 import { inPieces } from '../../internal.ts';
+import { chunk, deflated, filtered, FILTERS, header, predicted, SIGNATURE } from './pngChunks.ts';
 
-const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Maximum size of a file in bytes, and of a picture in pixels along each side. */
 const MAX_BYTES = 128 * 1024 * 1024;
 const MAX_PIXELS = 8192;
@@ -48,11 +48,11 @@ function pictureIn(bytes: Uint8Array<ArrayBuffer>, name: string): Picture {
     const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
     chunks.set(kind, [...(chunks.get(kind) ?? []), bytes.subarray(at + 8, at + 8 + view.getUint32(at))]);
   }
-  const [header] = chunks.get('IHDR') ?? [];
-  if (header?.length !== 13) throw new ShapeError(`${name} is damaged. Save it again.`);
-  const sizes = new DataView(header.buffer, header.byteOffset);
+  const [head] = chunks.get('IHDR') ?? [];
+  if (head?.length !== 13) throw new ShapeError(`${name} is damaged. Save it again.`);
+  const sizes = new DataView(head.buffer, head.byteOffset);
   const [width, height] = [sizes.getUint32(0), sizes.getUint32(4)];
-  const [depth, type, , , interlace] = header.subarray(8);
+  const [depth, type, , , interlace] = head.subarray(8);
   if (width > MAX_PIXELS || height > MAX_PIXELS) {
     throw new ShapeError(`${name} has ${width} x ${height} pixels. The limit is ${MAX_PIXELS} x ${MAX_PIXELS}.`);
   }
@@ -109,19 +109,6 @@ function unfilter(line: Uint8Array, before: Uint8Array, reach: number): void {
   }
 }
 
-/** What a filter subtracts of a byte. */
-function predicted(filter: number, left: number, above: number, corner: number): number {
-  if (filter === 1) return left;
-  if (filter === 2) return above;
-  if (filter === 3) return (left + above) >> 1;
-  const estimate = left + above - corner;
-  const fromLeft = Math.abs(estimate - left);
-  const fromAbove = Math.abs(estimate - above);
-  const fromCorner = Math.abs(estimate - corner);
-  if (fromLeft <= fromAbove && fromLeft <= fromCorner) return left;
-  return fromAbove <= fromCorner ? above : corner;
-}
-
 function writeRow(
   { depth, samples, hasColors, hasAlpha, palette, alphas }: Picture,
   line: Uint8Array,
@@ -152,59 +139,8 @@ function writeRow(
 }
 
 /** Encodes an image as a PNG of 8 bits with alpha, without a colour profile. */
-export async function encodePng({ width, height, data }: PixelImage): Promise<Blob> {
-  const stride = 4 * width;
-  const lines = await inPieces(
-    (function* () {
-      const filtered = new Uint8Array((stride + 1) * height);
-      for (let row = 0; row < height; row++) {
-        const first = row * (stride + 1);
-        filtered[first] = 2;
-        for (let at = 0; at < stride; at++) {
-          const above = row > 0 ? data[(row - 1) * stride + at] : 0;
-          filtered[first + 1 + at] = data[row * stride + at] - above;
-        }
-        if (row % 32 === 31) yield;
-      }
-      return filtered;
-    })(),
-  );
-  const packed = await new Response(
-    new Blob([lines]).stream().pipeThrough(new CompressionStream('deflate')),
-  ).arrayBuffer();
-  const header = new Uint8Array(13);
-  const sizes = new DataView(header.buffer);
-  sizes.setUint32(0, width);
-  sizes.setUint32(4, height);
-  header.set([8, 6, 0, 0, 0], 8);
-  const parts = [
-    Uint8Array.from(SIGNATURE),
-    chunk('IHDR', header),
-    chunk('IDAT', new Uint8Array(packed)),
-    chunk('IEND', new Uint8Array()),
-  ];
+export async function encodePng(image: PixelImage): Promise<Blob> {
+  const packed = await deflated(await inPieces(filtered(image, FILTERS.above)));
+  const parts = [SIGNATURE, header(image.width, image.height), chunk('IDAT', packed), chunk('IEND', new Uint8Array())];
   return new Blob(parts, { type: 'image/png' });
 }
-
-function chunk(kind: string, content: Uint8Array): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(12 + content.length);
-  const view = new DataView(whole.buffer);
-  view.setUint32(0, content.length);
-  whole.set(new TextEncoder().encode(kind), 4);
-  whole.set(content, 8);
-  view.setUint32(8 + content.length, crc(whole.subarray(4, 8 + content.length)));
-  return whole;
-}
-
-/** The cyclic redundancy check of PNG (ISO 3309). */
-function crc(bytes: Uint8Array): number {
-  let rest = -1;
-  for (const byte of bytes) rest = CRC_TABLE[(rest ^ byte) & 0xff] ^ (rest >>> 8);
-  return ~rest >>> 0;
-}
-
-const CRC_TABLE = Int32Array.from({ length: 256 }, (_, byte) => {
-  let rest = byte;
-  for (let bit = 0; bit < 8; bit++) rest = rest & 1 ? 0xedb88320 ^ (rest >>> 1) : rest >>> 1;
-  return rest;
-});

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { indexFrame } from '../../../src/demo/capture/gif.ts';
+import { indexFrame } from '../../../src/demo/capture/clips/gif.ts';
 import { labelColors, type Labels } from '../../../src/demo/capture/labels.ts';
 import type { Point } from '../../../src/demo/capture/simplify.ts';
 import { traceRegion } from '../../../src/demo/capture/svg.ts';
@@ -66,7 +66,7 @@ test('a GIF keeps the most frequent colours exactly, and transparent pixels tran
   const pixels = new Uint32Array(image.data.buffer);
   for (let at = 0; at < 300; ++at) pixels[at] = 0xff000000 + at * 700;
   pixels[400] = 0x10ffffff;
-  const { palette, indices, transparent } = indexFrame(image);
+  const { palette, indices, transparent } = indexFrame(image.data as Uint8ClampedArray<ArrayBuffer>);
   expect(palette.length).toBeLessThanOrEqual(256);
   expect(indices[400]).toBe(transparent);
   for (const at of [64 * 40, 64 * 40 + 40, 64 * 60 + 10]) {

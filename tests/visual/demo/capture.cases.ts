@@ -2,7 +2,7 @@
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
 import { capture } from '../../../src/demo/capture/dialog.ts';
-import type { CaptureSettings } from '../../../src/demo/capture/settings.ts';
+import type { CaptureSettings, Format } from '../../../src/demo/capture/settings.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
 import type { LightLayout } from '../../../src/demo/capture/lightMaps.ts';
@@ -101,34 +101,49 @@ export function still() {
   });
 }
 
-export function gif() {
+/** A loop without background, and its first frames as a PNG sequence. */
+export function loop(format: 'gif' | 'apng' | 'webp') {
   return untouched(async () => {
-    const { frames, loops } = await gifOf(await captured({ format: 'gif', rate: 12, seconds: 0.5 }));
+    const clip = { rate: 12, seconds: 0.5, hasBackground: format === 'gif' } as const;
+    const file = await captured({ ...clip, format });
+    const { frames, times, loops } = await decoded(file);
     const shown = await pixelsOf(await (await lamp()).picture());
-    const kept = commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length;
     // The same moments without the transition of the loop back to the first one.
-    const straight = Object.values(unzipSync(await bytesOf(await captured({ format: 'zip', rate: 12, seconds: 0.5 }))));
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...clip, format: 'zip' }))));
     const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
     return {
       frameCount: frames.length,
+      times,
       loops,
-      kept,
+      type: file.type,
+      kept: commonest(shown, 20).filter((color) => commonest(frames[0], 256).includes(color)).length,
       moves: frames.map((frame, at) => differing(frame, frames[(at + 1) % frames.length], 24)),
       jump: differing(first, last, 24),
+      file: await base64Of(file),
+      straight: await Promise.all(straight.map((bytes) => base64Of(new Blob([bytes])))),
+      pixels: await Promise.all(frames.map(({ data }) => base64Of(new Blob([data])))),
     };
   });
 }
 
-async function gifOf(blob: Blob): Promise<{ frames: ImageData[]; loops: boolean }> {
-  const decoder = new ImageDecoder({ data: await bytesOf(blob), type: 'image/gif' });
+async function base64Of(blob: Blob): Promise<string> {
+  return btoa(Array.from(await bytesOf(blob), (byte) => String.fromCharCode(byte)).join(''));
+}
+
+async function decoded(blob: Blob): Promise<{ frames: ImageData[]; times: number[]; loops: boolean }> {
+  // The decoder of PNGs reads animated ones, too.
+  const type = blob.type === 'image/apng' ? 'image/png' : blob.type;
+  const decoder = new ImageDecoder({ data: await bytesOf(blob), type });
   await decoder.tracks.ready;
   await decoder.completed;
   const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
-  const frames: ImageData[] = [];
+  const [frames, times]: [ImageData[], number[]] = [[], []];
   for (let frameIndex = 0; frameIndex < frameCount; ++frameIndex) {
-    frames.push(pixelsOfFrame((await decoder.decode({ frameIndex })).image));
+    const { image } = await decoder.decode({ frameIndex });
+    times.push(image.timestamp / 1e6);
+    frames.push(pixelsOfFrame(image));
   }
-  return { frames, loops: repetitionCount === Infinity };
+  return { frames, times, loops: repetitionCount === Infinity };
 }
 
 export function video(format: 'webm' | 'mp4', hasBackground = true) {
@@ -375,17 +390,30 @@ function meanOf({ data }: ImageData): number {
 }
 
 /** Cancels a clip after its second frame. */
-export function cancelled() {
+export function cancelled(format: Format) {
   return untouched(async () => {
     const controller = new AbortController();
     let shares = 0;
     const onProgress = () => void (++shares === 2 && controller.abort());
     const task = { signal: controller.signal, onProgress };
-    const outcome = await capture(await lamp(), { ...PLAIN, format: 'zip', seconds: 5 }, task).then(
+    const outcome = await capture(await lamp(), { ...PLAIN, format, seconds: 5 }, task).then(
       () => 'finished',
       (error: Error) => error.name,
     );
     return { outcome, shares };
+  });
+}
+
+/** The error of a browser that encodes a PNG in place of a WebP. */
+export function withoutWebp() {
+  return untouched(async () => {
+    const { convertToBlob } = OffscreenCanvas.prototype;
+    OffscreenCanvas.prototype.convertToBlob = function () {
+      return convertToBlob.call(this, { type: 'image/png' });
+    };
+    const message = await captured({ format: 'webp' }).catch((error: Error) => `${error.name}: ${error.message}`);
+    OffscreenCanvas.prototype.convertToBlob = convertToBlob;
+    return { message };
   });
 }
 

@@ -1,3 +1,5 @@
+import { PNG } from 'pngjs';
+import { decodeApng } from '../../support/apng.ts';
 import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./capture.cases.ts');
@@ -10,14 +12,54 @@ test('a PNG is the picture, also larger with the same flat colours, and transpar
   expect(report).toEqual({ differing: 0, size: [320, 240], foreignFlats: [], alphaOfCorner: 0, isUntouched: true });
 });
 
-test('a GIF has all frames, keeps flat colours, and loops seamlessly', async ({ load }) => {
-  const { moves, jump, kept, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.gif());
-  expect(report).toEqual({ frameCount: 6, loops: true, isUntouched: true });
-  expect(kept).toBe(20);
-  for (const moved of moves) expect(moved).toBeGreaterThan(50);
-  const seam = moves.pop()!;
-  expect(seam).toBeLessThanOrEqual(Math.max(...moves));
-  expect(Math.max(...moves)).toBeLessThan(jump);
+for (const format of ['gif', 'apng', 'webp'] as const) {
+  test(`a loop as ${format} has all frames at their times, and has no seam`, async ({ load }) => {
+    const { moves, jump, ...report } = await (
+      await load<Cases>(CASES)
+    ).evaluate((cases, name) => cases.loop(name), format);
+    expect(report).toMatchObject({ frameCount: 6, loops: true, type: `image/${format}`, isUntouched: true });
+    // Delays of a GIF are hundredths of a second.
+    report.times.forEach((time, frame) => expect(Math.abs(time - frame / 12)).toBeLessThan(0.0051));
+    // Of the picture with its backdrop. The others are compared byte by byte below.
+    if (format === 'gif') expect(report.kept).toBe(20);
+    for (const moved of moves) expect(moved).toBeGreaterThan(50);
+    const seam = moves.pop()!;
+    expect(seam).toBeLessThanOrEqual(Math.max(...moves));
+    expect(Math.max(...moves)).toBeLessThan(jump);
+  });
+}
+
+test('an APNG has every byte of the PNG files, alpha included', async ({ load }) => {
+  const { file, straight } = await (await load<Cases>(CASES)).evaluate((cases) => cases.loop('apng'));
+  const { frames, plays, delays } = decodeApng(Buffer.from(file, 'base64'));
+  expect([plays, delays]).toEqual([0, Array(6).fill(1 / 12)]);
+  // The loop starts with the fourth picture of the sequence; its second half is the transition.
+  for (const [at, png] of straight.slice(3).entries()) {
+    expect(Buffer.compare(frames[at], PNG.sync.read(Buffer.from(png, 'base64')).data), `frame ${at}`).toBe(0);
+  }
+  const partial = frames.map((frame) => frame.filter((value, at) => at % 4 === 3 && value > 0 && value < 255).length);
+  for (const count of partial) expect(count).toBeGreaterThan(50);
+});
+
+test('a WebP has the alpha of the PNG files, and nearly their colours', async ({ load }) => {
+  const { file, straight, pixels } = await (await load<Cases>(CASES)).evaluate((cases) => cases.loop('webp'));
+  expect(Buffer.from(file, 'base64').toString('latin1'), 'lossless').toContain('VP8L');
+  for (const [at, png] of straight.slice(3).entries()) {
+    const expected = PNG.sync.read(Buffer.from(png, 'base64')).data;
+    const found = Buffer.from(pixels[at], 'base64');
+    expect(found.filter((value, byte) => byte % 4 === 3 && value !== expected[byte]).length).toBe(0);
+    // Canvases multiply alpha into colours, so that those of nearly transparent pixels are rounded.
+    const off = found.map((value, byte) => Math.abs(value - expected[byte]) * (expected[byte | 3] / 255));
+    expect(Math.max(...off)).toBeLessThanOrEqual(1);
+  }
+});
+
+test('without an encoder of WebP the page reports it and suggests APNG', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutWebp());
+  expect(report).toEqual({
+    message: 'VideoError: This browser cannot encode WebP. Choose APNG, which every browser shows.',
+    isUntouched: true,
+  });
 });
 
 for (const format of ['webm', 'mp4'] as const) {
@@ -147,10 +189,12 @@ test('a drawing of smoke with marks has patterns instead of marks, and is as dar
   expect(Math.abs(picture - drawing)).toBeLessThan(0.25 * (picture - without));
 });
 
-test('a cancelled clip ends at once and does not change the smoke', async ({ load }) => {
-  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.cancelled());
-  expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
-});
+for (const format of ['zip', 'apng'] as const) {
+  test(`a cancelled ${format} ends at once and does not change the smoke`, async ({ load }) => {
+    const report = await (await load<Cases>(CASES)).evaluate((cases, name) => cases.cancelled(name), format);
+    expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
+  });
+}
 
 test('without an encoder the page reports it and suggests an alternative', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());

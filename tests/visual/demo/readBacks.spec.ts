@@ -16,7 +16,7 @@ const DECISIONS = [
 const READS = /readPixels\(|getImageData\(|readRenderTargetPixels|new PixelReader/;
 /** Files that read the pixels of a file or a picture, but choose nothing else by them. */
 const OTHERS = [
-  'demo/capture/gif',
+  'demo/capture/clips/loops',
   'demo/capture/pixels',
   'demo/draw/import',
   'demo/film/film',

@@ -1,31 +1,40 @@
 import { GIFEncoder, quantize } from 'gifenc';
-import type { Task, Studio } from './studio.ts';
-import { shootLoop } from './loop.ts';
-import { pixelSize, type CaptureSettings } from './settings.ts';
-import { PixelReader } from './pixels.ts';
+import { requireShape, type ClipFile, type ClipShape } from './clipFile.ts';
 
 const FOREVER = 0;
 /** GIF disposal method: clears the previous frame, which would otherwise show through transparent pixels. */
 const RESTORE_BACKGROUND = 2;
 
-/** Encodes a GIF that loops without a visible seam. */
-export async function makeGif(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
-  const [width, height] = pixelSize(settings);
-  const reader = new PixelReader(width, height);
-  const encoder = GIFEncoder();
-  await shootLoop(studio, settings, task, (frame) => {
-    const { palette, indices, transparent } = indexFrame(reader.read(studio.canvas));
-    encoder.writeFrame(indices, width, height, {
+/** Encodes with up to 256 colours for each frame, and pixels that are either opaque or transparent. */
+export class Gif implements ClipFile {
+  private readonly shape: ClipShape;
+  private readonly encoder = GIFEncoder();
+  private frames = 0;
+
+  /** @throws RangeError for a size or a rate that is not accepted */
+  constructor(shape: ClipShape) {
+    requireShape(shape);
+    this.shape = shape;
+  }
+
+  add(pixels: Uint8ClampedArray<ArrayBuffer>): Promise<void> {
+    const { width, height, rate } = this.shape;
+    const { palette, indices, transparent } = indexFrame(pixels);
+    this.encoder.writeFrame(indices, width, height, {
       palette,
-      delay: delayOf(frame, settings.rate),
+      delay: delayOf(this.frames++, rate),
       repeat: FOREVER,
       transparent: transparent !== undefined,
       transparentIndex: transparent ?? 0,
       dispose: transparent === undefined ? -1 : RESTORE_BACKGROUND,
     });
-  });
-  encoder.finish();
-  return new Blob([encoder.bytes()], { type: 'image/gif' });
+    return Promise.resolve();
+  }
+
+  finish(): Blob {
+    this.encoder.finish();
+    return new Blob([this.encoder.bytes()], { type: 'image/gif' });
+  }
 }
 
 /** Delay of a frame in milliseconds, a multiple of 10. Rounding errors do not accumulate over frames. */
@@ -53,8 +62,8 @@ interface IndexedFrame {
  * similar ones. Rare colours, mostly on antialiased edges, map to the nearest colour of a palette that is quantized
  * from the rest.
  */
-export function indexFrame({ data }: ImageData): IndexedFrame {
-  const pixels = new Uint32Array(data.buffer);
+export function indexFrame({ buffer }: Uint8ClampedArray<ArrayBuffer>): IndexedFrame {
+  const pixels = new Uint32Array(buffer);
   const counts = countColors(pixels);
   const hasHoles = counts.delete(0);
   const capacity = MAX_COLORS - Number(hasHoles);
