@@ -37,6 +37,7 @@ const LABELS = /** @type {Readonly<Record<keyof ShotIdentity, string>>} */ ({
   layers: '--layers',
   format: '--format',
   camera: '--camera',
+  loop: '--loop',
 });
 
 export class FrameFolder {

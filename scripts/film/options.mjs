@@ -21,7 +21,8 @@ export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [
   --shard 3/16           only this part of the frames; the first is 1/16
   --states FOLDER        saves states there, and starts from the nearest one
   --states-every 48      frames between two states (48)
-  --video FILE           also a .webm, .mp4 or .mov (ProRes 4444 by ffmpeg) of the finished frames
+  --loop                 the last frames dissolve into what is before the first one, which is up to 0.75 s later
+  --video FILE           also a .webm, .mp4, .apng, .webp or .mov (ProRes 4444 by ffmpeg) of the finished frames
   --gpu                  the graphics of the machine instead of SwiftShader; pictures then depend on the machine`;
 
 export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 2048 --seconds 2 --out FOLDER [--lights LAYOUT]
@@ -40,6 +41,10 @@ export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 204
 const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
 
+const VIDEOS = /** @type {const} */ (['webm', 'mp4', 'apng', 'webp', 'mov']);
+/** Limits of looped clips, as in src/demo/capture/clips/clipFile.ts. */
+const [FASTEST_CLIP, LONGEST_CLIP] = [60, 16_383];
+
 /**
  * @typedef {import('../../src/demo/film/order.ts').FilmOrder} FilmOrder
  * @typedef {import('../../src/demo/film/order.ts').FlipbookOrder} FlipbookOrder
@@ -50,7 +55,7 @@ const FULL_HEIGHT = 1080;
  * @property {number[]} frames of this shard
  * @property {string} out
  * @property {string | undefined} states
- * @property {{ file: string, type: 'webm' | 'mp4' | 'mov' } | undefined} video
+ * @property {{ file: string, type: import('../../src/demo/film/order.ts').VideoFormat | 'mov' } | undefined} video
  * @property {boolean} usesGpu
  */
 
@@ -68,6 +73,7 @@ const OPTIONS = /** @type {const} */ ({
   shard: { type: 'string' },
   states: { type: 'string' },
   'states-every': { type: 'string', default: '48' },
+  loop: { type: 'boolean', default: false },
   video: { type: 'string' },
   gpu: { type: 'boolean', default: false },
 });
@@ -86,7 +92,8 @@ export function readFilmOptions(words) {
   const format = oneOf('--format', values.format, /** @type {const} */ (['png', 'exr']));
   const fps = readFps(values.fps);
   const states = values.states;
-  const video = readVideo(values, format, width, height);
+  const video = readVideo(values, { format, width, height, fps });
+  if (values.loop && values.layers) throw new UserError('--loop has no layers: leave out --layers.');
   if (!values.out) throw new UserError('Name a folder for the frames: --out FOLDER.');
   return {
     order: {
@@ -100,6 +107,7 @@ export function readFilmOptions(words) {
       layers: values.layers,
       format,
       camera: values.camera === undefined ? [] : readCamera(values.camera, fps),
+      loop: values.loop ? { first, last } : undefined,
       statesEvery: states === undefined ? 0 : readNumber('--states-every', values['states-every'], 1, 100_000),
     },
     first,
@@ -249,19 +257,23 @@ function oneOf(name, text, choices) {
 
 /**
  * @param {{ video?: string, shard?: string }} values
- * @param {'png' | 'exr'} format
- * @param {number} width
- * @param {number} height
+ * @param {{ format: 'png' | 'exr', width: number, height: number, fps: number }} order
  */
-function readVideo({ video, shard }, format, width, height) {
+function readVideo({ video, shard }, { format, width, height, fps }) {
   if (video === undefined) return undefined;
-  const type = oneOf('--video', /\.(\w+)$/.exec(video)?.[1] ?? '', /** @type {const} */ (['webm', 'mp4', 'mov']));
+  const type = oneOf('--video', /\.(\w+)$/.exec(video)?.[1] ?? '', VIDEOS);
   if (shard !== undefined) {
     throw new UserError('--video needs all frames: run the command again without --shard when all shards are done.');
   }
   if (format !== 'png') throw new UserError('--video is made from PNG files: leave out --format exr.');
-  if (type !== 'mov' && (width % 2 || height % 2)) {
+  if ((type === 'webm' || type === 'mp4') && (width % 2 || height % 2)) {
     throw new UserError(`--video ${video} needs even sides, not ${width}x${height}.`);
+  }
+  if (type === 'apng' || type === 'webp') {
+    if (fps > FASTEST_CLIP) throw new UserError(`--video ${video} has at most ${FASTEST_CLIP} frames per second.`);
+    const side = Math.max(width, height);
+    if (side > LONGEST_CLIP)
+      throw new UserError(`--video ${video} has at most ${LONGEST_CLIP} pixels per side, not ${side}.`);
   }
   return { file: video, type };
 }

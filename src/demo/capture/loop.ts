@@ -1,3 +1,4 @@
+import type { Stage } from '../../index.ts';
 import { type FrameInput, ALL_THAT_LIVES, type Light } from '../../internal.ts';
 import { shootClip, type Task, type Studio } from './studio.ts';
 import { frameCount, type CaptureSettings } from './settings.ts';
@@ -22,20 +23,56 @@ export async function shootLoop(
   change: (input: FrameInput) => FrameInput = (input) => input,
 ): Promise<void> {
   const count = frameCount(settings);
-  const lead = Math.floor(Math.min(JOIN_SECONDS * settings.rate, JOIN_SHARE * count));
-  const stills: Still[] = [];
-  let [frame, drawn]: [number, FrameInput | undefined] = [0, undefined];
-  stage.running.picture.smoke.overrideFrame((input) => {
-    const still = stills[frame - count];
-    drawn = still ? joined(input, still, (frame - count + 1) / (lead + 1)) : input;
-    return change(drawn);
-  });
-  const whole = { ...settings, seconds: (count + lead) / settings.rate };
+  const join = new LoopJoin(stage, count, settings.rate, change);
+  const whole = { ...settings, seconds: (count + join.lead) / settings.rate };
   await shootClip({ stage, ...studio }, whole, task, async (shot) => {
-    if (shot < lead) stills.push(stillOf(drawn!));
-    else await shoot(shot - lead, drawn!);
-    frame = shot + 1;
+    if (shot < join.lead) join.keep();
+    else await shoot(shot - join.lead, join.drawn!);
+    join.shot = shot + 1;
   });
+}
+
+/** Draws shots of a stage. The last ones dissolve into the first ones, which are not in the loop. */
+export class LoopJoin {
+  /** Number of the first shots. */
+  readonly lead: number;
+  /** Number of the shot that is drawn next, from 0. */
+  shot = 0;
+  /** What the latest picture was drawn from. */
+  drawn: FrameInput | undefined;
+  private readonly count: number;
+  private readonly stills: Still[] = [];
+
+  /**
+   * @param count of the frames of the loop: the shots from `lead` on
+   * @param rate frames per second
+   * @param change of each input of a frame, after the transition
+   */
+  constructor(stage: Stage, count: number, rate: number, change = (input: FrameInput): FrameInput => input) {
+    this.count = count;
+    this.lead = leadOf(count, rate);
+    stage.running.picture.smoke.overrideFrame((input) => {
+      const at = this.shot - this.count;
+      const still = this.stills[at];
+      this.drawn = still ? joined(input, still, (at + 1) / (this.lead + 1)) : input;
+      return change(this.drawn);
+    });
+  }
+
+  /** Whether a shot dissolves into one of the first ones, which have to be kept before. */
+  needsStill(shot: number): boolean {
+    return shot >= this.count;
+  }
+
+  /** Keeps what the latest picture was drawn from, after each of the first shots. */
+  keep(): void {
+    this.stills.push(stillOf(this.drawn!));
+  }
+}
+
+/** Shots before the loop, into which its end dissolves. */
+function leadOf(count: number, rate: number): number {
+  return Math.floor(Math.min(JOIN_SECONDS * rate, JOIN_SHARE * count));
 }
 
 /** The inputs of a frame, stored while the stage continues. */

@@ -4,8 +4,10 @@ import { encodePng, linkCapacity, lookOf, readEnvironment, STEP_SECONDS } from '
 import { decode, encode, type Decoded } from '../../preset.ts';
 import { drawFlipbook } from '../capture/flipbook.ts';
 import { LayerCamera, type Layer } from '../capture/layers.ts';
+import { LoopJoin } from '../capture/loop.ts';
 import { PixelReader } from '../capture/pixels.ts';
 import type { Studio } from '../capture/studio.ts';
+import { decodePng } from '../gallery/straightPng.ts';
 import { strings } from '../strings.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
@@ -25,9 +27,26 @@ export async function film(order: FilmOrder, receiver: Receiver): Promise<void> 
   if (order.video) await receiver.putVideo(await encodeFrames(order, order.video, receiver));
 }
 
-async function encodeFrames(
+type VideoOrder = NonNullable<FilmOrder['video']>;
+
+async function encodeFrames(order: FilmOrder, video: VideoOrder, receiver: Receiver): Promise<Blob> {
+  const { format } = video;
+  if (format !== 'apng' && format !== 'webp') return encodeFilm(order, { ...video, format }, receiver);
+  const { Apng } = await import('../capture/clips/apng.ts');
+  const { Webp } = await import('../capture/clips/webp.ts');
+  const { width, height, fps } = order;
+  const file = new (format === 'apng' ? Apng : Webp)({ width, height, rate: fps });
+  for (let frame = video.first; frame <= video.last; ++frame) {
+    // Not by a canvas, which would multiply alpha into the colours.
+    const { data } = await decodePng(new File([await receiver.picture(frame)], nameOf(frame, undefined, 'png')));
+    await file.add(new Uint8ClampedArray(data.buffer as ArrayBuffer));
+  }
+  return file.finish();
+}
+
+async function encodeFilm(
   { width, height, fps, hasBackground }: FilmOrder,
-  { format, first, last }: NonNullable<FilmOrder['video']>,
+  { format, first, last }: VideoOrder & { readonly format: 'webm' | 'mp4' },
   receiver: Receiver,
 ): Promise<Blob> {
   const { encodeVideo } = await import('../capture/video.ts');
@@ -132,6 +151,7 @@ class Shooting {
   private readonly encoder: PixelReader;
   private readonly layers: LayerCamera | undefined;
   private readonly depth: DepthReader | undefined;
+  private readonly join: LoopJoin | undefined;
 
   constructor(order: FilmOrder, stage: Stage, canvas: HTMLCanvasElement, start: number, receiver: Receiver) {
     const { width, height, scale, supersample } = order;
@@ -145,14 +165,23 @@ class Shooting {
     this.encoder = new PixelReader(width, height);
     this.layers = order.layers ? new LayerCamera(this.studio, ...drawn) : undefined;
     this.depth = order.layers && order.format === 'exr' ? new DepthReader(...drawn) : undefined;
+    const { loop, fps } = order;
+    this.join = loop && new LoopJoin(stage, loop.last - loop.first + 1, fps);
   }
 
   async shoot(frames: readonly number[]): Promise<void> {
-    const first = stepOf(this.secondsAt(frames[0]));
-    await this.resume(first);
-    await this.saveStates(frames[0]);
-    await this.goTo(first);
+    const { join } = this;
+    const stills = join?.needsStill(this.shotOf(frames.at(-1)!)) ? join.lead : 0;
+    const first = stills > 0 ? this.order.loop!.first - stills : frames[0];
+    const step = stepOf(this.secondsAt(first));
+    await this.resume(step);
+    await this.saveStates(first);
+    await this.goTo(step);
     this.studio.draw();
+    for (let shot = 0; shot < stills; ++shot) {
+      this.show(first + shot);
+      join!.keep();
+    }
     let sending = Promise.resolve();
     for (const frame of frames) {
       await this.saveStates(frame);
@@ -166,8 +195,19 @@ class Shooting {
     await sending;
   }
 
+  /** The shot of the loop that a frame is. */
+  private shotOf(frame: number): number {
+    return frame - this.order.loop!.first + this.join!.lead;
+  }
+
+  private show(frame: number): void {
+    if (this.join) this.join.shot = this.shotOf(frame);
+    const seconds = this.secondsAt(frame);
+    this.studio.stage.running.showAt(seconds, cameraAt(this.order.camera, seconds - this.start));
+  }
+
   private secondsAt(frame: number): number {
-    return this.start + frame / this.order.fps;
+    return this.start + (frame + (this.join?.lead ?? 0)) / this.order.fps;
   }
 
   /** Goes to the latest saved state at or before a step, if there is one. */
@@ -200,10 +240,9 @@ class Shooting {
 
   private async draw(frame: number): Promise<Drawn> {
     const { stage, canvas } = this.studio;
-    const { format, supersample, camera } = this.order;
-    const seconds = this.secondsAt(frame);
+    const { format, supersample } = this.order;
     const began = performance.now();
-    stage.running.showAt(seconds, cameraAt(camera, seconds - this.start));
+    this.show(frame);
     this.waitForGpu();
     const drawMs = performance.now() - began;
     const isPlain = format === 'png' && supersample === 1;

@@ -8,6 +8,15 @@ export interface Keyframe {
   readonly values: Readonly<Record<string, number>>;
 }
 
+/** The last one is included. */
+export interface FrameRange {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** Videos that the page encodes. */
+export type VideoFormat = 'webm' | 'mp4' | 'apng' | 'webp';
+
 /** A shot to render. */
 export interface FilmOrder {
   /** Query and hash of the address: `?t=2#v=1&preset=lamp`. */
@@ -27,8 +36,10 @@ export interface FilmOrder {
   readonly camera: readonly Keyframe[];
   /** Frames between two saved states; 0 without states. */
   readonly statesEvery: number;
-  /** A video of finished frames, the last one included. */
-  readonly video?: { readonly format: 'webm' | 'mp4'; readonly first: number; readonly last: number };
+  /** Frames of a loop, whose last ones dissolve into what is before the first one. */
+  readonly loop?: FrameRange;
+  /** A video of finished frames. */
+  readonly video?: FrameRange & { readonly format: VideoFormat };
 }
 
 /** A looped flipbook to draw. */

@@ -18,6 +18,39 @@ export async function sequence(hash: string, start: number, width: number, heigh
   return files.map((bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join('')));
 }
 
+/** The page's loop of 6 frames, 12 a second, without background as an APNG, in base64. */
+export async function loop(hash: string, start: number, width: number, height: number) {
+  const { values } = (await decode(hash)).state;
+  const stage = await createStage(new OffscreenCanvas(16, 16), { values });
+  await stage.seek(start);
+  const settings = { format: 'apng', width, height, scale: 1, hasBackground: false, inLayers: false } as const;
+  const task = { signal: new AbortController().signal, onProgress: () => undefined };
+  const file = await capture(stage, { ...settings, seconds: 0.5, rate: 12 }, task);
+  stage.dispose();
+  return btoa(Array.from(new Uint8Array(await file.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
+}
+
+/** Alpha of the pixels of each frame of a WebP, and seconds until the frame. */
+export async function webpFrames(base64: string): Promise<{ alpha: number[][]; times: number[]; loops: boolean }> {
+  const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const decoder = new ImageDecoder({ data, type: 'image/webp' });
+  await decoder.tracks.ready;
+  await decoder.completed;
+  const { frameCount, repetitionCount } = decoder.tracks.selectedTrack!;
+  const [alpha, times]: [number[][], number[]] = [[], []];
+  for (let frameIndex = 0; frameIndex < frameCount; ++frameIndex) {
+    const { image } = await decoder.decode({ frameIndex });
+    const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight);
+    const context = canvas.getContext('2d')!;
+    context.drawImage(image, 0, 0);
+    times.push(image.timestamp / 1e6);
+    image.close();
+    const { data: pixels } = context.getImageData(0, 0, canvas.width, canvas.height);
+    alpha.push(Array.from(pixels.filter((_, at) => at % 4 === 3)));
+  }
+  return { alpha, times, loops: repetitionCount === Infinity };
+}
+
 /** A link whose smoke is dragged and blown on at several times. */
 export async function disturbed(hash: string): Promise<string> {
   const { state } = await decode(hash);

@@ -1,6 +1,6 @@
 /** `npm run film`: the files of shards, of killed runs and of one run, and the pictures of other ways to the same frame. */
 import { execFile, spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -8,6 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
 import { FloatType } from 'three';
 import { EXRLoader } from 'three/examples/jsm/loaders/EXRLoader.js';
+import { decodeApng } from '../../support/apng.ts';
 import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./film.cases.ts');
@@ -124,6 +125,56 @@ for (const [name, hash, isLong] of [
     expect(first.equals(second)).toBe(false);
   });
 }
+
+test('a looped film is the loop of the page, and its APNG and its WebP have the pixels of its frames', async ({
+  load,
+}) => {
+  const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
+  const words = ['--loop', '--alpha', '--fps', '12'];
+  const [apng, webp] = ['apng', 'webp'].map((type) => join(folder, `loop.${type}`));
+  for (const file of [apng, webp]) {
+    expect(await film(`?t=2.5${HASH}`, '3-8', 'loop', ...words, '--video', file)).toMatchObject({ status: 0 });
+  }
+  const frames = [3, 4, 5, 6, 7, 8].map((frame) =>
+    pixelsOf(readFileSync(join(folder, `loop/frame-00000${frame}.png`))),
+  );
+  const decoded = decodeApng(readFileSync(apng));
+  expect(decoded).toMatchObject({ width: 160, height: 90, plays: 0, delays: Array(6).fill(1 / 12) });
+  expect(decoded.frames.map((frame, at) => frame.equals(frames[at]))).toEqual(Array(6).fill(true));
+  const found = await cases.evaluate((module, file) => module.webpFrames(file), readFileSync(webp, 'base64'));
+  expect(found.times).toEqual([0, 0.083, 0.167, 0.25, 0.333, 0.417]);
+  expect(found.loops).toBe(true);
+  expect(found.alpha).toEqual(frames.map((frame) => Array.from(frame.filter((_, at) => at % 4 === 3))));
+  // Frame 3 is a quarter of a second later than frame 0, at which the page begins.
+  const page = await cases.evaluate((module, hash) => module.loop(hash, 2.75, 160, 90), HASH);
+  const ofPage = decodeApng(Buffer.from(page, 'base64')).frames;
+  expect(ofPage.map((frame, at) => frame.equals(frames[at]))).toEqual(Array(6).fill(true));
+  expect(new Set(frames.map((frame) => frame.toString('base64'))).size, 'no two frames are the same').toBe(6);
+});
+
+test('shards of a loop write the files of one run @long', async () => {
+  const words = ['--loop', '--fps', '12'];
+  expect(await film(HASH, '0-9', 'one', ...words)).toMatchObject({ status: 0 });
+  const states = ['--states', join(folder, 'states'), '--states-every', '2'];
+  for (const part of ['1/3', '3/3', '2/3']) {
+    expect(await film(HASH, '0-9', 'shards', ...words, '--shard', part, ...states)).toMatchObject({ status: 0 });
+  }
+  expect(Object.keys(filesIn('one'))).toHaveLength(20);
+  expect(filesIn('shards')).toEqual(filesIn('one'));
+});
+
+test('the loop of the cup of tea, 480 pixels wide and 2 s long, has every byte in less than 1.5 MB @long', async () => {
+  const file = join(folder, 'wisp.apng');
+  const words = ['--size', '480x480', '--alpha', '--loop', '--video', file];
+  expect(await film('?t=3#v=1&preset=wisp', '0-47', 'wisp', ...words)).toMatchObject({ status: 0 });
+  const { frames, plays } = decodeApng(readFileSync(file));
+  expect([frames.length, plays]).toEqual([48, 0]);
+  const isSame = frames.map((frame, at) =>
+    frame.equals(pixelsOf(readFileSync(join(folder, `wisp/frame-${String(at).padStart(6, '0')}.png`)))),
+  );
+  expect(isSame).toEqual(Array(48).fill(true));
+  expect(statSync(file).size).toBeLessThan(1_500_000);
+});
 
 test('a frame is the picture of the poster, in OpenEXR it has the light of the PNG, and depths in metres @long', async ({
   blank,
