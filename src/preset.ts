@@ -41,6 +41,7 @@ export type {
   NumberParameter,
   Parameter,
   ParameterDescription,
+  PathParameter,
   RampParameter,
   TimelineParameter,
   ToggleParameter,

@@ -90,7 +90,6 @@ export async function bundleAll(folder, plugins = shrinking()) {
     chunkFileNames: 'cartoonSmoke-[name].js',
     codeSplitting: { groups: [{ name: 'host', test: /src\/three\/(cartoonSmoke|hostPasses)\.ts$/ }] },
   });
-  copyWasm(folder, ['meshes']);
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
   await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins }, folder, ALONE);
@@ -121,7 +120,7 @@ async function bundleWarnings(folder) {
 export async function bundleScript(folder, plugins = shrinking()) {
   const input = entries({ [SCRIPT]: 'src/script.ts' });
   await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
-  copyWasm(folder, ['core', 'physics']);
+  copyWasm(folder, ['core', 'meshes', 'physics']);
 }
 
 /**

@@ -26,6 +26,7 @@ export function integrity(path) {
  * @param {string} folder that contains them
  */
 export function hashes(folder) {
-  const files = ['cartoon-smoke.min.js', 'wasm/core/bindings_bg.wasm', 'wasm/physics/bindings_bg.wasm'];
+  const wasm = ['core', 'meshes', 'physics'].map((variant) => `wasm/${variant}/bindings_bg.wasm`);
+  const files = ['cartoon-smoke.min.js', ...wasm];
   return files.map((file) => ({ file, integrity: integrity(join(folder, file)), kB: kilobytes(join(folder, file)) }));
 }

@@ -1,6 +1,6 @@
 /**
  * Builds `embed.html` with its script: one classic script that contains everything, including the simulator's core, and
- * a second one with the physics, loaded on demand. In a sandbox with an opaque origin, a page can load only classic
+ * one for each larger simulator, loaded on demand. In a sandbox with an opaque origin, a page can load only classic
  * scripts.
  */
 
@@ -12,6 +12,8 @@ import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
 import { shrinking, SMALL } from '../package/bundle.mjs';
 
+/** @type {readonly ('meshes' | 'physics')[]} */
+const LARGER = ['meshes', 'physics'];
 const ENTRY = '<script type="module" src="./src/page/iframe/main.ts"></script>';
 
 /**
@@ -19,16 +21,19 @@ const ENTRY = '<script type="module" src="./src/page/iframe/main.ts"></script>';
  * @param {string} folder of a built site
  */
 export async function buildFrame(folder) {
-  const physics = writeScript(folder, 'embed-physics', `bringPhysics(${JSON.stringify(packed('physics'))});\n`);
-  const script = writeScript(folder, 'embed', await scriptOf(physics));
+  const larger = LARGER.map((name) => {
+    const code = `bring_${name}(${JSON.stringify(packed(name))});\n`;
+    return [name, `./${writeScript(folder, `embed-${name}`, code)}`];
+  });
+  const script = writeScript(folder, 'embed', await scriptOf(Object.fromEntries(larger)));
   const page = readFileSync(inRoot('embed.html'), 'utf8');
   if (!page.includes(ENTRY)) throw new Error(`embed.html lacks ${ENTRY}.`);
   writeFileSync(join(folder, 'embed.html'), page.replace(ENTRY, `<script defer src="./${script}"></script>`));
 }
 
-/** @param {string} physics URL of the physics script */
-async function scriptOf(physics) {
-  const values = { CORE_WASM: packed('core'), PHYSICS_SCRIPT: `./${physics}` };
+/** @param {Record<string, string>} larger URLs of the scripts with the larger simulators */
+async function scriptOf(larger) {
+  const values = { CORE_WASM: packed('core'), WASM_SCRIPTS: larger };
   const define = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, JSON.stringify(value)]));
   const build = await rolldown({
     ...SMALL,
@@ -45,7 +50,7 @@ async function scriptOf(physics) {
 
 /**
  * The WASM of a variant, compressed with raw deflate, in base64url.
- * @param {'core' | 'physics'} variant
+ * @param {'core' | 'meshes' | 'physics'} variant
  */
 function packed(variant) {
   const bytes = readFileSync(inRoot(`src/simulator/wasm/${variant}/bindings_bg.wasm`));

@@ -5,7 +5,7 @@ import { ParameterError, requireOptions } from './errors.ts';
 export interface AssetUrls {
   /** `cartoon-smoke/core.wasm`: the simulator without rigid bodies. */
   readonly core?: string | URL;
-  /** `cartoon-smoke/meshes.wasm`: the simulator with meshes that move, which only three.js scenes load. */
+  /** `cartoon-smoke/meshes.wasm`: the simulator with meshes that move, and with flows. */
   readonly meshes?: string | URL;
   /** `cartoon-smoke/physics.wasm`: the simulator with rigid bodies. */
   readonly physics?: string | URL;

@@ -5,10 +5,11 @@
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { DRAWING_LIMIT, MAX_DRAWINGS } from '../base/drawingText.ts';
+import { MIN_POINTS, MAX_POINTS } from './path.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import type { ItemValues, SingleValues, PresetName } from './valueTypes.ts';
 
-/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve, ramp or drawing. */
+/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve, ramp, path or drawing. */
 export type Value = number | string;
 
 /** Values by flat dotted key, of any type: for code that goes through the table. */
@@ -77,6 +78,12 @@ export interface RampParameter extends ParameterDescription {
   readonly default: string;
 }
 
+/** Points of a stroke in metres, as text `-.8:0:.1,.2:.35:0`; empty for the simulator's own. */
+export interface PathParameter extends ParameterDescription {
+  readonly kind: 'path';
+  readonly default: string;
+}
+
 /** Drawn puffs, as text; empty for none. */
 export interface DrawingParameter extends ParameterDescription {
   readonly kind: 'drawing';
@@ -96,6 +103,7 @@ export type Parameter =
   | TimelineParameter
   | CurveParameter
   | RampParameter
+  | PathParameter
   | DrawingParameter
   | NumberParameter
   | ToggleParameter
@@ -113,6 +121,8 @@ export function accepted(parameter: Parameter): string {
       return `${parameter.default ? '' : 'nothing, or '}${MIN_STOPS} to ${MAX_STOPS} stops such as 0:1,.5:.8,1:0, places rising from 0 to 1, values from 0 to 1`;
     case 'ramp':
       return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
+    case 'path':
+      return `nothing, or ${MIN_POINTS} to ${MAX_POINTS} points such as -.8:0:.1,.2:.35:0, below 100 m, to the millimetre`;
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
     case 'timeline':

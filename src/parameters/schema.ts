@@ -6,6 +6,7 @@ import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
 import { presets } from './presets.ts';
 import { TIMELINE_LIMIT } from './parameter.ts';
+import { PATH } from './path.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import { TIMELINE } from './timeline.ts';
 import { table } from './words/table.ts';
@@ -76,6 +77,8 @@ function valueSchema(parameter: Parameter): Schema {
         : { type: 'string', pattern: `^$|${stops('[0-9.]+', MIN_STOPS, MAX_STOPS)}` };
     case 'ramp':
       return { type: 'string', pattern: `^$|${stops('[0-9a-fA-F]{6}', MIN_COLORS, MAX_COLORS)}` };
+    case 'path':
+      return { type: 'string', pattern: PATH.source };
     case 'drawing':
       return { type: 'string', maxLength: MAX_DRAWINGS * (DRAWING_LIMIT + 1) - 1, pattern: '^[-;,*.\\w]*$' };
     case 'timeline':

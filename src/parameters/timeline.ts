@@ -11,6 +11,7 @@ import { readCurve, writeCurve } from './curve.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { notice, type Notice } from './notice.ts';
 import { accepted, TIMELINE_LIMIT, type AnyValues, type Parameter, type Value, type Values } from './parameter.ts';
+import { readPath, writePath, type PathPoint } from './path.ts';
 import { readRamp, writeRamp } from './ramp.ts';
 import { findParameter } from './table.ts';
 import { isAccepted, readText, writeText } from './values.ts';
@@ -226,6 +227,7 @@ function blended(row: Parameter, from: Value, to: Value, share: number): Value {
   if (row.kind === 'color') return mixedColor(String(from), String(to), share);
   // Places of stops keep their order within 0..1 only.
   if (row.kind === 'curve') return mixedCurve(String(from), String(to), clamped(share, 0, 1));
+  if (row.kind === 'path') return mixedPath(String(from), String(to), clamped(share, 0, 1));
   if (row.kind === 'ramp') return mixedRamp(String(from), String(to), clamped(share, 0, 1));
   return from;
 }
@@ -238,6 +240,14 @@ function mixedCurve(from: string, to: string, share: number): string {
   );
   // Stops closer than the written decimals would have one place.
   return readCurve(text) ? text : from;
+}
+
+function mixedPath(from: string, to: string, share: number): string {
+  const [a, b] = [readPath(from), readPath(to)];
+  if (a.length !== b.length) return from;
+  return writePath(
+    a.map((point, index) => point.map((part, axis) => mixed(part, b[index][axis], share)) as unknown as PathPoint),
+  );
 }
 
 function mixedRamp(from: string, to: string, share: number): string {

@@ -393,6 +393,18 @@ export type ListValues = {
   speedLimits: ScopeValues & {
     /** Maximum speed: Maximum speed of smoke in the region. */ speed: number;
   };
+  flows: ScopeValues & {
+    /** Speed: Speed of the air along the stroke; negative is from its end to its start. */ speed: number;
+    /** Radius: Distance from the stroke at which the flow has faded to nothing. */ radius: number;
+    /** Swirl: Angular velocity of the air about the stroke. */ swirl: number;
+    /** Inflow: Greatest speed at which smoke is drawn to the stroke; negative is away from it. */ inflow: number;
+    /** Ends: Whether the stroke ends, or returns to its start. */ closed: 'open' | 'ring';
+    /** Stroke: The points that the stroke passes through; without any it goes one metre up. */ points: string;
+    /** Position x: Origin of the points. */ 'position.x': number;
+    /** Position y: Origin of the points. */ 'position.y': number;
+    /** Position z: Origin of the points. */ 'position.z': number;
+    /** Scale: Factor on the distances of the points from the origin, and on the radius. */ scale: number;
+  };
 };
 
 /** The values of all items of all lists, by their keys, such as `emitters.0.speed`. */

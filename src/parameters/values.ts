@@ -13,6 +13,7 @@ import {
   type Values,
 } from './parameter.ts';
 import { notice, type Notice } from './notice.ts';
+import { PATH } from './path.ts';
 import { readRamp } from './ramp.ts';
 import { findParameter, table } from './table.ts';
 
@@ -88,6 +89,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && (value === parameter.default || readCurve(value) !== undefined);
     case 'ramp':
       return typeof value === 'string' && readRamp(value) !== undefined;
+    case 'path':
+      return typeof value === 'string' && PATH.test(value);
     case 'drawing':
       return typeof value === 'string' && isDrawing(value);
     case 'timeline':
@@ -126,10 +129,8 @@ export function readText(
 function parse(parameter: Parameter, text: string): Value | undefined {
   if (parameter.kind === 'choice') return parameter.options.find(({ value }) => String(value) === text)?.value;
   if (parameter.kind === 'toggle') return text === '0' ? 0 : text === '1' ? 1 : undefined;
-  if (parameter.kind === 'curve') return isAccepted(parameter, text) ? text : undefined;
   if (parameter.kind === 'ramp') return readRamp(text) && text;
-  if (parameter.kind === 'drawing' || parameter.kind === 'timeline')
-    return isAccepted(parameter, text) ? text : undefined;
+  if (parameter.kind !== 'color') return isAccepted(parameter, text) ? text : undefined;
   const color = `#${text.replace(/^#/, '').toLowerCase()}`;
   return COLOR.test(color) ? color : undefined;
 }

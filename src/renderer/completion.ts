@@ -45,8 +45,10 @@ export function completionOf(
 
 /** The smoke whose values change over time. */
 interface Owner {
-  /** Whether it needs the code. */
+  /** Whether it needs the code of the timeline. */
   isAnimated(): boolean;
+  /** Whether it waits for a larger simulator. */
+  isWaiting(): boolean;
   /** Sets values. @throws ParameterError for an invalid one */
   set(values: GivenValues): void;
   /** Called when the code is loaded. */
@@ -55,12 +57,14 @@ interface Owner {
   load(): void;
 }
 
-/** Lets a smoke wait for the code of its timeline, which is loaded with the first one. */
+/** Lets a smoke wait for the code of its timeline, which is loaded with the first one, and for a larger simulator. */
 export class AnimationLoading {
   private readonly owner: Owner;
   /** Whether the code could not be loaded: the smoke goes on without it. */
   private isMissing = false;
   private owed: (() => void)[] = [];
+  /** Whether a first timeline waits for its code. */
+  private hasOwedTimeline = false;
 
   constructor(owner: Owner) {
     this.owner = owner;
@@ -68,12 +72,13 @@ export class AnimationLoading {
 
   /** Whether the smoke can take steps. */
   get isOver(): boolean {
-    return this.isMissing || loaded.animation !== undefined || !this.isWanted;
+    const isAnimationOver = this.isMissing || loaded.animation !== undefined || !this.isAnimationWanted;
+    return isAnimationOver && !this.owner.isWaiting();
   }
 
-  /** Whether the code is needed. */
-  get isWanted(): boolean {
-    return this.owed.length > 0 || this.owner.isAnimated();
+  /** Whether the code of the timeline is needed. */
+  get isAnimationWanted(): boolean {
+    return this.hasOwedTimeline || this.owner.isAnimated();
   }
 
   /**
@@ -87,6 +92,7 @@ export class AnimationLoading {
       act();
       return undefined;
     }
+    this.hasOwedTimeline = true;
     return new Promise((resolve, reject) => {
       this.owed.push(() => {
         try {
@@ -101,14 +107,16 @@ export class AnimationLoading {
 
   /** Takes steps now, or when the smoke can. */
   whenOver(act: () => void): void {
-    if (this.isOver) act();
-    else this.owed.push(act);
+    if (this.isOver) return act();
+    this.owed.push(act);
+    this.owner.load();
   }
 
   /** Called when code was loaded, or could not be. */
   end(): void {
     this.isMissing = !loaded.animation;
     if (!this.isMissing) this.owner.play();
+    this.hasOwedTimeline = false;
     for (const act of this.owed.splice(0)) act();
   }
 }

@@ -8,6 +8,7 @@ import type { Values } from '../parameters/parameter.ts';
 import type { GivenValues } from '../parameters/timeline.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
+import type { SimulatorFactory } from '../simulator/load.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Style, Volumes } from './style.ts';
 
@@ -26,6 +27,7 @@ const modules = new LazyModules({
   additionalLights: () => import('./additionalLights.ts'),
   looks: () => import('./looks.ts'),
   animation: () => import('../simulator/animation.ts'),
+  rareForces: (): Promise<SimulatorFactory> => import('../simulator/meshes.ts').then(({ loadMeshes }) => loadMeshes()),
 });
 const TIMELINE = 'The timeline';
 /** The modules that are loaded. */
@@ -60,6 +62,8 @@ export interface PictureKind {
   readonly view?: DebugView;
   /** Whether values change over time by a timeline or by a take. */
   readonly isAnimated?: boolean;
+  /** Whether the simulator lacks forces. */
+  readonly lacksForces?: boolean;
   /** Whether volumes are drawn in tiles, which gives the same picture. */
   readonly isTiled?: boolean;
 }
@@ -93,7 +97,7 @@ export function hasStrokes({
 /** The modules that a picture needs, with their names in error messages. */
 function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
   const { renderer, form, isDeformed, volumes, isEroded, lampLight, hasAdditionalLights, hasLooks, view } = kind;
-  const { isAnimated, isTiled } = kind;
+  const { isAnimated, lacksForces, isTiled } = kind;
   return {
     ...(form === 'lobes' && !isDeformed && { caps: 'Puffs that keep their shape' }),
     ...(form === 'billboards' && { billboards: 'Billboards' }),
@@ -108,6 +112,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
     ...(hasLooks && { looks: 'Looks of emitters' }),
     ...(isAnimated && { animation: TIMELINE }),
+    ...(lacksForces && { rareForces: 'The simulator of flows' }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }

@@ -1,8 +1,13 @@
-/** The variant with meshes that move as they are told, in a module that only three.js scenes contain. */
-import type { Variant } from './load.ts';
+/** The variant with meshes that move as they are told and with rare forces, in a module that few pages load. */
+import { loadSimulators, type LoadOptions, type SimulatorFactory, type Variant } from './load.ts';
 
 export const MESHES: Variant = {
   name: 'meshes',
   code: () => import('./meshBindings.ts'),
   address: () => new URL('./wasm/meshes/bindings_bg.wasm', import.meta.url),
 };
+
+/** Loads it; see `loadSimulators`. */
+export function loadMeshes(onProgress?: LoadOptions['onProgress']): Promise<SimulatorFactory> {
+  return loadSimulators({ physics: MESHES, onProgress });
+}

@@ -151,6 +151,11 @@ export class Simulator {
     return this.#module.bindings.rigidArguments !== undefined;
   }
 
+  /** Whether there are rare forces, which need a larger variant: it must not take a step. See `rareForces.ts`. */
+  get lacksForces(): boolean {
+    return this.#stopped === undefined && !this.hasRigids && this.#handle.hasRareForces;
+  }
+
   /** Whether it has dynamic rigids. */
   get hasDynamics(): boolean {
     return this.#module.bindings.hasDynamics !== undefined;

@@ -1,6 +1,7 @@
 import { MAX_STOPS, readCurve, writeCurve, type Stop } from '../parameters/curve.ts';
 import { LOOK_STYLE } from '../parameters/lists.ts';
-import type { AnyValues, CurveParameter, Parameter, Value, Values } from '../parameters/parameter.ts';
+import type { AnyValues, CurveParameter, Parameter, PathParameter, Value, Values } from '../parameters/parameter.ts';
+import { MAX_POINTS, readPath, writePath, type PathPoint } from '../parameters/path.ts';
 import { findParameter, table } from '../parameters/table.ts';
 import { isOfLookStyle, NO_STYLE } from './lookStyles.ts';
 import type { Simulator } from './simulator.ts';
@@ -15,7 +16,7 @@ export function simulatorValues(values: AnyValues, all: AnyValues = values): Rec
     const parameter = findParameter(key);
     if (isOfLookStyle(key)) Object.assign(numbers, lookStyleOf(key, all));
     if (parameter?.reader !== 'simulator') continue;
-    if (parameter.kind === 'curve') Object.assign(numbers, stopsOf(parameter, String(value)));
+    if (isText(parameter)) Object.assign(numbers, numbersOf(parameter, String(value)));
     else numbers[key] = numberOf(parameter, value);
   }
   return numbers;
@@ -29,6 +30,23 @@ function lookStyleOf(key: string, values: AnyValues): Record<string, number> {
   const isSet = ([name, initial]: [string, Value]) => (values[`${prefix}look.${name}`] ?? initial) !== initial;
   const hasStyle = Object.entries(NO_STYLE).some(isSet);
   return { [prefix + LOOK_STYLE]: hasStyle ? 1 + Number(emitter) : 0 };
+}
+
+/** A parameter that is one text here and several numbers in the simulator. */
+type TextParameter = CurveParameter | PathParameter;
+
+function isText(parameter: Parameter): parameter is TextParameter {
+  return parameter.kind === 'curve' || parameter.kind === 'path';
+}
+
+function numbersOf(parameter: TextParameter, text: string): Record<string, number> {
+  if (parameter.kind === 'curve') return stopsOf(parameter, text);
+  const points = readPath(text);
+  const entries = Array.from({ length: MAX_POINTS }, (_, index) => [
+    `${parameter.key}.${index}`,
+    packedPoint(points[index]),
+  ]);
+  return Object.fromEntries(entries);
 }
 
 /** Fills all items of the simulator's list, which never shrinks. */
@@ -61,6 +79,20 @@ function unpackedStop(number: number): Stop {
   return { at: ((number % VALUE_PLACE) - 1) / STEPS, value: Math.floor(number / VALUE_PLACE) / STEPS };
 }
 
+/** Values of a coordinate of a packed point, which are millimetres; half of it is 0. */
+const RANGE = 200_000;
+
+/** A point as one number, 0 for none. */
+function packedPoint(point: PathPoint | undefined): number {
+  return point ? point.reduceRight((packed, metres) => packed * RANGE + Math.round(metres * 1000) + RANGE / 2, 0) : 0;
+}
+
+function unpackedPoint(packed: number): PathPoint {
+  const [x, xy] = [packed % RANGE, packed % (RANGE * RANGE)];
+  const parts = [x, (xy - x) / RANGE, (packed - xy) / RANGE / RANGE];
+  return parts.map((part) => (part - RANGE / 2) / 1000) as unknown as PathPoint;
+}
+
 /**
  * Returns `values` updated with the simulator's current parameters, which takes and saved states also change. Omits
  * optional parameters that have the scene's value.
@@ -76,9 +108,9 @@ export function valuesIn(simulator: Simulator, values: AnyValues, rig: Readonly<
     if (!numbers.get(EMITTER.exec(key)![0] + LOOK_STYLE)) delete after[key];
   for (const parameter of table.filter(({ reader }) => reader === 'simulator')) {
     const { key } = parameter;
-    if (parameter.kind === 'curve') {
-      const curve = curveIn(numbers, parameter, String(values[key] ?? parameter.default));
-      if (curve) after[key] = curve;
+    if (isText(parameter)) {
+      const text = textIn(numbers, parameter, String(values[key] ?? parameter.default));
+      if (text) after[key] = text;
       else delete after[key];
       continue;
     }
@@ -98,10 +130,15 @@ function initialIn(numbers: ReadonlyMap<string, number>, values: AnyValues, para
     : undefined;
 }
 
-/** The simulator's curve as text. Returns `known` unchanged if it describes the same curve. */
-function curveIn(numbers: ReadonlyMap<string, number>, parameter: CurveParameter, known: string): string {
-  const wanted = Object.entries(stopsOf(parameter, known));
+/** The simulator's curve or path as text. Returns `known` unchanged if it describes the same one. */
+function textIn(numbers: ReadonlyMap<string, number>, parameter: TextParameter, known: string): string {
+  const wanted = Object.entries(numbersOf(parameter, known));
   if (wanted.every(([key, number]) => (numbers.get(key) ?? 0) === number)) return known;
+  if (parameter.kind === 'path') {
+    const packed = wanted.map(([key]) => numbers.get(key) ?? 0).filter((number) => number > 0);
+    // Only a forged take has one point.
+    return packed.length > 1 ? writePath(packed.map(unpackedPoint)) : '';
+  }
   const stops =
     parameter.default === ''
       ? wanted.map(([key]) => numbers.get(key) ?? 0).flatMap((number) => (number ? [unpackedStop(number)] : []))

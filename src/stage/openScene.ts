@@ -1,5 +1,5 @@
 import { LoadError } from '../base/errors.ts';
-import { inTime } from '../base/timeout.ts';
+import { fetched, inTime } from '../base/timeout.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { prepareSurfaces } from '../renderer/prepare.ts';
@@ -16,6 +16,8 @@ export interface OpenedScene {
 }
 
 interface OpenOptions extends Pick<LoadOptions, 'onProgress'> {
+  /** Whether the smoke has rare forces from the start. */
+  hasRareForces?: boolean;
   /** How far the triangles of models will deviate from the finest ones, metres; see `deviationFor`. Default: 0. */
   deviationIn?: (scene: Scene) => number;
 }
@@ -26,15 +28,21 @@ interface OpenOptions extends Pick<LoadOptions, 'onProgress'> {
  */
 export async function openScene(
   name: string,
-  { onProgress, deviationIn = () => 0 }: OpenOptions = {},
+  { onProgress, hasRareForces, deviationIn = () => 0 }: OpenOptions = {},
 ): Promise<OpenedScene> {
   const { hasRigids, load } = sceneNamed(name);
   const whole = hasRigids ? () => withThings(load) : load;
   const [scene, factory] = await Promise.all([
-    prepared(fetched(name, whole), deviationIn),
-    loadSimulators({ physics: hasRigids, onProgress }),
+    prepared(shared(name, whole), deviationIn),
+    hasRareForces && !hasRigids ? loadLarger(onProgress) : loadSimulators({ physics: hasRigids, onProgress }),
   ]);
   return { scene, factory };
+}
+
+/** Loads the simulator with rare forces. */
+async function loadLarger(onProgress: OpenOptions['onProgress']): Promise<SimulatorFactory> {
+  const { loadMeshes } = await fetched('The simulator of flows', import('../simulator/meshes.ts'));
+  return loadMeshes(onProgress);
 }
 
 async function prepared(fetching: Promise<Scene>, deviationIn: (scene: Scene) => number): Promise<Scene> {
@@ -49,7 +57,7 @@ async function withThings(load: () => Promise<Scene>): Promise<Scene> {
   return withDrops(scene);
 }
 
-function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
+function shared(name: string, load: () => Promise<Scene>): Promise<Scene> {
   const known = shown.get(name)?.deref();
   if (known) return Promise.resolve(known);
   const scene = coming.get(name) ?? fetchNew(name, load).finally(() => coming.delete(name));

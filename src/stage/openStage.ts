@@ -7,6 +7,7 @@ import { defaults, validate } from '../parameters/values.ts';
 import { fetchExtras, fetchTimelineText, loaded } from '../renderer/extraPasses.ts';
 import { bakeAhead, compileAhead } from '../renderer/prepare.ts';
 import { styleOf } from '../renderer/style.ts';
+import { hasRareForces } from '../simulator/rareForces.ts';
 import { STAGE_OPTIONS, type EnterOptions, type StageOptions } from './contract.ts';
 import { openScene, type OpenedScene } from './openScene.ts';
 import { firstDeviation, pixelsOf, type Picture } from './picture.ts';
@@ -52,6 +53,7 @@ export async function openFor(
   const [opened] = await Promise.all([
     openScene(values.scene as string, {
       onProgress,
+      hasRareForces: hasRareForces(values),
       deviationIn: (scene) => firstDeviation(scene, values, ...size, pixelRatio),
     }),
     presenting?.then(({ device }) => compileAhead(device, values)),

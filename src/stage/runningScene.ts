@@ -4,7 +4,7 @@ import { FramesInFlight } from '../renderer/gpu/framesInFlight.ts';
 import type { Values } from '../parameters/parameter.ts';
 import { requireFinite } from '../parameters/values.ts';
 import { AnimationLoading, completionOf, type Completion } from '../renderer/completion.ts';
-import type { PictureKind } from '../renderer/extraPasses.ts';
+import { loaded, type PictureKind } from '../renderer/extraPasses.ts';
 import { styleOf } from '../renderer/style.ts';
 import { STEP_SECONDS } from '../simulator/clock.ts';
 import { FIRST_PART } from '../simulator/layout.ts';
@@ -59,6 +59,7 @@ export class RunningScene implements FrameTasks {
     this.values = new StageValues(values, this);
     this.timeline = new AnimationLoading({
       isAnimated: () => this.simulation.isAnimated,
+      isWaiting: () => this.simulation.isWaiting,
       set: (given) => this.values.set(given),
       play: () => this.values.playTimeline(),
       load: () => this.completion.begin(),
@@ -74,7 +75,7 @@ export class RunningScene implements FrameTasks {
       },
       (error) => {
         this.listeners.notify('error', error);
-        this.endLoading();
+        this.goOn();
       },
     );
     this.device = presenter.device;
@@ -117,17 +118,20 @@ export class RunningScene implements FrameTasks {
     return hasStopped;
   }
 
-  advance(steps: number): void {
+  /** @returns the number of steps that are left because it waits for code */
+  advance(steps: number): number {
     if (steps > 0) this.gestures.settle();
-    this.simulation.advance(steps, this.options.onStep);
+    const left = this.simulation.advance(steps, this.options.onStep);
     this.values.applyLog();
+    return left;
   }
 
   /** See `Stage.step`. */
   step(steps: number): void {
     this.timeline.whenOver(() => {
-      this.advance(steps);
+      const left = this.advance(steps);
       this.showLatest();
+      if (left > 0) this.step(left);
     });
   }
 
@@ -160,7 +164,7 @@ export class RunningScene implements FrameTasks {
     const { steps } = this.simulation.simulator;
     // The tolerance keeps a rounding error from adding a step.
     const last = Math.max(steps, Math.ceil(goal - 1e-6));
-    this.advance(last - steps);
+    if (this.advance(last - steps) > 0) return this.timeline.whenOver(() => this.showTime(goal));
     this.showLatest(Math.min(1, goal - last + 1));
   }
 
@@ -176,6 +180,8 @@ export class RunningScene implements FrameTasks {
         onProgress?.((simulation.simulator.steps - first) / (goal - first));
         await nextTask();
         signal?.throwIfAborted();
+        // The error was already reported; the seek works without the missing code.
+        if (simulation.isWaiting) await this.completion.wait().catch(() => this.goOn());
       }
     } finally {
       this.loop.isHeld = false;
@@ -339,7 +345,15 @@ export class RunningScene implements FrameTasks {
     const { picture, simulation } = this;
     const { animation, simulator } = simulation;
     const demanding = animation && styleOf({ ...picture.smoke.values, ...animation.demands });
-    return [{ ...picture.kindOf(simulator), isAnimated: this.timeline.isWanted }, ...(demanding ? [demanding] : [])];
+    const { isAnimationWanted: isAnimated } = this.timeline;
+    const { lacksForces } = simulation;
+    return [{ ...picture.kindOf(simulator), isAnimated, lacksForces }, ...(demanding ? [demanding] : [])];
+  }
+
+  /** Code could not be loaded: continues without it. */
+  private goOn(): void {
+    this.simulation.goesWithoutForces = !loaded.rareForces;
+    this.endLoading();
   }
 
   private endLoading(): void {

@@ -19,6 +19,7 @@ import type { SimulatorFactory } from '../simulator/load.ts';
 import { stylesOf } from '../simulator/lookStyles.ts';
 import { PlainLog } from '../simulator/plainLog.ts';
 import { savedLooks } from '../simulator/savedState.ts';
+import { hasRareForces } from '../simulator/rareForces.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { namingLook } from '../simulator/simulatorError.ts';
 import { rigValues, simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
@@ -54,7 +55,11 @@ export class Simulation {
   readonly matrices: readonly Matrix4[];
   /** Optional parameters that the scene sets. */
   readonly rig: AnyValues;
-  private readonly factory: SimulatorFactory;
+  /** Whether the timeline has rare forces. */
+  private hasRareTimeline = false;
+  /** Whether the code of forces could not be loaded: the smoke goes on without them. */
+  goesWithoutForces = false;
+  private factory: SimulatorFactory;
   private readonly states: SavedStates;
   private inputsSeen = 0;
   /** Whether the timeline of the past has changed, so that the state is not that of the take. */
@@ -167,6 +172,7 @@ export class Simulation {
    */
   play(timeline = ''): void {
     this.startValues = { ...this.startValues, timeline };
+    this.hasRareTimeline = hasRareForces({ timeline });
     const code = loaded.animation;
     const { log, replayed } = this;
     if (code && this.isAnimated) {
@@ -273,11 +279,27 @@ export class Simulation {
     return hasFollowed;
   }
 
-  /** @param onStep called after each step */
-  advance(steps: number, onStep?: () => void): void {
-    if (steps === 0) return;
+  /** Whether it waits for the code of forces, and takes no steps. */
+  get isWaiting(): boolean {
+    return this.lacksForces && !loaded.rareForces && !this.goesWithoutForces;
+  }
+
+  /** Whether its simulator must move to a larger variant before the next step. */
+  get lacksForces(): boolean {
+    const { simulator } = this;
+    return simulator.lacksForces || (this.hasRareTimeline && !simulator.hasRigids);
+  }
+
+  /**
+   * @param onStep called after each step
+   * @returns the number of steps that are left because it waits
+   */
+  advance(steps: number, onStep?: () => void): number {
+    if (steps === 0) return 0;
     const started = performance.now();
     for (let taken = 0; taken < steps; ++taken) {
+      if (this.isWaiting) return steps - taken;
+      if (this.lacksForces && loaded.rareForces) this.enlarge(loaded.rareForces);
       this.mover?.beforeStep();
       this.dropped?.clear();
       this.guide();
@@ -288,12 +310,13 @@ export class Simulation {
       onStep?.();
     }
     this.stepMs = (performance.now() - started) / steps;
+    return 0;
   }
 
-  /** Steps for some milliseconds, up to a goal. */
+  /** Steps for some milliseconds, up to a goal, unless it waits. */
   advanceFor(milliseconds: number, goal: number): void {
     const until = performance.now() + milliseconds;
-    while (this.simulator.steps < goal && performance.now() < until) this.advance(1);
+    while (this.simulator.steps < goal && performance.now() < until) if (this.advance(1) > 0) return;
   }
 
   /**
@@ -331,6 +354,18 @@ export class Simulation {
 
   dispose(): void {
     this.simulator.dispose();
+  }
+
+  /** Continues from the same state, within the same take, in a larger variant. */
+  private enlarge(factory: SimulatorFactory): void {
+    const { simulator } = this;
+    this.factory = factory;
+    const next = this.create(this.startValues);
+    next.replay(simulator.take(''));
+    next.rewind(simulator.save());
+    next.addStyles([...simulator.styles]);
+    simulator.dispose();
+    this.simulator = next;
   }
 
   private create(values: Values): Simulator {

@@ -22,6 +22,7 @@ import type { GivenValues } from '../parameters/timeline.ts';
 import { Clock } from '../simulator/clock.ts';
 import { loadSimulators, type LoadOptions, type LoadProgress } from '../simulator/load.ts';
 import { MESHES } from '../simulator/meshes.ts';
+import { hasRareForces } from '../simulator/rareForces.ts';
 import type { Simulator } from '../simulator/simulator.ts';
 import { savedLooks } from '../simulator/savedState.ts';
 import { simulatorValues, valuesIn } from '../simulator/simulatorValues.ts';
@@ -130,6 +131,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   /** The simulator that handles need and that is not loaded yet. */
   private needed: LoadOptions['physics'] = false;
   private larger: Promise<void> | undefined;
+  private readonly mayBeLarger: boolean | undefined;
+  /** Whether the simulator with rare forces could not be loaded: smoke goes on without them. */
+  private goesWithoutForces = false;
   private readonly clock = new Clock();
   /** As callers have set them. */
   private values: Values;
@@ -139,6 +143,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
   private animation: Animation | undefined;
   private readonly loading = new AnimationLoading({
     isAnimated: () => this.isAnimated,
+    isWaiting: () => this.isWaiting,
     set: (values) => this.setNow(values),
     play: () => this.play(),
     load: () => this.completion.begin(),
@@ -169,10 +174,11 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     await loadPreset(given.preset);
     const values = await fetchTimelineText(startValues(given));
     const demands = loaded.animation?.demandsIn(values.timeline!);
+    requireForces(values, options.physics);
     const device = borrowDevice(options.renderer);
     try {
       const [factory] = await Promise.all([
-        loadSimulators({ physics: options.physics ?? false }),
+        loadSimulators({ physics: options.physics || (hasRareForces(values) && MESHES) }),
         // Casters that are balls are lobes and do not deform. Volumes are counted where the host's buffer is multisampled.
         fetchExtras({ ...hostStyle(values), form: 'lobes', isDeformed: false, volumes: 'counted' }),
         // Lamps of the host weaken.
@@ -216,7 +222,8 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.overrides = new Overrides(simulator, (key) => this.itemMotion.numberOf(key));
     this.table = new TableNumbers(simulator, this.overrides, () => this.simulated);
     const { parts, overrides, frame } = this;
-    const need: Obstacles['need'] = (what) => this.need(what, options.physics);
+    this.mayBeLarger = options.physics;
+    const need: Obstacles['need'] = (what) => this.need(what);
     this.obstacles = { simulator, frame, taken: new Set(), need };
     this.itemMotion = new ItemMotion({ simulator, parts, overrides, frame, values: () => this.simulated });
     const report = (error: unknown) => this.report(error);
@@ -525,6 +532,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const { simulator, animation } = this;
     const values = timelineText(given);
     requireChangeable(values);
+    requireForces(values, this.mayBeLarger);
     const after = { ...this.values, ...values };
     simulator.set(this.overrides.over(simulatorValues(values, after)));
     if (animation) {
@@ -547,11 +555,19 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     if (isOther) this.play();
     this.animation?.follow(this.drawnTime);
     this.showValues();
+    if (this.isWaiting && this.mayBeLarger !== false) this.need('meshes');
     if (missing() !== before) this.completion.begin();
   }
 
   private get isAnimated(): boolean {
     return (this.values.timeline ?? '') !== '';
+  }
+
+  /** Whether it must move to a simulator with rare forces before the next step. */
+  private get isWaiting(): boolean {
+    const { simulator, goesWithoutForces, mayBeLarger } = this;
+    if (goesWithoutForces || mayBeLarger === false) return false;
+    return simulator.lacksForces || (!simulator.hasRigids && hasRareForces({ timeline: this.values.timeline! }));
   }
 
   /** Plays the timeline of the values if its code is loaded. */
@@ -569,7 +585,7 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const { values, animation, loading, shown } = this;
     shown.followLooks(this.simulator);
     const demanding = animation && hostStyle({ ...values, ...ofSmoke(animation.demands) });
-    return [{ ...shown.style, isAnimated: loading.isWanted }, ...(demanding ? [demanding] : [])];
+    return [{ ...shown.style, isAnimated: loading.isAnimationWanted }, ...(demanding ? [demanding] : [])];
   }
 
   /** The simulated time that is drawn, in steps. */
@@ -586,15 +602,21 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.showLatest();
   }
 
-  /** Starts to load a larger simulator. @throws UnsupportedError if `option` is false */
-  private need(what: 'meshes' | 'physics', option: boolean | undefined): void {
-    if (option === false)
+  /** Starts to load a larger simulator. @throws UnsupportedError if the options forbid it */
+  private need(what: 'meshes' | 'physics'): void {
+    if (this.mayBeLarger === false)
       throw new UnsupportedError(
         'With physics: false, collide() works with boxes, spheres and capsules only. Remove that option.',
       );
     // Physics has meshes, too.
     if (this.needed !== true) this.needed = what === 'physics' || MESHES;
-    if (!this.larger) this.loadLarger().catch((error: unknown) => this.isDisposed || this.report(error));
+    if (this.larger) return;
+    this.loadLarger().catch((error: unknown) => {
+      if (this.isDisposed) return;
+      this.report(error);
+      this.goesWithoutForces = true;
+      this.loading.end();
+    });
   }
 
   /** Replaces the simulator by the one that is needed. Concurrent calls share one request. */
@@ -602,7 +624,9 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     const load = async (physics: LoadOptions['physics']): Promise<void> => {
       const onProgress = (progress: LoadProgress) => this.dispatchEvent({ type: 'progress', ...progress });
       const { module } = await loadSimulators({ physics, onProgress });
-      if (!this.isDisposed) this.simulator.moveTo(module);
+      if (this.isDisposed) return;
+      this.simulator.moveTo(module);
+      this.loading.end();
       // Meanwhile an object may have come that needs more.
       if (this.needed !== physics) return load(this.needed);
       this.needed = false;
@@ -746,4 +770,10 @@ export class CartoonSmoke extends Object3D<CartoonSmokeEvents> {
     this.requireAlive();
     if (this.simulator.steps === 0) this.place(1);
   }
+}
+
+/** @throws UnsupportedError for values with rare forces where no larger simulator may be loaded */
+function requireForces(values: Values, mayBeLarger: boolean | undefined): void {
+  if (mayBeLarger === false && hasRareForces(values))
+    throw new UnsupportedError('With physics: false, smoke has no flows. Remove that option.');
 }

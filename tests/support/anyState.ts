@@ -2,6 +2,7 @@
 import fc from 'fast-check';
 import type { State } from '../../src/parameters/codec.ts';
 import { MAX_STOPS, writeCurve } from '../../src/parameters/curve.ts';
+import { MAX_POINTS, writePath } from '../../src/parameters/path.ts';
 import type { NumberParameter, Parameter, Value, Values } from '../../src/parameters/parameter.ts';
 import { presets, presetValues } from '../../src/parameters/presets.ts';
 import { MAX_COLORS, writeRamp } from '../../src/parameters/ramp.ts';
@@ -36,6 +37,10 @@ export function valueOf(parameter: Parameter, share: number): Value {
         .padStart(6, '0')}`;
     case 'curve':
       return writeCurve(places(share, 2, MAX_STOPS).map((at) => ({ at, value: (7 * at + share) % 1 })));
+    case 'path': {
+      const points = places(share, 2, MAX_POINTS);
+      return share < 0.1 ? '' : writePath(points.map((at, index) => [198 * at - 99, 7 * share, -(at * index) % 60]));
+    }
     case 'drawing':
       return share < 0.5 ? '' : 'ff8800*GRk-gg-Cg;ffffff*GRk-gg-Cg.G5uqggqWg,3355aa*Hh4qggqWg,*G5uqv';
     case 'timeline':

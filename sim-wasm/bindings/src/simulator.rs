@@ -88,6 +88,12 @@ impl Simulator {
         self.simulator.glow(blend, colors)
     }
 
+    /// True if there are forces that only the larger variants have.
+    #[wasm_bindgen(getter = hasRareForces)]
+    pub fn has_rare_forces(&self) -> bool {
+        self.simulator.has_rare_forces()
+    }
+
     /// True if emitters have or had looks.
     #[wasm_bindgen(getter = hasLooks)]
     pub fn has_looks(&self) -> bool {

@@ -28,6 +28,8 @@ export function createControl(
       return createCurve(describedBy, parameter, listener);
     case 'ramp':
       return createRamp(parameter, describedBy, listener, current);
+    case 'path':
+      return createText(parameter, describedBy, listener);
     case 'drawing':
       return createOpened(describedBy, listener, strings.drawing, DRAW_EVENT);
     case 'timeline':
@@ -90,6 +92,28 @@ function createColor(describedBy: string, listener: ControlListener): Control {
   input.addEventListener('input', () => listener.change(input.value));
   input.addEventListener('change', () => listener.settle());
   return { elements: [input], id, show: (value) => void (input.value = String(value)) };
+}
+
+/** A text as links have it. Invalid text restores the previous value. */
+function createText(parameter: Parameter, describedBy: string, listener: ControlListener): Control {
+  const id = uniqueId();
+  const input = create('input', { id, type: 'text', spellcheck: 'false', 'aria-describedby': describedBy });
+  let shown = '';
+  const show = (value: Value) => {
+    shown = String(value);
+    input.value = shown;
+    input.removeAttribute('aria-invalid');
+  };
+  input.addEventListener('input', () => {
+    const isValid = isAccepted(parameter, input.value);
+    input.setAttribute('aria-invalid', String(!isValid));
+    if (isValid) listener.change(input.value);
+  });
+  input.addEventListener('change', () => {
+    show(shown);
+    listener.settle();
+  });
+  return { elements: [input], id, show };
 }
 
 function createNumber(parameter: NumberParameter, describedBy: string, listener: ControlListener): Control {

@@ -3,17 +3,19 @@ import { CartoonSmokeElement } from '../element/define.ts';
 import { answerPage, elementStage, originOf } from './answerPage.ts';
 import { LoadError } from '../../base/errors.ts';
 import { unpackBytes } from '../../parameters/packing.ts';
-import { setWasmSource } from '../../simulator/load.ts';
+import { setWasmSource, type Variant } from '../../simulator/load.ts';
+
+type Larger = Exclude<Variant['name'], 'core'>;
 
 /**
- * Defined by the build: the core WASM, deflated and base64url-encoded, and the URL of the script that contains the
- * physics WASM.
+ * Defined by the build: the core WASM, deflated and base64url-encoded, and the URLs of the scripts that contain the larger
+ * variants.
  */
 declare const CORE_WASM: string | undefined;
-declare const PHYSICS_SCRIPT: string;
+declare const WASM_SCRIPTS: Readonly<Record<Larger, string>>;
 
-/** Callback that the physics script calls. */
-type Bring = (packed: string) => void;
+/** Callbacks that the scripts call. */
+type Brings = { [Name in Larger as `bring_${Name}`]?: (packed: string) => void };
 
 const MAX_BYTES = 16 * 1024 * 1024;
 
@@ -41,15 +43,16 @@ function begin(smoke: CartoonSmokeElement): void {
 function useBytesInside(): void {
   if (typeof CORE_WASM === 'undefined') return;
   setWasmSource(async ({ name }) => {
-    const packed = name === 'physics' ? await fetchPhysics(PHYSICS_SCRIPT) : CORE_WASM;
+    const packed = name === 'core' ? CORE_WASM : await fetchLarger(name);
     return (await unpackBytes(packed, MAX_BYTES)).bytes;
   });
 }
 
-function fetchPhysics(address: string): Promise<string> {
+function fetchLarger(name: Larger): Promise<string> {
+  const address = WASM_SCRIPTS[name];
   return new Promise((resolve, reject) => {
     const script = document.createElement('script');
-    (globalThis as { bringPhysics?: Bring }).bringPhysics = resolve;
+    (globalThis as Brings)[`bring_${name}`] = resolve;
     script.onload = () => script.remove();
     script.onerror = () => reject(new LoadError(`${address} could not be fetched.`));
     script.src = address;

@@ -39,6 +39,9 @@ export interface CurveParameter extends bare.CurveParameter, ParameterDescriptio
 /** Colours over 0..1, as stops `0:333344,.5:aab0c0,1:ffffff` sorted by position; empty for none. */
 export interface RampParameter extends bare.RampParameter, ParameterDescription {}
 
+/** Points of a stroke in metres, as text `-.8:0:.1,.2:.35:0`; empty for the simulator's own. */
+export interface PathParameter extends bare.PathParameter, ParameterDescription {}
+
 /** Drawn puffs, as text; empty for none. */
 export interface DrawingParameter extends bare.DrawingParameter, ParameterDescription {}
 
@@ -49,6 +52,7 @@ export type Parameter =
   | TimelineParameter
   | CurveParameter
   | RampParameter
+  | PathParameter
   | DrawingParameter
   | NumberParameter
   | ToggleParameter

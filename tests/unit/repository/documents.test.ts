@@ -30,6 +30,7 @@ function range(parameter: Parameter): string {
       return 'colour';
     case 'curve':
       return 'curve';
+    case 'path':
     case 'ramp':
     case 'drawing':
     case 'timeline':

@@ -1,4 +1,3 @@
-import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { MAX_STOPS } from '../../../src/parameters/curve.ts';
 import type { NumberParameter } from '../../../src/parameters/parameter.ts';
@@ -6,12 +5,12 @@ import { LIST_LIMIT, listNames } from '../../../src/parameters/lists.ts';
 import { presets, presetValues } from '../../../src/parameters/presets.ts';
 import { table } from '../../../src/parameters/table.ts';
 import { startValues } from '../../../src/parameters/words/lists.ts';
-import { loadSimulators, type SimulatorFactory } from '../../../src/simulator/load.ts';
+import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { EVERYTHING } from '../../support/sim/everything.ts';
+import { loadVariant } from '../../support/sim/simWasm.ts';
 import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 
-const WASM = new URL('../../../src/simulator/wasm/core/bindings_bg.wasm', import.meta.url);
 /** One item represents its list. */
 const rows = table.filter(
   (row): row is NumberParameter => row.reader === 'simulator' && 'min' in row && !/^\w+\.[1-7]\./.test(row.key),
@@ -30,7 +29,8 @@ describe('the simulator', () => {
   let factory: SimulatorFactory;
 
   beforeAll(async () => {
-    factory = await loadSimulators({ physics: false, bytes: readFileSync(WASM) });
+    // The core has no rare forces.
+    factory = await loadVariant('meshes');
   });
 
   function smoking(values: Record<string, number>): Simulator {

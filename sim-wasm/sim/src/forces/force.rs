@@ -2,6 +2,7 @@
 
 use wide::f32x4;
 
+use crate::forces::prepared::Prepared;
 use crate::layout::gust::Gust;
 use crate::layout::parameters::item::{Item, LIST_LIMIT};
 use crate::layout::parameters::table::Parameters;
@@ -36,6 +37,9 @@ pub struct ForceContext<'s> {
     pub turbulence: &'s [TurbulenceState; LIST_LIMIT + 1],
     /// The active gusts.
     pub gusts: &'s [Gust],
+    /// What rare forces derive from the parameters.
+    #[cfg_attr(not(feature = "rare"), allow(dead_code, reason = "only rare forces read it"))]
+    pub(crate) prepared: &'s Prepared,
 }
 
 /// A kind of force, with the parameters of one item as `Self`.

@@ -3,18 +3,23 @@
 //!
 //! A force consists of its parameters in `layout::parameters::forces`, a row of the list there, and a kernel here that
 //! processes a tile of particles at a time. A force without items costs nothing.
+//!
+//! The kernels of rare forces are in builds with the feature `rare` only, because most pages never need them. All builds
+//! have their parameters, so that saved states are the same.
 
 pub mod attractor;
 pub mod blow;
 pub mod buoyancy;
 pub mod drag;
 pub mod explosion;
+pub(crate) mod flow;
 pub mod force;
 pub mod gravity;
 pub mod jet;
 pub(crate) mod looks;
 pub mod orbit;
 pub mod particle_motion;
+pub(crate) mod prepared;
 pub mod speed_limit;
 pub mod spiral;
 pub mod turbulence;
@@ -29,6 +34,7 @@ use crate::layout::parameters::forces::attractor::Attractor;
 use crate::layout::parameters::forces::buoyancy::Buoyancy;
 use crate::layout::parameters::forces::drag::Drag;
 use crate::layout::parameters::forces::explosion::Explosion;
+use crate::layout::parameters::forces::flow::Flow;
 use crate::layout::parameters::forces::for_each_force_list;
 use crate::layout::parameters::forces::gravity::Gravity;
 use crate::layout::parameters::forces::jet::Jet;

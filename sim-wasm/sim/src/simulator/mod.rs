@@ -23,6 +23,7 @@ use crate::emission::surface::{Surface, Surfaces};
 use crate::emission::{Births, looks};
 use crate::forces::force::{ForceContext, TurbulenceState};
 use crate::forces::particle_motion::ParticleMotion;
+use crate::forces::prepared::Prepared;
 use crate::forces::turbulence;
 use crate::forces::vortex_particles::VortexParticles;
 use crate::forces::vortex_particles::swarm::VortexParticle;
@@ -74,6 +75,7 @@ pub struct Simulator {
     pub(crate) random: Random,
     pub(crate) births: Births,
     pub(crate) turbulence: [TurbulenceState; LIST_LIMIT + 1],
+    prepared: Prepared,
     pub(crate) surfaces: Surfaces,
     pub(crate) particles: Particles,
     pub(crate) colliders: ColliderPool,
@@ -100,6 +102,7 @@ impl Simulator {
             random: Random::new(seed),
             births: Births::default(),
             turbulence: [TurbulenceState::default(); LIST_LIMIT + 1],
+            prepared: Prepared::default(),
             surfaces: Surfaces::default(),
             particles: Particles::new(room),
             colliders: ColliderPool::default(),
@@ -150,10 +153,14 @@ impl Simulator {
     /// Allocates or drops what parameters need, and prepares the laws of looks.
     pub(crate) fn take_over_parameters(&mut self) {
         let Self {
-            parameters, particles, ..
+            parameters,
+            particles,
+            prepared,
+            ..
         } = self;
         particles.hold(parameters.style.hold > 1.0);
         particles.keep_company(parameters.emission.company > 0.0);
+        prepared.follow(parameters);
         if let Some(looks) = &mut particles.looks {
             looks.prepare(parameters);
         }
@@ -180,6 +187,12 @@ impl Simulator {
     /// The current parameters.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
+    }
+
+    /// Returns true if there are rare forces, whose kernels only builds with that feature have. The other builds must not
+    /// take the next step.
+    pub fn has_rare_forces(&self) -> bool {
+        self.parameters.lists.has_rare()
     }
 
     /// Adds a particle without an emitter. Returns false if the simulator is full.
@@ -527,6 +540,7 @@ impl Simulator {
             seed: self.seed,
             turbulence: &self.turbulence,
             gusts: self.active_inputs.gusts(),
+            prepared: &self.prepared,
         }
     }
 

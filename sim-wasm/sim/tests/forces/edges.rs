@@ -24,6 +24,9 @@ const ALL: &[(&str, f64)] = &[
     ("explosions.0.envelope.period", 0.25),
     ("jets.0.speed", 2.0),
     ("speedLimits.0.speed", 3.0),
+    ("flows.0.speed", 1.5),
+    ("flows.0.swirl", 2.0),
+    ("flows.0.inflow", 0.5),
 ];
 
 fn lists() -> Vec<&'static str> {
@@ -84,7 +87,15 @@ fn a_force_without_strength_leaves_the_motion_bit_exact() {
         simulator.hash()
     };
     let without = hash(&[]);
-    for list in ["attractors", "orbits", "spirals", "explosions", "jets", "speedLimits"] {
+    for list in [
+        "attractors",
+        "orbits",
+        "spirals",
+        "explosions",
+        "jets",
+        "speedLimits",
+        "flows",
+    ] {
         let key = format!("{list}.0.envelope.start");
         assert_eq!(hash(&[(&key, 0.0)]), without, "{list}");
     }
@@ -98,13 +109,27 @@ fn mirrored(settings: &[(&'static str, f64)]) -> Vec<(&'static str, f64)> {
             // An axis of rotation is a pseudovector: x stays, y and z change sign. The code below corrects the rise.
             !key.ends_with(".x")
         } else {
-            key.ends_with(".x") && !key.contains(".size.") || key.ends_with("spirals.0.along")
+            key.ends_with(".x") && !key.contains(".size.") || key.ends_with("spirals.0.along") || key == "flows.0.swirl"
+        }
+    };
+    let mirror = |key: &str, value: f64| {
+        if key.contains(".points.") {
+            point(100_000 - (value % 200_000.0) as i32)
+        } else if flips(key) {
+            -value
+        } else {
+            value
         }
     };
     settings
         .iter()
-        .map(|(key, value)| (*key, if flips(key) { -value } else { *value }))
+        .map(|(key, value)| (*key, mirror(key, *value)))
         .collect()
+}
+
+/// A packed point of a flow, 0.5 m high, by its x in millimetres.
+fn point(x: i32) -> f64 {
+    f64::from(x) + 100_000.0 + 200_000.0 * (100_500.0 + 200_000.0 * 100_300.0)
 }
 
 fn cloud(settings: &[(&str, f64)], side: f32) -> Simulator {
@@ -144,6 +169,9 @@ fn a_mirrored_scene_moves_as_the_mirrored_particles() {
         ("jets.0.position.x", -0.4),
         ("jets.0.direction.x", 0.8),
         ("jets.0.direction.z", 0.3),
+        ("flows.0.position.x", 0.4),
+        ("flows.0.points.0", point(-900)),
+        ("flows.0.points.1", point(800)),
         ("forces.wind.x", 0.1),
         ("gravity.acceleration", 0.2),
         ("drag.rate", 0.5),

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod edges;
 mod explosions;
+mod flows;
 mod jets;
 mod looks;
 mod orbits;

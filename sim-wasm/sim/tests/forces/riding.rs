@@ -43,7 +43,7 @@ fn assert_near(what: &str, ours: [f32; 3], expected: Vector, tolerance: f32) {
 }
 
 #[test]
-fn a_vortex_and_a_jet_move_and_rotate_with_their_rigid() {
+fn vortices_jets_spirals_and_flows_move_and_rotate_with_their_rigid() {
     let own = [
         ("vortices.0.circulation", 3.0),
         ("vortices.0.position.y", 0.5),
@@ -53,12 +53,16 @@ fn a_vortex_and_a_jet_move_and_rotate_with_their_rigid() {
         ("jets.0.position.x", 0.3),
         ("spirals.0.turn", 2.0),
         ("spirals.0.axis.x", 0.4),
+        ("flows.0.speed", 1.0),
+        ("flows.0.swirl", 2.0),
+        ("flows.0.position.x", 0.2),
     ];
     let fixed = simulator(1, 1, &[STILL, &own]);
     let attached = [
         ("vortices.0.rigid", 1.0),
         ("jets.0.rigid", 1.0),
         ("spirals.0.rigid", 1.0),
+        ("flows.0.rigid", 1.0),
     ];
     let mut riding = rigged(&[own.as_slice(), &attached].concat());
     for _ in 0..45 {

@@ -141,6 +141,8 @@ const RIDERS: &[(&str, f64)] = &[
     ("vortices.0.rigid", SECOND),
     ("attractors.0.acceleration", 1.0),
     ("attractors.0.rigid", SECOND),
+    ("flows.0.speed", 1.0),
+    ("flows.0.rigid", SECOND),
     ("shedders.0.rate", 30.0),
     ("shedders.0.strength", 0.5),
     ("shedders.0.rigid", SECOND),

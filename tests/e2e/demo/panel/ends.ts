@@ -26,6 +26,7 @@ const COMPANIONS: readonly (readonly [key: RegExp, values: Values])[] = [
   [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
   [/^style\.pattern./, { 'style.pattern': 'dots' }],
   [/^light\.(distance|decay)$/, { 'light.kind': 'lamp' }],
+  [/^flows\.0\.(?!speed)/, { 'flows.0.speed': 1.5 }],
   [/^emission\.glow$/, { 'light.intensity': 0, 'light.ambient': 0.1 }],
 ];
 
@@ -34,6 +35,7 @@ const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, 
   color: ['#000000', '#ffffff'],
   curve: ['0:1,1:0', '0:0,.125:.5,.25:1,.375:.5,.5:1,.625:.25,.75:1,1:1'],
   ramp: ['', '0:ff0000,.1:00ff00,.2:0000ff,.3:ff00ff,.4:00ffff,.5:ffff00,1:ffffff'],
+  path: ['', '-.3:0:0,0:.4:.1,.3:.8:-.1'],
   drawing: ['', 'ff8800*GRk-gg-Cg'],
   timeline: ['', '60;emission.rate/0*1'],
 };

@@ -87,8 +87,8 @@ test('of an app that collides with a mesh, a simulator without Rapier beside the
   await expect(page).toHaveTitle('loaded');
   const isMeshes = (file: string) => file.endsWith('meshes/bindings_bg.wasm');
   judge([
-    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 191.3 },
-    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 319.8 },
+    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 196.5 },
+    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 324.5 },
   ]);
 });
 

@@ -45,9 +45,18 @@ pub const MAX_STOPS: usize = 8;
 /// The packed stops of a curve; see [`stops`].
 pub type Stops = [f64; MAX_STOPS];
 
-/// Key suffixes of the numbers of a vector, and of stops.
+/// Maximum number of points of a stroke.
+pub const MAX_POINTS: usize = 24;
+/// The packed points of a stroke; see [`points`].
+pub type Points = [f64; MAX_POINTS];
+
+/// Key suffixes of the numbers of a vector, of stops, and of points.
 const PARTS: [&str; 3] = [".x", ".y", ".z"];
 const STOPS: [&str; MAX_STOPS] = [".0", ".1", ".2", ".3", ".4", ".5", ".6", ".7"];
+const POINTS: [&str; MAX_POINTS] = [
+    ".0", ".1", ".2", ".3", ".4", ".5", ".6", ".7", ".8", ".9", ".10", ".11", ".12", ".13", ".14", ".15", ".16", ".17",
+    ".18", ".19", ".20", ".21", ".22", ".23",
+];
 
 impl Meta {
     /// Default value of number `part`.
@@ -164,6 +173,16 @@ pub const STOP_VALUE: f64 = 131_072.0;
 pub const fn stops(key: &'static str, offset: usize) -> Field {
     let range = [0.0, 1.0 + STOP_STEPS + STOP_VALUE * STOP_STEPS];
     Field::new(key, "1", range, [0.0; 3], &STOPS, offset).whole().rare()
+}
+
+/// Number of values of a coordinate of a packed point, in millimetres from half of it below 0.
+pub const POINT_RANGE: f64 = 200_000.0;
+
+/// The packed points of a stroke. 0 is no point; others are x + [`POINT_RANGE`] * (y + [`POINT_RANGE`] * z), each in
+/// millimetres from -100 m.
+pub const fn points(key: &'static str, offset: usize) -> Field {
+    let range = [0.0, POINT_RANGE * POINT_RANGE * POINT_RANGE - 1.0];
+    Field::new(key, "1", range, [0.0; 3], &POINTS, offset).whole().rare()
 }
 
 /// Range of a world position (m), the same as for objects of a three.js scene.

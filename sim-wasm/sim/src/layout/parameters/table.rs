@@ -16,6 +16,7 @@ use crate::layout::parameters::forces::attractor::Attractor;
 use crate::layout::parameters::forces::buoyancy::Buoyancy;
 use crate::layout::parameters::forces::drag::Drag;
 use crate::layout::parameters::forces::explosion::Explosion;
+use crate::layout::parameters::forces::flow::Flow;
 use crate::layout::parameters::forces::for_each_force_list;
 use crate::layout::parameters::forces::gravity::Gravity;
 use crate::layout::parameters::forces::jet::Jet;

@@ -4,6 +4,7 @@ pub mod attractor;
 pub mod buoyancy;
 pub mod drag;
 pub mod explosion;
+pub mod flow;
 pub mod gravity;
 pub mod jet;
 pub mod orbit;
@@ -19,6 +20,7 @@ use crate::layout::parameters::forces::attractor::Attractor;
 use crate::layout::parameters::forces::buoyancy::Buoyancy;
 use crate::layout::parameters::forces::drag::Drag;
 use crate::layout::parameters::forces::explosion::Explosion;
+use crate::layout::parameters::forces::flow::Flow;
 use crate::layout::parameters::forces::gravity::Gravity;
 use crate::layout::parameters::forces::jet::Jet;
 use crate::layout::parameters::forces::orbit::Orbit;
@@ -57,6 +59,8 @@ macro_rules! for_each_force_list {
             jets: Jet,
             /// `speedLimits.#.*`
             speedLimits: SpeedLimit,
+            /// `flows.#.*`
+            flows: Flow,
         }
     };
 }
@@ -74,3 +78,10 @@ macro_rules! lists {
 }
 
 for_each_force_list!(lists);
+
+impl Lists {
+    /// Returns true if there are items of lists whose kernels only builds with the feature `rare` have.
+    pub fn has_rare(&self) -> bool {
+        !self.flows.items().is_empty()
+    }
+}
