@@ -108,7 +108,8 @@ export class AnimationLoading {
   /** Takes steps now, or when the smoke can. */
   whenOver(act: () => void): void {
     if (this.isOver) return act();
-    this.owed.push(act);
+    // What was waited for can have led to something else.
+    this.owed.push(() => this.whenOver(act));
     this.owner.load();
   }
 
