@@ -122,7 +122,7 @@ export function accepted(parameter: Parameter): string {
     case 'ramp':
       return `nothing, or ${MIN_COLORS} to ${MAX_COLORS} stops such as 0:333344,.5:aab0c0,1:ffffff, places rising from 0 to 1`;
     case 'path':
-      return `nothing, or ${MIN_POINTS} to ${MAX_POINTS} points such as -.8:0:.1,.2:.35:0, below 100 m, to the millimetre`;
+      return `nothing, or ${MIN_POINTS} to ${MAX_POINTS} points such as -.8:0:.1,.2:.35:0, below 100`;
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
     case 'timeline':

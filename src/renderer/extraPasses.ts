@@ -30,6 +30,7 @@ const modules = new LazyModules({
   rareForces: (): Promise<SimulatorFactory> => import('../simulator/meshes.ts').then(({ loadMeshes }) => loadMeshes()),
 });
 const TIMELINE = 'The timeline';
+const FLOWS = 'The simulator of flows';
 /** The modules that are loaded. */
 export const { loaded } = modules;
 
@@ -112,7 +113,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
     ...(hasLooks && { looks: 'Looks of emitters' }),
     ...(isAnimated && { animation: TIMELINE }),
-    ...(lacksForces && { rareForces: 'The simulator of flows' }),
+    ...(lacksForces && { rareForces: FLOWS }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -166,6 +167,11 @@ export function timelineText(given: GivenValues): Values {
 export async function fetchTimelineText(given: GivenValues): Promise<Values> {
   if ((given as GivenValues | undefined)?.timeline) await modules.load('animation', TIMELINE);
   return timelineText(given);
+}
+
+/** Loads the simulator with rare forces. @throws LoadError if it cannot be loaded */
+export function fetchRareForces(): Promise<SimulatorFactory> {
+  return modules.load('rareForces', FLOWS);
 }
 
 function missing(kind: PictureKind): [Name, string][] {

@@ -88,9 +88,12 @@ function packedPoint(point: PathPoint | undefined): number {
 }
 
 function unpackedPoint(packed: number): PathPoint {
-  const [x, xy] = [packed % RANGE, packed % (RANGE * RANGE)];
-  const parts = [x, (xy - x) / RANGE, (packed - xy) / RANGE / RANGE];
-  return parts.map((part) => (part - RANGE / 2) / 1000) as unknown as PathPoint;
+  const parts = [0, 0, 0].map(() => {
+    const part = packed % RANGE;
+    packed = (packed - part) / RANGE;
+    return (part - RANGE / 2) / 1000;
+  });
+  return parts as unknown as PathPoint;
 }
 
 /**

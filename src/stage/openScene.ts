@@ -1,7 +1,8 @@
 import { LoadError } from '../base/errors.ts';
-import { fetched, inTime } from '../base/timeout.ts';
+import { inTime } from '../base/timeout.ts';
 import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
+import { fetchRareForces } from '../renderer/extraPasses.ts';
 import { prepareSurfaces } from '../renderer/prepare.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../simulator/load.ts';
 
@@ -33,16 +34,10 @@ export async function openScene(
   const { hasRigids, load } = sceneNamed(name);
   const whole = hasRigids ? () => withThings(load) : load;
   const [scene, factory] = await Promise.all([
-    prepared(shared(name, whole), deviationIn),
-    hasRareForces && !hasRigids ? loadLarger(onProgress) : loadSimulators({ physics: hasRigids, onProgress }),
+    prepared(fetched(name, whole), deviationIn),
+    hasRareForces && !hasRigids ? fetchRareForces() : loadSimulators({ physics: hasRigids, onProgress }),
   ]);
   return { scene, factory };
-}
-
-/** Loads the simulator with rare forces. */
-async function loadLarger(onProgress: OpenOptions['onProgress']): Promise<SimulatorFactory> {
-  const { loadMeshes } = await fetched('The simulator of flows', import('../simulator/meshes.ts'));
-  return loadMeshes(onProgress);
 }
 
 async function prepared(fetching: Promise<Scene>, deviationIn: (scene: Scene) => number): Promise<Scene> {
@@ -57,7 +52,7 @@ async function withThings(load: () => Promise<Scene>): Promise<Scene> {
   return withDrops(scene);
 }
 
-function shared(name: string, load: () => Promise<Scene>): Promise<Scene> {
+function fetched(name: string, load: () => Promise<Scene>): Promise<Scene> {
   const known = shown.get(name)?.deref();
   if (known) return Promise.resolve(known);
   const scene = coming.get(name) ?? fetchNew(name, load).finally(() => coming.delete(name));
