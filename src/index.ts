@@ -98,6 +98,10 @@ export type { RigidSurface } from './simulator/rigid.ts';
 export type {
   BlowInput,
   EnterOptions,
+  Model,
+  ModelNode,
+  ModelOptions,
+  ModelPoint,
   PointerInput,
   SeekOptions,
   StageEvents,

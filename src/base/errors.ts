@@ -44,7 +44,7 @@ export class ShapeError extends SmokeError {
   override name = 'ShapeError';
 }
 
-/** A file contains no valid preset or take. The message has the fault and its position. */
+/** A file contains no valid preset, take or model. The message has the fault and its position. */
 export class FileError extends SmokeError {
   override name = 'FileError';
 }

@@ -2,6 +2,8 @@ import type { Device, DeviceOptions } from '../renderer/gpu/device.ts';
 import type { Fault } from '../renderer/gpu/faults.ts';
 import type { DebugView, Quality } from '../parameters/quality.ts';
 import type { GivenValues } from '../parameters/timeline.ts';
+import type { Vector } from '../scenes/scene.ts';
+import type { VectorComponents } from '../simulator/emitterOptions.ts';
 import type { LoadProgress } from '../simulator/load.ts';
 import type { Turns } from './frameLoop.ts';
 
@@ -58,6 +60,60 @@ export interface SeekOptions {
   onProgress?: (share: number) => void;
   /** Aborts the seek at the step it has reached. The promise then rejects with the signal's reason. */
   signal?: AbortSignal;
+}
+
+/** Where a model stands and what it does. */
+export interface ModelOptions {
+  /** The middle of its underside, metres. Default: the middle of the model is at the target of the scene's camera. */
+  position?: VectorComponents;
+  /** Its longest side in its first pose, metres, 0.01 to 100. Default: a third of the distance of the scene's camera. */
+  size?: number;
+  /** Rotation about the vertical axis, radians, -100 to 100. Default: 0. */
+  turn?: number;
+  /** Name of the animation that plays, one of `Model.animations`. Default: the first. An empty name: none. */
+  animation?: string;
+  /** Seconds of the animation per simulated second, 0 to 10. Default: 1. The animation repeats. */
+  speed?: number;
+  /** Whether smoke and objects collide with it. Default: true. */
+  collides?: boolean;
+  /** Whether it casts shadow. Default: true. */
+  casts?: boolean;
+  /** Whether it has outlines. Default: true. */
+  inked?: boolean;
+}
+
+/** A part of a model that emitters and forces can ride on: nodes and bones that move together. */
+export interface ModelNode {
+  /** The name in the file of the first of its nodes, or `node` with its index. */
+  readonly name: string;
+  /** The index that `emitters.#.rigid` takes, 4096 or more. */
+  readonly rigid: number;
+  /** The index that `emitters.#.surface` takes, for emitters with the shape `surface`; -1 without a surface. */
+  readonly surface: number;
+}
+
+/** What a model file contains. */
+export interface Model {
+  readonly triangles: number;
+  readonly materials: number;
+  /** Sides of its box in its first pose, metres. */
+  readonly box: Vector;
+  /** At most 64, with the parts of the scene. Deeper bones of larger skeletons belong to the bones that carry them. */
+  readonly nodes: readonly ModelNode[];
+  /** In the order of the file. Names are unique. */
+  readonly animations: readonly { readonly name: string; readonly seconds: number }[];
+  /** Sentences about what the file has and the model lacks, such as a texture of another file. */
+  readonly notices: readonly string[];
+}
+
+/** A place on the surface of a model, in the space of one of its nodes. */
+export interface ModelPoint {
+  /** The node that carries the place; on a skin, the bone that moves it most. */
+  readonly node: ModelNode;
+  /** For `emitters.#.position.*`, metres. */
+  readonly position: Vector;
+  /** Unit vector away from the surface, for `emitters.#.direction.*`. */
+  readonly direction: Vector;
 }
 
 /** A pointer event as plain data, in CSS pixels from the top left of the canvas. */
