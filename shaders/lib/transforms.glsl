@@ -1,4 +1,4 @@
-// World transforms of the surfaces, a row of four texels for each: src/renderer/passes/surfaceTransforms.ts.
+// World transforms of the surfaces and of the rows of the skin, a row of four texels for each: src/renderer/passes/surfaceTransforms.ts.
 uniform highp sampler2D transforms;
 
 mat4 worldFromModel(int surface) {

@@ -12,8 +12,8 @@ uniform bool isRaised;
 
 in vec3 position;
 in vec3 hullNormal;
-// Index of the surface, and number of its group.
-in vec2 surfaceAndGroup;
+// Index of the surface, number of its group, and row of the transform.
+in vec3 surfaceGroupRow;
 
 flat out float group;
 
@@ -33,8 +33,8 @@ float raisedClipZ(float viewZ, float clipW, float nearer) {
 }
 
 void main() {
-  mat4 transform = worldFromModel(int(surfaceAndGroup.x));
-  group = surfaceAndGroup.y;
+  mat4 transform = worldFromModel(int(surfaceGroupRow.z));
+  group = surfaceGroupRow.y;
   mat4 viewFromModel = viewFromWorld * transform;
   vec4 inView = viewFromModel * vec4(position, 1.0);
   vec4 clip = clipFromView * inView;

@@ -9,8 +9,8 @@ uniform float firstMaterial;
 
 in vec3 position;
 in vec3 normal;
-// Index of the surface, and number of its group.
-in vec2 surfaceAndGroup;
+// Index of the surface, number of its group, and row of the transform.
+in vec3 surfaceGroupRow;
 
 out vec3 worldNormal;
 out vec3 worldPlace;
@@ -20,9 +20,9 @@ flat out float group;
 #include ../lib/transforms.glsl
 
 void main() {
-  float surface = surfaceAndGroup.x;
-  mat4 transform = worldFromModel(int(surface));
-  group = surfaceAndGroup.y;
+  float surface = surfaceGroupRow.x;
+  mat4 transform = worldFromModel(int(surfaceGroupRow.z));
+  group = surfaceGroupRow.y;
   worldNormal = mat3(transform) * normal;
   worldPlace = (transform * vec4(position, 1.0)).xyz;
   material = firstMaterial + surface;

@@ -2,6 +2,7 @@ import { Vector3, type Texture } from 'three';
 import type { ChooseTones } from './passes/resolve.ts';
 import type { SurfaceDepth } from './passes/surfaceDepth.ts';
 import type { PuffRows } from './gpu/puffRows.ts';
+import { STEP_SECONDS } from '../simulator/clock.ts';
 import { ALL_PARTICLES } from '../simulator/view.ts';
 import { countVolumes, limitOf, type ArrangedFrame, type SmokePasses } from './smokePasses.ts';
 import { hasPattern, hasStrokes, isSimplified } from './extraPasses.ts';
@@ -137,12 +138,13 @@ export function reportOf({ bodies, casters, arrangeMs }: ArrangedFrame): FrameRe
 }
 
 /** Sets what the arrangement and all passes read of the frame: size, camera, light, places of the surfaces and time. */
-function setUpView(passes: SmokePasses, { camera, light, width, height, rigids, parts, time, deviation }: FrameInput) {
+function setUpView(passes: SmokePasses, input: FrameInput) {
+  const { camera, light, width, height, rigids, parts, blend, time = 0, deviation } = input;
   passes.targets.resize(width, height);
   const reversedDepth = passes.renderer.state.buffers.depth.getReversed();
   passes.eye.look(camera, homogeneous(light), width, height, reversedDepth);
   if (light.kind === 'lamp') passes.lampLight?.look(light.place, light.falloff);
-  passes.scene?.place(rigids, parts ?? []);
+  passes.scene?.place(rigids, parts ?? [], Math.max(0, time + (blend - 1) * STEP_SECONDS));
   passes.scene?.refine(deviation ?? 0);
-  passes.body.setDrawing(Math.floor((time ?? 0) * DRAWINGS_PER_SECOND));
+  passes.body.setDrawing(Math.floor(time * DRAWINGS_PER_SECOND));
 }

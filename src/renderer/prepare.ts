@@ -25,12 +25,12 @@ import { formOf, styleOf, styleUniforms } from './style.ts';
  */
 export function* preparingSurfaces(finest: readonly SurfaceDescription[], deviation = 0): Work<void> {
   const surfaces = coarserSurfaces(finest, deviation);
-  for (const [index, { mesh, casts, inked }] of surfaces.entries()) {
+  for (const [index, { mesh, casts, inked, skin }] of surfaces.entries()) {
     memoizedHullNormals(finest[index].mesh);
     yield;
     if (casts) yield* memoizedExtrusion.pieces(mesh);
     yield;
-    if (!inked) continue;
+    if (!inked || skin) continue;
     yield* memoizedCreases.pieces(mesh);
     yield;
     for (const other of meetingBehind(surfaces, index)) {

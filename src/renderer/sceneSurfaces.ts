@@ -3,7 +3,7 @@ import type { FrameView } from './gpu/frameView.ts';
 import type { RampTexture } from './gpu/ramps.ts';
 import { CreasesPass } from './passes/creases.ts';
 import { MeshVolumesPass } from './passes/meshVolumes.ts';
-import type { SurfaceDescription } from './passes/surface.ts';
+import type { Skin, SurfaceDescription } from './passes/surface.ts';
 import { SurfacesPass } from './passes/surfaces.ts';
 import { SurfaceTransforms } from './passes/surfaceTransforms.ts';
 import { memoize } from './passes/memoize.ts';
@@ -20,8 +20,8 @@ export interface DrawnSurfaces {
 }
 
 /** The surfaces of a scene, for the options of a smoke. */
-export function drawnSurfaces(descriptions: readonly SurfaceDescription[]): DrawnSurfaces {
-  return { descriptions, make: (eye, ramps, first) => new SceneSurfaces(eye, ramps, first, descriptions) };
+export function drawnSurfaces(descriptions: readonly SurfaceDescription[], skin?: Skin): DrawnSurfaces {
+  return { descriptions, make: (eye, ramps, first) => new SceneSurfaces(eye, ramps, first, descriptions, skin) };
 }
 
 /** The surfaces of a scene with the passes that draw them, their lines and their shadows. */
@@ -32,19 +32,28 @@ export class SceneSurfaces {
   readonly creases: CreasesPass;
   readonly volumes: MeshVolumesPass;
   private readonly descriptions: readonly SurfaceDescription[];
+  private readonly skin: Skin | undefined;
   private deviation: number | undefined;
 
-  constructor(eye: FrameView, ramps: RampTexture, firstRamp: number, descriptions: readonly SurfaceDescription[]) {
-    const transforms = new SurfaceTransforms(descriptions.length);
+  constructor(
+    eye: FrameView,
+    ramps: RampTexture,
+    firstRamp: number,
+    descriptions: readonly SurfaceDescription[],
+    skin?: Skin,
+  ) {
+    const transforms = new SurfaceTransforms(descriptions.length + (skin?.count ?? 0));
     this.transforms = transforms;
     this.surfaces = new SurfacesPass(eye, ramps, firstRamp, descriptions, transforms);
     this.creases = new CreasesPass(eye, transforms);
     this.volumes = new MeshVolumesPass(eye, transforms);
     this.descriptions = descriptions;
+    this.skin = skin;
   }
 
-  /** Sets the world transforms of surfaces on rigids and parts. */
-  place(rigids: readonly Matrix4[], parts: readonly Matrix4[]): void {
+  /** Sets the world transforms of surfaces on rigids and parts, and of the skin at a simulated time. */
+  place(rigids: readonly Matrix4[], parts: readonly Matrix4[], seconds: number): void {
+    if (this.skin) this.transforms.placeRows(this.descriptions.length, this.skin.at(seconds));
     this.descriptions.forEach(({ rigid, part }, surface) => {
       if (rigid === undefined && part === undefined) return;
       const transform = part === undefined ? rigids[rigid!] : parts[part];

@@ -1,6 +1,6 @@
 import type { Color } from '../renderer/gpu/ramps.ts';
 import type { TriangleMesh } from '../renderer/passes/extrusion.ts';
-import type { SurfaceDescription } from '../renderer/passes/surface.ts';
+import type { Skin, SurfaceDescription } from '../renderer/passes/surface.ts';
 import type { Quaternion } from '../simulator/exact/rotation.ts';
 import type { RigidDescription, RigidPart } from '../simulator/rigid.ts';
 import type { Dropped } from './dropped.ts';
@@ -126,6 +126,8 @@ export interface Scene {
   guide?: Guide;
   rule?: Rule;
   surfaces: readonly SurfaceDescription[];
+  /** Transforms of surfaces that bend. */
+  skin?: Skin;
   /** In index order, as referenced by surfaces; at most 64. */
   parts?: readonly MovingPart[];
   /** Meshes that emitters use as their source, in index order. They are not drawn. */

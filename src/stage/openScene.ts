@@ -4,6 +4,7 @@ import type { Scene } from '../scenes/scene.ts';
 import { sceneNamed } from '../scenes/scenes.ts';
 import { fetchRareForces } from '../renderer/extraPasses.ts';
 import { prepareSurfaces } from '../renderer/prepare.ts';
+import type { SceneModel } from './model/modelScene.ts';
 import { loadSimulators, type LoadOptions, type SimulatorFactory } from '../simulator/load.ts';
 
 /** Scenes in use: stages of the same scene share its models and everything derived from them. */
@@ -14,6 +15,7 @@ const coming = new Map<string, Promise<Scene>>();
 export interface OpenedScene {
   readonly scene: Scene;
   readonly factory: SimulatorFactory;
+  readonly model?: SceneModel;
 }
 
 interface OpenOptions extends Pick<LoadOptions, 'onProgress'> {

@@ -219,10 +219,10 @@ export class Picture {
   }
 
   private smokeOf(values: Values): ShownSmoke {
-    const { backdrop, surfaces } = this.scene;
+    const { backdrop, surfaces, skin } = this.scene;
     const { device } = this.presenter;
     const make = (given: Pick<SmokeOptions, 'capacity' | 'puffs'>) =>
-      new SmokeRenderer(device, { ...given, backdrop, surfaces: drawnSurfaces(surfaces) });
+      new SmokeRenderer(device, { ...given, backdrop, surfaces: drawnSurfaces(surfaces, skin) });
     return new ShownSmoke(values, make);
   }
 

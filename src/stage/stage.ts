@@ -8,17 +8,21 @@ import type { GivenValues } from '../parameters/timeline.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
-import { STEP_SECONDS } from '../simulator/clock.ts';
+import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
 import type { EmissionChange, EmissionOptions } from '../simulator/emitterOptions.ts';
 import type {
   BlowInput,
   EnterOptions,
+  Model,
+  ModelOptions,
+  ModelPoint,
   PointerInput,
   SeekOptions,
   StageEvents,
   StageOptions,
   StageStats,
 } from './contract.ts';
+import { readModel, type Dress } from './modelLoading.ts';
 import { cameraControls } from './orbit.ts';
 import { openFor, openStage, read } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
@@ -36,8 +40,10 @@ export class Stage {
   readonly canvas: DeviceCanvas;
   readonly camera = cameraControls(() => this.#running);
   readonly #running: RunningScene;
-  /** Identifies the latest call of enter; earlier calls are superseded. */
-  #entering: object | undefined;
+  /** The latest call of enter or setModel, until it is over; earlier calls are superseded. */
+  #entering: { readonly values: GivenValues; readonly dress: Dress | undefined } | undefined;
+  /** Identifies the latest call of setModel. */
+  #reading: object | undefined;
 
   /** @internal Use createStage. */
   constructor(canvas: DeviceCanvas, running: RunningScene) {
@@ -183,15 +189,66 @@ export class Stage {
    * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; nothing changes then
    */
   async enter(values: GivenValues, options: EnterOptions = {}): Promise<void> {
+    const { dress } = this.#entering ?? this.running;
+    await this.#enter(values, options, dress);
+  }
+
+  async #enter(values: GivenValues, options: EnterOptions, dress: Dress | undefined): Promise<void> {
     const { picture } = this.running;
-    const [before, entry] = [this.#entering, (this.#entering = {})];
+    const [before, entry] = [this.#entering, (this.#entering = { values, dress })];
     const after = await read(values).catch((error) => {
       // Invalid values supersede nothing.
       if (this.#entering === entry) this.#entering = before;
       throw error;
     });
-    const opened = await openFor(after, picture, options);
-    if (!this.#running.isDisposed && this.#entering === entry) this.#running.enter(opened, after);
+    try {
+      const scene = await openFor(after, picture, options);
+      const opened = dress ? await dress(scene) : scene;
+      if (this.#running.isDisposed || this.#entering !== entry) return;
+      this.#running.dress = dress;
+      this.#running.enter(opened, after);
+    } finally {
+      if (this.#entering === entry) this.#entering = undefined;
+    }
+  }
+
+  /**
+   * Stands a model in the scene and restarts the simulation from the first step, with the values as they are. The model
+   * replaces the one before and stays until another call, also when another scene is entered. Smoke collides with it, it casts
+   * shadow, its animation follows simulated time, and emitters can ride on its nodes; see `Model.nodes`. Takes, links and saved
+   * states do not contain it: they need the same model. Of concurrent calls, the last one wins. Nothing in the file is fetched
+   * from other addresses.
+   * @param bytes a GLB file of at most 32 MB, with at most 200,000 triangles and 64 materials; null removes the model
+   * @returns what the file contains; null without a model
+   * @throws FileError with the fault of a file that cannot be used, ParameterError for an invalid option, LoadError when code
+   * cannot be fetched; nothing changes then
+   */
+  async setModel(bytes: Uint8Array | null, options: ModelOptions = {}): Promise<Model | null> {
+    const call = (this.#reading = {});
+    const { smoke } = this.running.picture;
+    const dress = bytes ? await readModel(bytes, options) : undefined;
+    if (this.#reading === call) {
+      await this.#enter(this.#entering?.values ?? this.get(), {}, dress);
+      this.setPuffs(smoke.ownShapes);
+    }
+    return this.model;
+  }
+
+  /** What the model file contains; null without a model. */
+  get model(): Model | null {
+    return this.#running.opened.model?.model ?? null;
+  }
+
+  /**
+   * The place of the model's surface at a position in the picture, in CSS pixels from the top left, for an emitter that rides
+   * on it. Other surfaces do not hide the model.
+   * @returns null where the model is not
+   */
+  pickModel(x: number, y: number): ModelPoint | null {
+    requireFinite({ x, y });
+    const { loop, opened, picture, simulation } = this.running;
+    const seconds = secondsAt(simulation.simulator.steps, loop.clock.blend);
+    return opened.model?.pick(picture.deviceCoordinates(x, y), picture.eye.camera, seconds) ?? null;
   }
 
   /**
@@ -311,6 +368,8 @@ export class Stage {
     const { ownShapes } = this.running.picture.smoke;
     const [values, state] = [this.get(), this.save()];
     const stage = await createStage(canvas, { ...options, values });
+    const { dress } = this.#running;
+    if (dress) await stage.#enter(values, {}, dress);
     stage.setPuffs(ownShapes);
     stage.restore(state);
     return stage;

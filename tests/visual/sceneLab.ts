@@ -224,7 +224,7 @@ export class SceneLab {
   surfaceBoxes(): Box3[] {
     const { rigids, parts = [] } = this.frame();
     const { scene } = this.smoke.passes;
-    scene!.place(rigids, parts);
+    scene!.place(rigids, parts, 0);
     return scene!.surfaces.worldBoxes();
   }
 

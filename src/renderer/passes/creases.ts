@@ -82,9 +82,9 @@ export const memoizedSeams = memoize((one: TriangleMesh) =>
 
 /** The edges that are drawn with each surface. */
 const edgesOf = memoize((surfaces: readonly SurfaceDescription[]) =>
-  surfaces.map(({ inked, mesh }, index) =>
+  surfaces.map(({ inked, skin, mesh }, index) =>
     joined(
-      inked
+      inked && !skin
         ? [memoizedCreases(mesh), ...meetingBehind(surfaces, index).map((other) => memoizedSeams(mesh)(other.mesh))]
         : [],
     ),
@@ -100,7 +100,7 @@ export function meetingBehind(surfaces: readonly SurfaceDescription[], index: nu
     .slice(index + 1)
     .filter(
       (other) =>
-        other.inked && other.rigid === rigid && other.part === part && (group === undefined || other.group !== group),
+        other.inked && !other.skin && other.rigid === rigid && other.part === part && (group === undefined || other.group !== group),
     );
 }
 

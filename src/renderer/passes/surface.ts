@@ -21,11 +21,23 @@ export interface SurfaceDescription {
   rigid?: number;
   /** Index of the scene part whose transform it has, instead of a rigid. */
   part?: number;
+  /** Index of the transform of each vertex among the rows of the skin. It has no creases then. */
+  skin?: Uint16Array;
+  /** Whether it only casts shadow. */
+  hidden?: boolean;
+}
+
+/** Transforms of vertices that move by themselves, from their places in the meshes. */
+export interface Skin {
+  /** Number of rows. */
+  readonly count: number;
+  /** @returns column-major matrices of all rows at a simulated time, valid until the next call */
+  at(seconds: number): Float32Array;
 }
 
 /** Whether a surface can move relative to the others. */
-export function isMoving({ rigid, part }: SurfaceDescription): boolean {
-  return rigid !== undefined || part !== undefined;
+export function isMoving({ rigid, part, skin }: SurfaceDescription): boolean {
+  return (rigid ?? part ?? skin) !== undefined;
 }
 
 /** Surfaces with equal keys have no line between them. */

@@ -34,7 +34,7 @@ export class SurfaceGeometry extends BufferGeometry {
     this.setAttribute('position', new BufferAttribute(positions, 3));
     this.setAttribute('normal', new BufferAttribute(normals, 3));
     this.setAttribute('hullNormal', new BufferAttribute(outward, 3));
-    this.setAttribute('surfaceAndGroup', new BufferAttribute(numbers, 2));
+    this.setAttribute('surfaceGroupRow', new BufferAttribute(numbers, 3));
     this.indices = new BufferAttribute(new Uint32Array(corners), 1).setUsage(DynamicDrawUsage);
     this.setIndex(this.indices);
   }
@@ -65,8 +65,9 @@ export class SurfaceGeometry extends BufferGeometry {
   }
 }
 
-/** The position of a surface in drawing order. */
+/** The position of a surface in drawing order; -1 for a hidden one. */
 function setOf(surface: SurfaceDescription): number {
+  if (surface.hidden) return -1;
   if (surface.inked) return isMoving(surface) ? 2 : 1;
   return isMoving(surface) ? 3 : 0;
 }
@@ -78,11 +79,12 @@ export const memoizedVertices = memoize((surfaces: readonly SurfaceDescription[]
   for (const { positions } of meshes) firstVertices.push(firstVertices.at(-1)! + positions.length / 3);
   const groups = surfaces.map(groupOf);
   const names = [...new Set(groups)];
-  const numbers = new Float32Array(2 * firstVertices.at(-1)!);
-  meshes.forEach((_, surface) => {
+  const numbers = new Float32Array(3 * firstVertices.at(-1)!);
+  surfaces.forEach(({ skin }, surface) => {
     const group = 1 + (names.indexOf(groups[surface]) % GROUPS);
     for (let vertex = firstVertices[surface]; vertex < firstVertices[surface + 1]; vertex++) {
-      numbers.set([surface, group], 2 * vertex);
+      const row = skin ? surfaces.length + skin[vertex - firstVertices[surface]] : surface;
+      numbers.set([surface, group, row], 3 * vertex);
     }
   });
   return {

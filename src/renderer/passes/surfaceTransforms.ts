@@ -1,6 +1,6 @@
 import { DataTexture, FloatType, Matrix4, RGBAFormat } from 'three';
 
-/** Where the surfaces of a scene are. The shaders of all passes read it from one texture. */
+/** Where the surfaces of a scene are, and the rows of its skin, which follow them. The shaders of all passes read it from one texture. */
 export class SurfaceTransforms {
   /** World transforms, one row of four texels for each surface; all zeros for an invisible one. */
   readonly texture: DataTexture;
@@ -10,7 +10,7 @@ export class SurfaceTransforms {
   private readonly matrices: readonly Matrix4[];
   private readonly visible: boolean[];
 
-  /** @param count number of surfaces, at most the maximum height of a texture; they start at the identity */
+  /** @param count number of surfaces and rows of the skin, at most the maximum height of a texture; they start at the identity */
   constructor(count: number) {
     this.matrices = Array.from({ length: count }, () => new Matrix4());
     this.visible = this.matrices.map(() => true);
@@ -26,6 +26,12 @@ export class SurfaceTransforms {
     if (this.visible[surface] !== isVisible) this.changes++;
     this.visible[surface] = isVisible;
     this.write(surface);
+  }
+
+  /** Sets the transforms of rows, from the first one on. @param matrices column-major */
+  placeRows(first: number, matrices: Float32Array): void {
+    this.elements.set(matrices, 16 * first);
+    this.texture.needsUpdate = true;
   }
 
   worldFromModel(surface: number): Matrix4 {

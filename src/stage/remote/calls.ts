@@ -4,7 +4,7 @@
  */
 import type { GivenValues } from '../../parameters/timeline.ts';
 import type { EmissionChange, EmissionOptions } from '../../simulator/emitterOptions.ts';
-import type { BlowInput, PointerInput, StatsOptions } from '../contract.ts';
+import type { BlowInput, ModelOptions, PointerInput, StatsOptions } from '../contract.ts';
 import type { Stage } from '../stage.ts';
 import type { Take } from '../take.ts';
 
@@ -66,6 +66,13 @@ export const calls = {
    * to drop.
    */
   drop: (stage: Stage, x: number, y: number) => stage.drop(x, y),
+  /**
+   * Stands a model in the scene, a GLB file, and restarts; null removes it. A worker or an iframe takes the bytes away if they
+   * are a whole buffer. Resolves to what the file contains.
+   */
+  setModel: (stage: Stage, bytes: Uint8Array | null, options?: ModelOptions) => stage.setModel(bytes, options),
+  /** The place of the model's surface at a position in the picture, in CSS pixels; null where it is not. */
+  pickModel: (stage: Stage, x: number, y: number) => stage.pickModel(x, y),
   /** Moves the target of the movable rigid, in metres. */
   nudge: (stage: Stage, by: { dx?: number; dy?: number; dz?: number }) => stage.nudge(by),
   /** Rotates the camera about its target, in radians. */

@@ -5,6 +5,7 @@
 import { requireFinite, requireWhole } from '../../parameters/values.ts';
 import type { Vector } from '../../scenes/scene.ts';
 import type { EmissionChange, EmissionOptions } from '../../simulator/emitterOptions.ts';
+import type { ModelOptions } from '../contract.ts';
 import type { Take } from '../take.ts';
 import type { calls, MethodName } from './calls.ts';
 import {
@@ -17,6 +18,7 @@ import {
   key,
   list,
   nothing,
+  nullable,
   number,
   oneOf,
   optional,
@@ -58,6 +60,17 @@ const stepCount = demanding(optional(integer(0, MAX_STEPS)), (value) => requireW
 const state = byteArray(MAX_BYTES);
 const vector = list(place, 3) as Shape as Shape<Vector>;
 const plane = record({ middle: vector, right: vector, up: vector });
+
+const modelOptions = optionsByName<ModelOptions>();
+const modelNode = record({ name: text, rigid: integer(0, FAR), surface: integer(-1, FAR) });
+const model = record({
+  triangles: integer(0, FAR),
+  materials: integer(0, FAR),
+  box: vector,
+  nodes: list(modelNode, MAX_KEYS),
+  animations: list(record({ name: text, seconds: number(FAR) }), MAX_KEYS),
+  notices: list(text, MAX_KEYS),
+});
 
 /** A take contains a function, so it is sent as its bytes. */
 interface PackedTake extends Omit<Take, 'toBytes'> {
@@ -129,6 +142,11 @@ export const methods: { readonly [Name in MethodName]: EntryOf<(typeof calls)[Na
   emit: { takes: [optionsByName<EmissionOptions>()], gives: integer(0, 2 ** 53) },
   changeEmission: { takes: [integer(0, 2 ** 53), optionsByName<EmissionChange>()], gives: nothing },
   drop: { takes: [place, place], gives: flag },
+  setModel: { takes: [nullable(byteArray(MAX_BYTES)), optional(modelOptions)], gives: nullable(model) },
+  pickModel: {
+    takes: [place, place],
+    gives: nullable(record({ node: modelNode, position: vector, direction: vector })),
+  },
   nudge: { takes: [record({ dx: optional(place), dy: optional(place), dz: optional(place) })], gives: nothing },
   orbit: { takes: [place, place], gives: nothing },
   zoom: { takes: [number(FAR, 1 / FAR)], gives: nothing },

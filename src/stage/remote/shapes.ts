@@ -59,6 +59,14 @@ export function optional<Value>(of: Shape<Value>): Shape<Value | undefined> {
   return shape(of.words, (value) => value === undefined || of(value));
 }
 
+export function nullable<Value>(of: Shape<Value>): Shape<Value | null> {
+  const { transferred } = of;
+  return Object.assign(
+    shape<Value | null>(`${of.words}, or null`, (value) => value === null || of(value)),
+    transferred && { transferred: (message: unknown) => (message === null ? [] : transferred(message)) },
+  );
+}
+
 export function byteArray(max: number): Shape<Uint8Array> {
   const isRight = (value: unknown) => value instanceof Uint8Array && value.byteLength <= max;
   return Object.assign(shape<Uint8Array>(`a Uint8Array of at most ${max} bytes`, isRight), {
@@ -117,7 +125,7 @@ const components = record({ x: anyNumber, y: anyNumber, z: anyNumber });
 
 /** Options by name. The stage checks their names and ranges. */
 export function optionsByName<Options extends object>(): Shape<Options> {
-  return shape('an object of options: numbers, strings and vectors x, y, z', (value) => {
+  return shape('an object of options: numbers, strings, true or false, and vectors x, y, z', (value) => {
     if (!isPlain(value)) return false;
     const entries = Object.entries(value);
     return entries.length <= MAX_OPTIONS && entries.every(([name, each]) => key(name) && isOption(each));
@@ -125,7 +133,7 @@ export function optionsByName<Options extends object>(): Shape<Options> {
 }
 
 function isOption(value: unknown): boolean {
-  return value === undefined || anyNumber(value) || text(value) || components(value);
+  return value === undefined || anyNumber(value) || flag(value) || text(value) || components(value);
 }
 
 /** A plain object of finite numbers and booleans. */

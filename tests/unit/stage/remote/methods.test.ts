@@ -2,6 +2,7 @@
 import { expect, test } from 'vitest';
 import { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 import { elementStage } from '../../../../src/page/iframe/answerPage.ts';
+import type { Model } from '../../../../src/stage/contract.ts';
 import type { RemoteStage } from '../../../../src/stage/remote/contract.ts';
 import type { CrowdTurns } from '../../../../src/stage/remote/crowd.ts';
 import { localStage } from '../../../../src/stage/remote/openHere.ts';
@@ -20,6 +21,15 @@ type Call<Name extends MethodName> =
     : never;
 
 const BYTES = Uint8Array.of(1, 2, 3);
+
+const MODEL: Model = {
+  triangles: 12,
+  materials: 1,
+  box: [1, 2, 1],
+  nodes: [{ name: 'Head', rigid: 4096, surface: -1 }],
+  animations: [{ name: 'Walk', seconds: 1.5 }],
+  notices: ['Its morph targets are not shown.'],
+};
 
 /** A method without a line here does not compile. */
 const calls: { readonly [Name in MethodName]: Call<Name> } = {
@@ -49,6 +59,11 @@ const calls: { readonly [Name in MethodName]: Call<Name> } = {
   drop: { given: [3, 4], result: true },
   emit: { given: [{ position: { x: 0, y: 1, z: 0 }, count: 3 }], result: 7 },
   changeEmission: { given: [7, { rate: 3, direction: { x: 0, y: 1, z: 0 } }] },
+  setModel: {
+    given: [BYTES.slice(), { size: 2, animation: 'Walk', casts: false, position: { x: 1, y: 0, z: 2 } }],
+    result: MODEL,
+  },
+  pickModel: { given: [3, 4], result: { node: MODEL.nodes[0], position: [1, 2, 3], direction: [0, 1, 0] } },
   nudge: { given: [{ dx: 1 }] },
   orbit: { given: [0.1, 0.2] },
   zoom: { given: [1.1] },

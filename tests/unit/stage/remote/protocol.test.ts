@@ -78,7 +78,9 @@ test('five thousand hostile messages are all rejected, and none is read as a rep
     const read = readRequest(message);
     // The stage rejects well-formed messages with invalid values itself.
     if (read && 'method' in read)
-      expect(['set', 'enter', 'restore', 'emit', 'changeEmission', 'playTake', 'readTake']).toContain(read.method);
+      expect(['set', 'enter', 'restore', 'emit', 'changeEmission', 'setModel', 'playTake', 'readTake']).toContain(
+        read.method,
+      );
     expect(readReply(message, () => 'hash')).toBeUndefined();
     expect(readNotification(message)).toBeUndefined();
     count += 1;

@@ -1,0 +1,222 @@
+/** The triangles of a model in its first pose, in metres, with what carries each vertex. */
+import type { Color } from '../../renderer/gpu/ramps.ts';
+import { refuse } from './glb.ts';
+import type { ModelFile, Primitive, Skin } from './modelFile.ts';
+import { inverted, multiplyMatrices, type Poses } from './pose.ts';
+
+/** Transforms of vertices that more than one node moves, or whose node has no part of its own. */
+export interface Row {
+  readonly weights: readonly { readonly share: number; readonly node: number; readonly inverse: Float64Array }[];
+  /** From the first pose to the file. */
+  fromFirst: Float64Array | undefined;
+}
+
+/** Triangles of one node with one material, in world space in the first pose. */
+export interface Piece {
+  readonly node: number;
+  readonly color: Color;
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly indices: Uint32Array;
+  /** The node that moves each vertex most. */
+  readonly movers: Uint16Array;
+  /** Index of the row of each vertex, for vertices of skins. */
+  readonly rows: Uint16Array | undefined;
+  readonly isSkinned: boolean;
+}
+
+/** Rows that the textures of all devices have space for, beside those of surfaces. */
+const MAX_ROWS = 1_800;
+/** Weights are rounded to these fractions; the finest whose combinations have space. */
+const FRACTIONS = [64, 32, 16, 8, 4, 2, 1];
+const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+
+/** All triangles of a file. @param colorOf the colour of a primitive */
+export function piecesOf(file: ModelFile, poses: Poses, colorOf: (primitive: Primitive) => Color) {
+  const { rows, rowsOf } = rowsFor(file, poses);
+  const pieces = file.order.flatMap((node) => {
+    const { mesh } = file.nodes[node];
+    if (mesh === undefined) return [];
+    return file.meshes[mesh].flatMap((primitive) =>
+      primitive.indices.length > 0 ? [pieceOf(file, poses, node, primitive, colorOf(primitive), rows, rowsOf)] : [],
+    );
+  });
+  return { pieces, rows };
+}
+
+/** The matrix of a row from the first pose to that of `poses`, and, without `fromFirst`, from the file. */
+export function writeRow({ weights, fromFirst }: Row, { matrices }: Poses, into: Float32Array, to: number): void {
+  const sum = new Float64Array(16);
+  const one = new Float64Array(16);
+  for (const { share, node, inverse } of weights) {
+    multiplyMatrices(matrices.subarray(16 * node, 16 * node + 16), inverse, one);
+    for (let part = 0; part < 16; part++) sum[part] += share * one[part];
+  }
+  if (fromFirst) multiplyMatrices(sum, fromFirst, one);
+  into.set(fromFirst ? one : sum, to);
+}
+
+/** The row of each vertex of a skin. */
+type RowsOf = (node: number, primitive: Primitive, vertex: number) => number;
+
+function rowsFor(file: ModelFile, poses: Poses): { rows: Row[]; rowsOf: RowsOf } {
+  for (const fraction of FRACTIONS) {
+    const rows: Row[] = [];
+    const known = new Map<string, number>();
+    const rowsOf: RowsOf = (node, { joints, weights }, vertex) => {
+      const skin = file.nodes[node].skin!;
+      const parts = rounded(joints!, weights!, vertex, fraction);
+      const key = `${skin} ${parts.join(' ')}`;
+      const row = known.get(key) ?? rows.push(rowOf(file.skins[skin], parts, fraction, poses)) - 1;
+      known.set(key, row);
+      return row;
+    };
+    const isComplete = skinnedOf(file).every(({ node, primitive }) => {
+      for (let vertex = 0; vertex < primitive.positions.length / 3; vertex++) {
+        rowsOf(node, primitive, vertex);
+        if (rows.length > MAX_ROWS) return false;
+      }
+      return true;
+    });
+    if (isComplete) return { rows, rowsOf };
+  }
+  return refuse(`its skins have more than ${MAX_ROWS} bones.`);
+}
+
+function skinnedOf({ nodes, order, meshes }: ModelFile): { node: number; primitive: Primitive }[] {
+  return order.flatMap((node) => {
+    const { mesh, skin } = nodes[node];
+    const all = mesh === undefined || skin === undefined ? [] : meshes[mesh];
+    return all.filter(({ joints }) => joints).map((primitive) => ({ node, primitive }));
+  });
+}
+
+/** Joints with their weights in whole fractions, in pairs, heaviest first, with the sum of `fraction`. */
+function rounded(joints: Uint32Array, weights: Float32Array, vertex: number, fraction: number): number[] {
+  const shares = [0, 1, 2, 3]
+    .map((part) => ({ joint: joints[4 * vertex + part], share: Math.round(fraction * weights[4 * vertex + part]) }))
+    .sort((one, other) => other.share - one.share || one.joint - other.joint);
+  shares[0].share += fraction - shares.reduce((sum, { share }) => sum + share, 0);
+  return shares.flatMap(({ joint, share }) => (share > 0 ? [joint, share] : []));
+}
+
+function rowOf({ joints, inverse }: Skin, parts: readonly number[], fraction: number, poses: Poses): Row {
+  const weights = [];
+  for (let at = 0; at < parts.length; at += 2) {
+    const joint = parts[at];
+    const own = Float64Array.from(inverse.subarray(16 * joint, 16 * joint + 16));
+    weights.push({ share: parts[at + 1] / fraction, node: joints[joint], inverse: own });
+  }
+  const row: Row = { weights, fromFirst: undefined };
+  row.fromFirst = inverted(firstMatrix(row, poses));
+  return row;
+}
+
+function firstMatrix(row: Row, poses: Poses): Float64Array {
+  const first = new Float32Array(16);
+  writeRow({ ...row, fromFirst: undefined }, poses, first, 0);
+  return Float64Array.from(first);
+}
+
+function pieceOf(
+  file: ModelFile,
+  poses: Poses,
+  node: number,
+  primitive: Primitive,
+  color: Color,
+  rows: readonly Row[],
+  rowsOf: RowsOf,
+): Piece {
+  const { skin } = file.nodes[node];
+  const isSkinned = skin !== undefined && primitive.joints !== undefined;
+  const own = poses.matrices.slice(16 * node, 16 * node + 16);
+  const count = primitive.positions.length / 3;
+  const vertexRows = isSkinned
+    ? Uint16Array.from({ length: count }, (_, vertex) => rowsOf(node, primitive, vertex))
+    : undefined;
+  // The first pose of each row that has an inverse; the others start in the space of the file.
+  const firsts = vertexRows && rows.map((row) => (row.fromFirst ? firstMatrix(row, poses) : IDENTITY));
+  const matrixOf = (vertex: number) => (firsts ? firsts[vertexRows![vertex]] : own);
+  const movers = Uint16Array.from({ length: count }, (_, vertex) =>
+    vertexRows ? rows[vertexRows[vertex]].weights[0].node : node,
+  );
+  const positions = new Float32Array(3 * count);
+  const given = primitive.normals;
+  const normals = new Float32Array(3 * count);
+  for (let vertex = 0; vertex < count; vertex++) {
+    const m = matrixOf(vertex);
+    const [x, y, z] = primitive.positions.subarray(3 * vertex, 3 * vertex + 3);
+    for (let axis = 0; axis < 3; axis++)
+      positions[3 * vertex + axis] = m[axis] * x + m[4 + axis] * y + m[8 + axis] * z + m[12 + axis];
+    if (given) setNormal(m, given, normals, 3 * vertex);
+  }
+  if (positions.some((value) => !Number.isFinite(value))) refuse('a vertex has no finite position.');
+  const isMirrored = determinant(firsts ? firsts[vertexRows![0]] : own) < 0;
+  const indices = isMirrored ? mirrored(primitive.indices) : primitive.indices;
+  const piece = { node, color, positions, normals, indices, movers, rows: vertexRows, isSkinned };
+  return given ? piece : withFlatNormals(piece);
+}
+
+/** The normal of a matrix with any scale, which its cofactors transform. */
+function setNormal(m: ArrayLike<number>, from: Float32Array, into: Float32Array, at: number): void {
+  const [x, y, z] = from.subarray(at, at + 3);
+  const sign = determinant(m) < 0 ? -1 : 1;
+  const cofactor = (row: number, column: number) => {
+    const [r, s] = [(row + 1) % 3, (row + 2) % 3];
+    const [c, d] = [4 * ((column + 1) % 3), 4 * ((column + 2) % 3)];
+    return sign * (m[c + r] * m[d + s] - m[d + r] * m[c + s]);
+  };
+  let square = 0;
+  for (let row = 0; row < 3; row++) {
+    into[at + row] = cofactor(row, 0) * x + cofactor(row, 1) * y + cofactor(row, 2) * z;
+    square += into[at + row] * into[at + row];
+  }
+  const length = Math.sqrt(square);
+  for (let row = 0; row < 3; row++) into[at + row] = length > 0 ? into[at + row] / length : row === 1 ? 1 : 0;
+}
+
+function determinant(m: ArrayLike<number>): number {
+  return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
+}
+
+function mirrored(indices: Uint32Array): Uint32Array {
+  return indices.map((_, at) => indices[at % 3 === 0 ? at : at % 3 === 1 ? at + 1 : at - 1]);
+}
+
+/** Each triangle with vertices of its own, as glTF asks of meshes without normals. */
+function withFlatNormals({ positions, indices, movers, rows, ...others }: Piece): Piece {
+  const own = new Float32Array(3 * indices.length);
+  indices.forEach((vertex, corner) => own.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * corner));
+  const normals = new Float32Array(own.length);
+  for (let first = 0; first < own.length; first += 9) {
+    const normal = normalOf(own, first / 3, first / 3 + 1, first / 3 + 2);
+    for (let at = 0; at < 9; at++) normals[first + at] = normal[at % 3];
+  }
+  return {
+    ...others,
+    positions: own,
+    normals,
+    indices: indices.map((_, corner) => corner),
+    movers: Uint16Array.from(indices, (vertex) => movers[vertex]),
+    rows: rows && Uint16Array.from(indices, (vertex) => rows[vertex]),
+  };
+}
+
+/** Unit normal of a triangle; +y if it has no area. */
+export function normalOf(positions: Float32Array, a: number, b: number, c: number): [number, number, number] {
+  return normalized(...crossOf(positions, a, b, c));
+}
+
+/** The vector with length 1; +y if it has no length. */
+export function normalized(x: number, y: number, z: number): [number, number, number] {
+  const length = Math.sqrt(x * x + y * y + z * z);
+  return length > 0 ? [x / length, y / length, z / length] : [0, 1, 0];
+}
+
+/** The cross product of two sides, whose length is twice the area. */
+export function crossOf(positions: Float32Array, a: number, b: number, c: number): [number, number, number] {
+  const side = (to: number, axis: number) => positions[3 * to + axis] - positions[3 * a + axis];
+  const [ux, uy, uz] = [side(b, 0), side(b, 1), side(b, 2)];
+  const [vx, vy, vz] = [side(c, 0), side(c, 1), side(c, 2)];
+  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+}

@@ -1,0 +1,81 @@
+/**
+ * Models of GLB files. The stage loads this module on demand. In the package it is a file of its own, which imports nothing.
+ */
+import {
+  initSync,
+  lastFault,
+  provokeFault,
+  rigidArguments,
+  readTake,
+  Simulator,
+} from '../../simulator/meshBindings.ts';
+import type { Scene } from '../../scenes/scene.ts';
+import type { SimulatorBindings } from '../../simulator/simulator.ts';
+import type { ModelOptions } from '../contract.ts';
+import { colorsOf, decodeByBrowser, type Decode } from './colors.ts';
+import { readModel } from './modelFile.ts';
+import { withModel, type SceneModel } from './modelScene.ts';
+
+/** The bindings of the simulator with meshes. */
+export const bindings = { initSync, lastFault, provokeFault, rigidArguments, readTake, Simulator } as SimulatorBindings;
+
+/** A scene with a model. */
+export interface DressedScene {
+  readonly scene: Scene;
+  readonly model: SceneModel;
+  /** Whether it needs a simulator with meshes. */
+  readonly hasRigids: boolean;
+}
+
+/**
+ * Reads a GLB file.
+ * @returns a function that adds its model to a scene
+ * @throws FileError for a file that cannot be used
+ */
+export async function openModel(
+  bytes: Uint8Array,
+  options: ModelOptions,
+  decode: Decode = decodeByBrowser,
+): Promise<(scene: Scene) => DressedScene> {
+  const file = readModel(bytes);
+  const notices = new Set(file.notices);
+  const colors = await colorsOf(file, decode, notices);
+  return (scene) => withModel(scene, file, colors, options, [...notices]);
+}
+
+type Check = readonly [accepted: string, passes: (value: unknown) => boolean];
+
+const within = (low: number, high: number): Check => [
+  `a number from ${low} to ${high}`,
+  (value) => typeof value === 'number' && value >= low && value <= high,
+];
+const FLAG: Check = ['true or false', (value) => typeof value === 'boolean'];
+const FARTHEST = 1_000;
+const CHECKS: { readonly [Name in keyof Required<ModelOptions>]: Check } = {
+  position: [
+    `x, y and z from -${FARTHEST} to ${FARTHEST}`,
+    (value) =>
+      ['x', 'y', 'z'].every((axis) =>
+        within(-FARTHEST, FARTHEST)[1]((value as Record<string, unknown> | null)?.[axis]),
+      ),
+  ],
+  size: within(0.01, 100),
+  turn: within(-100, 100),
+  animation: ['the name of an animation', (value) => typeof value === 'string'],
+  speed: within(0, 10),
+  collides: FLAG,
+  casts: FLAG,
+  inked: FLAG,
+};
+
+/** The names of all options. */
+export const OPTIONS: readonly string[] = Object.keys(CHECKS);
+
+/** @returns name, value and accepted values of the first invalid option */
+export function faultOf(options: ModelOptions): [name: string, value: unknown, accepted: string] | undefined {
+  for (const [name, value] of Object.entries(options)) {
+    const [accepted, passes] = CHECKS[name as keyof ModelOptions];
+    if (value !== undefined && !passes(value)) return [name, value, accepted];
+  }
+  return undefined;
+}
