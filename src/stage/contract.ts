@@ -66,7 +66,7 @@ export interface SeekOptions {
 export interface ModelOptions {
   /** The middle of its underside, metres. Default: the middle of the model is at the target of the scene's camera. */
   position?: VectorComponents;
-  /** Its longest side in its first pose, metres, 0.01 to 100. Default: a third of the distance of the scene's camera. */
+  /** Its longest side in its first pose, metres, 0.01 to 100. Default: 0.3 of the height of the picture. */
   size?: number;
   /** Rotation about the vertical axis, radians, -100 to 100. Default: 0. */
   turn?: number;

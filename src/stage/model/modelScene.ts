@@ -1,9 +1,10 @@
 /** Adds a model to a scene: its surfaces, what casts and collides, and the parts that emitters ride on. */
 import type { Color } from '../../renderer/gpu/ramps.ts';
-import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { hullNormals, type TriangleMesh } from '../../renderer/passes/extrusion.ts';
 import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
-import type { MovingPart, Placement, Scene, Vector } from '../../scenes/scene.ts';
+import type { CameraPose, MovingPart, Placement, Scene, Vector } from '../../scenes/scene.ts';
 import { cos, sin } from '../../simulator/exact/sine.ts';
+import { tan } from '../../simulator/exact/arc.ts';
 import { rotate } from '../../simulator/exact/rotation.ts';
 import { FIRST_PART } from '../../simulator/layout.ts';
 import type { RigidDescription, RigidPart } from '../../simulator/rigid.ts';
@@ -20,6 +21,10 @@ const [MAX_PARTS, MAX_EMISSION_SURFACES] = [64, 16];
 const [MAX_PLACED, MAX_CASTERS, MAX_SEPARATED] = [100, 96, 24];
 /** Casters that are smaller cast nothing, metres. */
 const SMALLEST_BALL = 0.004;
+/** Longest side of a model as a share of the height of the picture. */
+const SHARE = 0.3;
+/** Thickness of what is not closed, as a share of the longest side. */
+const THICKNESS = 0.004;
 const WORLD: Placement = { position: [0, 0, 0], rotation: [0, 0, 0, 1] };
 
 /** A model that stands in a scene. */
@@ -159,7 +164,12 @@ function sidesOf({ low, high }: Box): Vector {
   return [high[0] - low[0], high[1] - low[1], high[2] - low[2]];
 }
 
-function placeOf(box: Box, { camera }: Scene, { position, size = camera.distance / 3, turn = 0 }: ModelOptions): Place {
+/** A part of the height of the picture. */
+function sizeIn({ distance, fieldOfView }: CameraPose): number {
+  return 2 * SHARE * distance * tan(fieldOfView / 2);
+}
+
+function placeOf(box: Box, { camera }: Scene, { position, size = sizeIn(camera), turn = 0 }: ModelOptions): Place {
   const { low, high } = box;
   const longest = Math.max(...sidesOf(box));
   if (!(longest > 0 && longest < Infinity)) refuse('it has no extent.');
@@ -186,6 +196,8 @@ class Build {
   private readonly poser: Poser;
   private readonly place: Place;
   private readonly pieces: readonly Piece[];
+  /** The pieces with thickness where they are not closed, as they are drawn. */
+  private readonly drawn: readonly Piece[];
   private readonly rows: Row[];
   private readonly file: ModelFile;
   private readonly emissionCount: number;
@@ -212,6 +224,9 @@ class Build {
     this.carrierOf = carrierOf;
     this.firsts = this.carriers.map((_, carrier) => this.placement(carrier, 0));
     this.rowNodes();
+    const thickness = THICKNESS * Math.max(...sidesOf(boxOf(pieces)));
+    const byNode = groupedBy(this.pieces, ({ node }) => node);
+    this.drawn = [...byNode.values()].flatMap((own) => thickened(own, thickness));
     this.rowElements = new Float32Array(16 * this.rows.length);
   }
 
@@ -302,7 +317,7 @@ class Build {
   /** What is drawn: a surface for each colour and for each part that moves. */
   surfaces(inked: boolean): ModelSurface[] {
     const groups = new Map<string, Piece[]>();
-    for (const piece of this.pieces) {
+    for (const piece of this.drawn) {
       const mover = piece.rows ? 'rows' : this.isPlaced(piece) ? this.carrierOf[piece.node] : 'still';
       const key = `${mover} ${piece.color.join()}`;
       groups.set(key, [...(groups.get(key) ?? []), piece]);
@@ -328,20 +343,24 @@ class Build {
     });
   }
 
-  /** Closed parts cast by volumes, open ones by balls, and skins by capsules along their bones. */
+  /** Closed parts cast by volumes, tangled ones by balls, and skins by capsules along their bones. */
   casters(): SurfaceDescription[] {
     const found: { mesh: TriangleMesh; carrier: number; isMoving: boolean; area: number }[] = [];
-    for (const [node, pieces] of groupedBy(this.rigidPieces, (piece) => piece.node)) {
+    for (const [node, pieces] of groupedBy(
+      this.drawn.filter(({ isSkinned }) => !isSkinned),
+      (piece) => piece.node,
+    )) {
       const mesh = joinedPieces(pieces);
-      const { closed, open } = partsOf(mesh);
+      const { closed, bordered, tangled } = partsOf(mesh);
+      const verticesOf = (corners: readonly number[]) => Uint32Array.from(corners, (corner) => mesh.indices[corner]);
       const own = {
         carrier: this.carrierOf[node],
         isMoving: this.poser.isMoving[node],
         area: areaOf(mesh, mesh.indices),
       };
-      if (closed.length > 0) found.push({ ...own, mesh: { ...mesh, indices: Uint32Array.from(closed) } });
-      const balls = open
-        .flatMap((indices) => coveringBalls(mesh, indices))
+      if (closed.length > 0) found.push({ ...own, mesh: { ...mesh, indices: verticesOf(closed) } });
+      const balls = [...tangled, bordered]
+        .flatMap((corners) => coveringBalls(mesh, verticesOf(corners)))
         .filter(({ radius }) => radius > SMALLEST_BALL);
       if (balls.length > 0) found.push({ ...own, mesh: insideOut(balls) });
     }
@@ -493,6 +512,71 @@ function rigidRow(node: number, poser: Poser): Row {
   const { matrices } = poser.at(0);
   const inverse = inverted(matrices.subarray(16 * node, 16 * node + 16)) ?? identity;
   return { weights: [{ share: 1, node, inverse }], fromFirst: undefined };
+}
+
+/**
+ * The pieces of a node, with a second layer behind triangles that have borders, and walls between both: they are seen from
+ * both sides, have outlines, and cast as closed meshes do.
+ * @param thickness metres
+ */
+function thickened(pieces: readonly Piece[], thickness: number): Piece[] {
+  const joined = joinedPieces(pieces);
+  const { bordered, borders } = partsOf(joined);
+  if (bordered.length === 0) return [...pieces];
+  const outward = hullNormals(joined);
+  let [firstVertex, firstCorner] = [0, 0];
+  return pieces.map((piece) => {
+    const [vertex, corner, endCorner] = [firstVertex, firstCorner, firstCorner + piece.indices.length];
+    firstVertex += piece.positions.length / 3;
+    firstCorner = endCorner;
+    const isOwn = (at: number) => at >= corner && at < endCorner;
+    const own = outward.subarray(3 * vertex, 3 * vertex + piece.positions.length);
+    const at = (corners: readonly number[]) => corners.filter(isOwn).map((each) => each - corner);
+    return doubled(piece, at(bordered), at(borders), own, thickness);
+  });
+}
+
+/** @param corners of the triangles to double. @param borders corners where their borders begin */
+function doubled(
+  piece: Piece,
+  corners: readonly number[],
+  borders: readonly number[],
+  outward: Float32Array,
+  thickness: number,
+): Piece {
+  const count = piece.positions.length / 3;
+  const behind = new Map<number, number>();
+  const back = (corner: number) => {
+    const vertex = piece.indices[corner];
+    if (!behind.has(vertex)) behind.set(vertex, count + behind.size);
+    return behind.get(vertex)!;
+  };
+  const indices = [...piece.indices];
+  for (let at = 0; at < corners.length; at += 3)
+    indices.push(back(corners[at]), back(corners[at + 2]), back(corners[at + 1]));
+  for (const start of borders) {
+    const end = start % 3 < 2 ? start + 1 : start - 2;
+    const [a, b] = [piece.indices[start], piece.indices[end]];
+    indices.push(b, a, back(start), b, back(start), back(end));
+  }
+  const vertices = [...behind.keys()];
+  const extended = (values: Float32Array, valueOf: (at: number) => number) => {
+    const all = new Float32Array(3 * (count + vertices.length));
+    all.set(values);
+    vertices.forEach((vertex, index) => {
+      for (let axis = 0; axis < 3; axis++) all[3 * (count + index) + axis] = valueOf(3 * vertex + axis);
+    });
+    return all;
+  };
+  const repeated = (values: Uint16Array) => Uint16Array.from([...values, ...vertices.map((vertex) => values[vertex])]);
+  return {
+    ...piece,
+    positions: extended(piece.positions, (at) => piece.positions[at] - thickness * outward[at]),
+    normals: extended(piece.normals, (at) => -piece.normals[at]),
+    indices: Uint32Array.from(indices),
+    movers: repeated(piece.movers),
+    rows: piece.rows && repeated(piece.rows),
+  };
 }
 
 function joinedPieces(pieces: readonly Piece[]): TriangleMesh {

@@ -159,54 +159,68 @@ function addCapsule({ position, rotation, halfHeight, radius }: Capsule, positio
   }
 }
 
-/** The triangles of a mesh that enclose volumes, and the connected rest. */
+/** Corners of the triangles of a mesh by what they enclose, three for each triangle, in its order. */
 export interface Parts {
+  /** Triangles that enclose volumes. */
   readonly closed: readonly number[];
-  readonly open: readonly (readonly number[])[];
+  /** Connected triangles with borders: each edge has at most two triangles, which wind alike. */
+  readonly bordered: readonly number[];
+  /** Corners of `bordered` where an edge without a second triangle begins. */
+  readonly borders: readonly number[];
+  /** Connected triangles with other edges. */
+  readonly tangled: readonly (readonly number[])[];
 }
 
-/** Separates the connected parts of a mesh. A part is closed if each of its edges joins two triangles. */
-export function partsOf({ positions, indices }: TriangleMesh): Parts {
+/** Separates the connected parts of a mesh. Triangles without area are left out. */
+export function partsOf({ positions, indices }: Pick<TriangleMesh, 'positions' | 'indices'>): Parts {
   const places = weld(positions);
+  const corners = indices.map((vertex) => places[vertex]);
   const roots = places.slice();
   const root = (vertex: number) => {
     let at = vertex;
     while (roots[at] !== at) at = roots[at] = roots[roots[at]];
     return at;
   };
-  const edges = new Map<number, number>();
-  const corners = Uint32Array.from(indices, (vertex) => places[vertex]);
-  const isFlat = (first: number) =>
-    corners[first] === corners[first + 1] ||
-    corners[first + 1] === corners[first + 2] ||
-    corners[first] === corners[first + 2];
-  const edgeAt = (corner: number) => {
-    const next = corner % 3 < 2 ? corner + 1 : corner - 2;
-    return [corners[corner], corners[next]] as const;
-  };
-  const size = places.length;
-  for (let corner = 0; corner < corners.length; corner++) {
-    if (isFlat(corner - (corner % 3))) continue;
-    const [start, end] = edgeAt(corner);
-    edges.set(start * size + end, (edges.get(start * size + end) ?? 0) + 1);
-    roots[root(start)] = root(end);
-  }
-  const opened = new Set<number>();
-  for (let corner = 0; corner < corners.length; corner++) {
-    if (isFlat(corner - (corner % 3))) continue;
-    const [start, end] = edgeAt(corner);
-    if (edges.get(start * size + end) !== 1 || edges.get(end * size + start) !== 1) opened.add(root(start));
-  }
-  const closed: number[] = [];
-  const open = new Map<number, number[]>();
+  const edge = (from: number, to: number) => from * places.length + to;
+  const endOf = (corner: number) => corners[corner % 3 < 2 ? corner + 1 : corner - 2];
+  const triangles: number[] = [];
   for (let first = 0; first < corners.length; first += 3) {
-    if (isFlat(first)) continue;
-    const part = root(corners[first]);
-    const into = opened.has(part) ? (open.get(part) ?? []) : closed;
-    if (opened.has(part)) open.set(part, into);
-    into.push(indices[first], indices[first + 1], indices[first + 2]);
+    const [a, b, c] = corners.subarray(first, first + 3);
+    if (a === b || b === c || c === a) continue;
+    triangles.push(first);
+    roots[root(a)] = root(b);
+    roots[root(b)] = root(c);
   }
-  return { closed, open: [...open.values()] };
+  const counts = new Map<number, number>();
+  const sides = triangles.flatMap((first) => [first, first + 1, first + 2]);
+  for (const corner of sides) {
+    const key = edge(corners[corner], endOf(corner));
+    counts.set(key, (counts.get(key) ?? 0) + 1);
+  }
+  const [bordered, tangled] = [new Set<number>(), new Set<number>()];
+  const borders: number[] = [];
+  for (const corner of sides) {
+    const [start, end] = [corners[corner], endOf(corner)];
+    const [own, opposite] = [counts.get(edge(start, end))!, counts.get(edge(end, start)) ?? 0];
+    if (own > 1 || opposite > 1) tangled.add(root(start));
+    else if (opposite === 0) {
+      bordered.add(root(start));
+      borders.push(corner);
+    }
+  }
+  const rest = new Map<number, number[]>();
+  const found = { closed: [] as number[], bordered: [] as number[] };
+  for (const first of triangles) {
+    const part = root(corners[first]);
+    if (tangled.has(part) && !rest.has(part)) rest.set(part, []);
+    const into = rest.get(part) ?? (bordered.has(part) ? found.bordered : found.closed);
+    into.push(first, first + 1, first + 2);
+  }
+  return {
+    ...found,
+    borders: borders.filter((corner) => !tangled.has(root(corners[corner]))),
+    tangled: [...rest.values()],
+  };
 }
 
 /** The area of triangles, square metres. */

@@ -40,7 +40,7 @@ test('stands where it is told, with the size that it is told', async () => {
 
 test('without a place, the middle is at the target of the camera', async () => {
   const { model } = (await openModel(turningBox().pack(), {}))(air());
-  expect(Math.max(...model.model.box)).toBeCloseTo(4);
+  expect(Math.max(...model.model.box)).toBeCloseTo(0.6 * 12 * Math.tan(0.15));
 });
 
 test('one surface for each colour and each part that moves; closed parts cast by volumes, open ones by balls', async () => {
@@ -227,7 +227,7 @@ describe('solids', () => {
       normals: new Float32Array(12),
       indices: Uint32Array.of(0, 1, 2, 0, 2, 3),
     };
-    expect(partsOf(mesh)).toEqual({ closed: [], open: [[0, 1, 2, 0, 2, 3]] });
+    expect(partsOf(mesh)).toEqual({ closed: [], bordered: [0, 1, 2, 3, 4, 5], borders: [0, 1, 4, 5], tangled: [] });
     const balls = coveringBalls(mesh, mesh.indices);
     for (const [x, y] of [
       [0.1, 0.1],
