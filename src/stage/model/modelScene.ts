@@ -24,7 +24,7 @@ const SMALLEST_BALL = 0.004;
 /** Longest side of a model as a share of the height of the picture. */
 const SHARE = 0.3;
 /** Thickness of what is not closed, as a share of the longest side. */
-const THICKNESS = 0.004;
+const THICKNESS = 0.01;
 const WORLD: Placement = { position: [0, 0, 0], rotation: [0, 0, 0, 1] };
 
 /** A model that stands in a scene. */
@@ -544,35 +544,45 @@ function doubled(
   outward: Float32Array,
   thickness: number,
 ): Piece {
+  const positions = [...piece.positions];
+  const normals = [...piece.normals];
+  const indices = [...piece.indices];
+  /** Of the vertices that are added. */
+  const sources: number[] = [];
   const count = piece.positions.length / 3;
+  const add = (vertex: number, depth: number, normal: readonly number[]) => {
+    for (let axis = 0; axis < 3; axis++) {
+      positions.push(piece.positions[3 * vertex + axis] - depth * outward[3 * vertex + axis]);
+      normals.push(normal[axis]);
+    }
+    return count + sources.push(vertex) - 1;
+  };
   const behind = new Map<number, number>();
   const back = (corner: number) => {
     const vertex = piece.indices[corner];
-    if (!behind.has(vertex)) behind.set(vertex, count + behind.size);
+    const normal = [0, 1, 2].map((axis) => -piece.normals[3 * vertex + axis]);
+    if (!behind.has(vertex)) behind.set(vertex, add(vertex, thickness, normal));
     return behind.get(vertex)!;
   };
-  const indices = [...piece.indices];
   for (let at = 0; at < corners.length; at += 3)
     indices.push(back(corners[at]), back(corners[at + 2]), back(corners[at + 1]));
   for (const start of borders) {
-    const end = start % 3 < 2 ? start + 1 : start - 2;
-    const [a, b] = [piece.indices[start], piece.indices[end]];
-    indices.push(b, a, back(start), b, back(start), back(end));
+    const [a, b] = [start, start % 3 < 2 ? start + 1 : start - 2].map((corner) => piece.indices[corner]);
+    const along = [0, 1, 2].map((axis) => piece.positions[3 * b + axis] - piece.positions[3 * a + axis]);
+    const up = outward.subarray(3 * a, 3 * a + 3);
+    const normal = normalized(
+      along[1] * up[2] - along[2] * up[1],
+      along[2] * up[0] - along[0] * up[2],
+      along[0] * up[1] - along[1] * up[0],
+    );
+    const [near, far] = [0, thickness].map((depth) => [a, b].map((vertex) => add(vertex, depth, normal)));
+    indices.push(near[1], near[0], far[0], near[1], far[0], far[1]);
   }
-  const vertices = [...behind.keys()];
-  const extended = (values: Float32Array, valueOf: (at: number) => number) => {
-    const all = new Float32Array(3 * (count + vertices.length));
-    all.set(values);
-    vertices.forEach((vertex, index) => {
-      for (let axis = 0; axis < 3; axis++) all[3 * (count + index) + axis] = valueOf(3 * vertex + axis);
-    });
-    return all;
-  };
-  const repeated = (values: Uint16Array) => Uint16Array.from([...values, ...vertices.map((vertex) => values[vertex])]);
+  const repeated = (values: Uint16Array) => Uint16Array.from([...values, ...sources.map((vertex) => values[vertex])]);
   return {
     ...piece,
-    positions: extended(piece.positions, (at) => piece.positions[at] - thickness * outward[at]),
-    normals: extended(piece.normals, (at) => -piece.normals[at]),
+    positions: Float32Array.from(positions),
+    normals: Float32Array.from(normals),
     indices: Uint32Array.from(indices),
     movers: repeated(piece.movers),
     rows: piece.rows && repeated(piece.rows),
