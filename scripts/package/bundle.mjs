@@ -52,6 +52,11 @@ const TOGETHER = [
 const SPLIT = { codeSplitting: { groups: TOGETHER } };
 /** Every build refers to it by its file, so that the classes of errors are the same in all. */
 const ERRORS = { errors: 'src/base/errors.ts' };
+/**
+ * Models, a build of its own that imports nothing: the worker and the script for CDNs are one file each, so they load it by its
+ * URL, and bundlers copy it unchanged.
+ */
+const MODEL = { stageModel: 'src/stage/model/stageModel.ts' };
 /** Smoke in the three.js scenes of others, a build of its own. */
 const HOSTED = { cartoonSmoke: 'src/three/cartoonSmoke.ts', proxies: 'src/three/proxies.ts' };
 /** What modules with warnings wrap, by its file. */
@@ -81,7 +86,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
     ...ERRORS,
   };
   const external = /^(three|react|@react-three\/fiber)(\/|$)/;
-  const ofPage = [...plugins, workerAt('./worker.js'), beside(HOSTED)];
+  const ofPage = [...plugins, workerAt('./worker.js'), beside(HOSTED), beside(MODEL)];
   await bundle({ input: entries(modules), external, plugins: ofPage }, folder, SPLIT);
   const hosted = entries({ ...HOSTED, fiber: 'src/fiber.ts' });
   // Its volumes are always counted.
@@ -92,7 +97,9 @@ export async function bundleAll(folder, plugins = shrinking()) {
   });
   // Includes three.js: import maps do not apply to workers, and bundlers do not share a file between a page and its
   // worker.
-  await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins }, folder, ALONE);
+  const ofWorker = [...plugins, modelByUrl()];
+  await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins: ofWorker }, folder, ALONE);
+  await bundleModel(folder);
   // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleWarnings(join(folder, 'development'));
@@ -119,8 +126,14 @@ async function bundleWarnings(folder) {
  */
 export async function bundleScript(folder, plugins = shrinking()) {
   const input = entries({ [SCRIPT]: 'src/script.ts' });
-  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`)] }, folder, ALONE);
+  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`), modelByUrl()] }, folder, ALONE);
+  await bundleModel(folder);
   copyWasm(folder, ['core', 'meshes', 'physics']);
+}
+
+/** @param {string} folder */
+async function bundleModel(folder) {
+  await bundle({ input: entries(MODEL) }, folder, ALONE);
 }
 
 /**
@@ -231,6 +244,26 @@ function workerAt(address) {
     },
     buildEnd() {
       if (!isReplaced) throw new Error('pageWorker.ts is not in the bundle, or has no URL of the worker.');
+    },
+  };
+}
+
+/**
+ * Loads the code of models by its URL, which no bundler follows.
+ * @returns {import('rolldown').Plugin}
+ */
+function modelByUrl() {
+  const found = "import('./model/stageModel.ts')";
+  const address = "servedUrl(new URL('./stageModel.js', import.meta.url).href)";
+  return {
+    name: 'model-by-url',
+    transform: {
+      filter: { id: /src\/stage\/modelLoading\.ts$/ },
+      handler(code) {
+        if (!code.includes(found)) throw new Error(`modelLoading.ts lacks ${found}.`);
+        const imported = `import(/* @vite-ignore */ /* webpackIgnore: true */ /* turbopackIgnore: true */ ${address})`;
+        return `import { servedUrl } from '../base/assetUrls.ts';\n${code.replace(found, imported)}`;
+      },
     },
   };
 }

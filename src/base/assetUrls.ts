@@ -50,7 +50,7 @@ export function assetUrl(name: keyof AssetUrls): string | undefined {
  * another folder, but not the files beside them.
  */
 export function servedUrl(url: string): string {
-  return url.replace(/\/\.vite\/deps\/(?=wasm\/|worker\.js)/, '/cartoon-smoke/dist/');
+  return url.replace(/\/\.vite\/deps\/(?=wasm\/|(worker|stageModel)\.js)/, '/cartoon-smoke/dist/');
 }
 
 /** All URLs that the page has set. */

@@ -13,7 +13,7 @@ import type { SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { FrameLoop, type FrameTasks } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
-import type { Dress } from './modelLoading.ts';
+import type { Dress } from './model/kit.ts';
 import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
 import { Picture, type PictureState } from './picture.ts';

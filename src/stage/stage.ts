@@ -8,7 +8,7 @@ import type { GivenValues } from '../parameters/timeline.ts';
 import { requireFinite, requireWhole } from '../parameters/values.ts';
 import { requireShapes } from '../renderer/puffs/lobes.ts';
 import type { PuffShape } from '../renderer/puffs/shapes.ts';
-import { secondsAt, STEP_SECONDS } from '../simulator/clock.ts';
+import { STEP_SECONDS } from '../simulator/clock.ts';
 import type { EmissionChange, EmissionOptions } from '../simulator/emitterOptions.ts';
 import type {
   BlowInput,
@@ -22,7 +22,8 @@ import type {
   StageOptions,
   StageStats,
 } from './contract.ts';
-import { readModel, type Dress } from './modelLoading.ts';
+import type { Dress } from './model/kit.ts';
+import { loadModel } from './modelLoading.ts';
 import { cameraControls } from './orbit.ts';
 import { openFor, openStage, read } from './openStage.ts';
 import type { RunningScene } from './runningScene.ts';
@@ -226,7 +227,7 @@ export class Stage {
   async setModel(bytes: Uint8Array | null, options: ModelOptions = {}): Promise<Model | null> {
     const call = (this.#reading = {});
     const { smoke } = this.running.picture;
-    const dress = bytes ? await readModel(bytes, options) : undefined;
+    const dress = bytes ? await loadModel(bytes, options) : undefined;
     if (this.#reading === call) {
       await this.#enter(this.#entering?.values ?? this.get(), {}, dress);
       this.setPuffs(smoke.ownShapes);
@@ -245,10 +246,7 @@ export class Stage {
    * @returns null where the model is not
    */
   pickModel(x: number, y: number): ModelPoint | null {
-    requireFinite({ x, y });
-    const { loop, opened, picture, simulation } = this.running;
-    const seconds = secondsAt(simulation.simulator.steps, loop.clock.blend);
-    return opened.model?.pick(picture.deviceCoordinates(x, y), picture.eye.camera, seconds) ?? null;
+    return this.running.opened.model?.pick(x, y, this.running) ?? null;
   }
 
   /**

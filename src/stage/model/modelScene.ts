@@ -4,6 +4,7 @@ import { hullNormals, type TriangleMesh } from '../../renderer/passes/extrusion.
 import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import type { CameraPose, MovingPart, Placement, Scene, Vector } from '../../scenes/scene.ts';
 import { cos, sin } from '../../simulator/exact/sine.ts';
+import { secondsAt } from '../../simulator/clock.ts';
 import { tan } from '../../simulator/exact/arc.ts';
 import { rotate } from '../../simulator/exact/rotation.ts';
 import { FIRST_PART } from '../../simulator/layout.ts';
@@ -30,12 +31,18 @@ const WORLD: Placement = { position: [0, 0, 0], rotation: [0, 0, 0, 1] };
 /** A model that stands in a scene. */
 export interface SceneModel {
   readonly model: Model;
-  /**
-   * The nearest place of the model at a position in the picture; null if it is not there.
-   * @param position in normalised device coordinates: -1 to 1, y up
-   * @param seconds simulated, of the picture
-   */
-  pick(position: { readonly x: number; readonly y: number }, camera: PickCamera, seconds: number): ModelPoint | null;
+  /** The nearest place of the model at a position in the picture, in CSS pixels; null if it is not there. */
+  pick(x: number, y: number, shown: ShownPicture): ModelPoint | null;
+}
+
+/** What a stage shows. */
+interface ShownPicture {
+  readonly loop: { readonly clock: { readonly blend: number } };
+  readonly simulation: { readonly simulator: { readonly steps: number } };
+  readonly picture: {
+    deviceCoordinates(x: number, y: number): { readonly x: number; readonly y: number };
+    readonly eye: { readonly camera: PickCamera };
+  };
 }
 
 interface Matrix {
@@ -125,8 +132,9 @@ export function withModel(
       ],
     }),
   };
-  const pick: SceneModel['pick'] = (position, camera, seconds) => {
-    const { origin, direction } = rayOf(position, camera);
+  const pick: SceneModel['pick'] = (x, y, { loop, picture, simulation }) => {
+    const { origin, direction } = rayOf(picture.deviceCoordinates(x, y), picture.eye.camera);
+    const seconds = secondsAt(simulation.simulator.steps, loop.clock.blend);
     const found = built.pick(surfaces, origin, direction, seconds);
     return found ? { ...found, node: model.nodes[found.node] } : null;
   };

@@ -11,13 +11,16 @@ import {
 } from '../../simulator/meshBindings.ts';
 import type { Scene } from '../../scenes/scene.ts';
 import type { SimulatorBindings } from '../../simulator/simulator.ts';
+import type { Variant } from '../../simulator/load.ts';
 import type { ModelOptions } from '../contract.ts';
+import type { Dress, Kit } from './kit.ts';
 import { colorsOf, decodeByBrowser, type Decode } from './colors.ts';
 import { readModel } from './modelFile.ts';
 import { withModel, type SceneModel } from './modelScene.ts';
 
-/** The bindings of the simulator with meshes. */
-export const bindings = { initSync, lastFault, provokeFault, rigidArguments, readTake, Simulator } as SimulatorBindings;
+const bindings = { initSync, lastFault, provokeFault, rigidArguments, readTake, Simulator } as SimulatorBindings;
+/** The simulator with meshes. One object, by which its loading is known. */
+let meshes: Variant | undefined;
 
 /** A scene with a model. */
 export interface DressedScene {
@@ -68,8 +71,36 @@ const CHECKS: { readonly [Name in keyof Required<ModelOptions>]: Check } = {
   inked: FLAG,
 };
 
-/** The names of all options. */
-export const OPTIONS: readonly string[] = Object.keys(CHECKS);
+/**
+ * See `loadModel` in modelLoading.ts.
+ * @param kit what it uses of the library
+ */
+export async function prepareModel(bytes: Uint8Array, options: ModelOptions, kit: Kit): Promise<Dress> {
+  kit.requireOptions('setModel', options, Object.keys(CHECKS));
+  const fault = faultOf(options);
+  if (fault) throw new kit.ParameterError(`setModel.${fault[0]}`, fault[1], fault[2]);
+  const own = ownErrors(kit);
+  const dress = await own(() => openModel(bytes, options));
+  meshes ??= { name: 'meshes', code: async () => bindings, address: kit.meshesAddress };
+  return async (opened) => {
+    const { hasRigids, ...dressed } = await own(() => dress(opened.scene));
+    const isEnough = !hasRigids || opened.factory.module.bindings.rigidArguments;
+    const factory = isEnough ? opened.factory : await kit.loadSimulators({ physics: meshes! });
+    await kit.prepareSurfaces(dressed.scene.surfaces, 0);
+    return { ...dressed, factory };
+  };
+}
+
+/** Throws errors as those of the library, whose classes are others if this module is a file of its own. */
+function ownErrors({ FileError }: Kit) {
+  return async <Result>(act: () => Result): Promise<Awaited<Result>> => {
+    try {
+      return await act();
+    } catch (error) {
+      throw new FileError((error as Error).message, { cause: error });
+    }
+  };
+}
 
 /** @returns name, value and accepted values of the first invalid option */
 export function faultOf(options: ModelOptions): [name: string, value: unknown, accepted: string] | undefined {

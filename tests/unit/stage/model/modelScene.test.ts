@@ -274,12 +274,17 @@ test('the place under the pointer is on the node that carries it', async () => {
     projectionMatrix: { elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0] },
   };
   const seconds = 1;
-  const point = model.pick({ x: 0, y: 0 }, camera, seconds)!;
+  const shown = {
+    loop: { clock: { blend: 1 } },
+    simulation: { simulator: { steps: 60 } },
+    picture: { deviceCoordinates: (x: number, y: number) => ({ x, y }), eye: { camera } },
+  };
+  const point = model.pick(0, 0, shown)!;
   expect(point.node.name).toBe('Top');
   const { position, rotation } = scene.parts![1].pose(seconds);
   // After a quarter of a turn, the side of -x or +x faces the camera.
   expect(Math.abs(point.direction[0])).toBeCloseTo(1, 5);
   expect(Math.hypot(...point.position)).toBeCloseTo(Math.hypot(4 / 7, 1.7 - position[1]), 4);
   expect(rotation[3]).toBeCloseTo(Math.SQRT1_2, 5);
-  expect(model.pick({ x: 0.9, y: 0.9 }, camera, seconds)).toBeNull();
+  expect(model.pick(0.9, 0.9, shown)).toBeNull();
 });

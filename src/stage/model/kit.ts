@@ -1,0 +1,19 @@
+/** What the stage and the code of models know of each other. */
+import type { FileError, ParameterError, requireOptions } from '../../base/errors.ts';
+import type { prepareSurfaces } from '../../renderer/prepare.ts';
+import type { loadSimulators } from '../../simulator/load.ts';
+import type { meshesAddress } from '../../simulator/meshes.ts';
+import type { OpenedScene } from '../openScene.ts';
+
+/** What the code of models uses of the library: in the package it is a file of its own, which imports nothing. */
+export interface Kit {
+  readonly FileError: typeof FileError;
+  readonly ParameterError: typeof ParameterError;
+  readonly requireOptions: typeof requireOptions;
+  readonly loadSimulators: typeof loadSimulators;
+  readonly meshesAddress: typeof meshesAddress;
+  readonly prepareSurfaces: typeof prepareSurfaces;
+}
+
+/** Adds a model to a scene. @throws FileError for a model that the scene cannot have, LoadError */
+export type Dress = (opened: OpenedScene) => Promise<OpenedScene>;
