@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect } from 'vitest';
 import { presets } from '../../src/parameters/presets.ts';
 import { linesOf } from '../support/sim/hashFixture.ts';
+import { MODEL_HASHES } from '../support/sim/modelHashes.ts';
 import { loadVariant } from '../support/sim/simWasm.ts';
 import { TIMELINE_HASH, timelineHashes, timelineValues } from '../support/sim/timelineHashes.ts';
 import { engine, test } from './fixtures.ts';
@@ -30,6 +31,11 @@ test('meshes without Rapier end in the native state', async ({ load }) => {
   const fixture = readFileSync(new URL('../../sim-wasm/sim/tests/collide_fixture.txt', import.meta.url), 'utf8');
   const page = await load<Page>('/tests/engines/page/hashes.ts');
   expect(await page.hashOfMeshes(fixture)).toBe(linesOf(fixture, 'hash with meshes')[0]);
+});
+
+test('models of GLB files that collide and carry emitters end in the state of Node', async ({ load }) => {
+  const page = await load<Page>('/tests/engines/page/hashes.ts');
+  expect(await page.modelsInPage()).toEqual(MODEL_HASHES);
 });
 
 test('a timeline with each kind of parameter ends in the state of Node, played, sought and replayed', async ({

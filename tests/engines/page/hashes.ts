@@ -2,6 +2,7 @@
 import { loadSimulators } from '../../../src/simulator/load.ts';
 import { MESHES } from '../../../src/simulator/meshes.ts';
 import { hashWithMeshes } from '../../support/sim/hashFixture.ts';
+import { modelHashes } from '../../support/sim/modelHashes.ts';
 import { hashesOf } from '../../support/sim/presetHashes.ts';
 import { timelineHashes, timelineValues } from '../../support/sim/timelineHashes.ts';
 
@@ -12,6 +13,10 @@ export function hashesInPage(name: string, moments: readonly number[]): Promise<
 
 export async function hashOfMeshes(fixture: string): Promise<string> {
   return hashWithMeshes(await loadSimulators({ physics: MESHES }), fixture);
+}
+
+export async function modelsInPage(): Promise<Record<string, string>> {
+  return modelHashes(await loadSimulators({ physics: MESHES }));
 }
 
 /** Hashes and values of a timeline. */

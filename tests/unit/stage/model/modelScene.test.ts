@@ -14,6 +14,7 @@ import { faultOf, openModel } from '../../../../src/stage/model/stageModel.ts';
 import { Simulation } from '../../../../src/stage/simulation.ts';
 import { ALL_PARTICLES } from '../../../../src/simulator/view.ts';
 import { bendingColumn, GlbFile, turningBox } from '../../../support/glb.ts';
+import { MODEL_HASHES, modelHashes } from '../../../support/sim/modelHashes.ts';
 import { loadVariant } from '../../../support/sim/simWasm.ts';
 
 const PLACE: ModelOptions = { position: { x: 0, y: 0, z: 0 }, size: 2 };
@@ -193,6 +194,10 @@ describe.each([
     const hashes = [await hashOf({}), await hashOf({ speed: 2 }), await hashOf({ animation: '' })];
     expect(new Set(hashes).size).toBe(3);
   });
+});
+
+test('models have the hashes that every engine must reach', async () => {
+  expect(await modelHashes(factory)).toEqual(MODEL_HASHES);
 });
 
 describe('solids', () => {
