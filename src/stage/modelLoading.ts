@@ -1,5 +1,5 @@
 /** Loads the code of models, which few stages need. */
-import { FileError, ParameterError, requireOptions } from '../base/errors.ts';
+import { FileError, ParameterError } from '../base/errors.ts';
 import { fetched } from '../base/timeout.ts';
 import { prepareSurfaces } from '../renderer/prepare.ts';
 import { loadSimulators } from '../simulator/load.ts';
@@ -13,6 +13,5 @@ import type { Dress } from './model/kit.ts';
  */
 export async function loadModel(bytes: Uint8Array, options: ModelOptions): Promise<Dress> {
   const { prepareModel } = await fetched('Models', import('./model/stageModel.ts'));
-  const kit = { FileError, ParameterError, requireOptions, loadSimulators, meshesAddress, prepareSurfaces };
-  return prepareModel(bytes, options, kit);
+  return prepareModel(bytes, options, { FileError, ParameterError, loadSimulators, meshesAddress, prepareSurfaces });
 }

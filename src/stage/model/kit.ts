@@ -1,5 +1,5 @@
 /** What the stage and the code of models know of each other. */
-import type { FileError, ParameterError, requireOptions } from '../../base/errors.ts';
+import type { FileError, ParameterError } from '../../base/errors.ts';
 import type { prepareSurfaces } from '../../renderer/prepare.ts';
 import type { loadSimulators } from '../../simulator/load.ts';
 import type { meshesAddress } from '../../simulator/meshes.ts';
@@ -9,7 +9,6 @@ import type { OpenedScene } from '../openScene.ts';
 export interface Kit {
   readonly FileError: typeof FileError;
   readonly ParameterError: typeof ParameterError;
-  readonly requireOptions: typeof requireOptions;
   readonly loadSimulators: typeof loadSimulators;
   readonly meshesAddress: typeof meshesAddress;
   readonly prepareSurfaces: typeof prepareSurfaces;

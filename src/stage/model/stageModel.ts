@@ -76,7 +76,6 @@ const CHECKS: { readonly [Name in keyof Required<ModelOptions>]: Check } = {
  * @param kit what it uses of the library
  */
 export async function prepareModel(bytes: Uint8Array, options: ModelOptions, kit: Kit): Promise<Dress> {
-  kit.requireOptions('setModel', options, Object.keys(CHECKS));
   const fault = faultOf(options);
   if (fault) throw new kit.ParameterError(`setModel.${fault[0]}`, fault[1], fault[2]);
   const own = ownErrors(kit);
@@ -103,9 +102,10 @@ function ownErrors({ FileError }: Kit) {
 }
 
 /** @returns name, value and accepted values of the first invalid option */
-export function faultOf(options: ModelOptions): [name: string, value: unknown, accepted: string] | undefined {
+export function faultOf(options: object): [name: string, value: unknown, accepted: string] | undefined {
   for (const [name, value] of Object.entries(options)) {
-    const [accepted, passes] = CHECKS[name as keyof ModelOptions];
+    const known = Object.hasOwn(CHECKS, name) && CHECKS[name as keyof ModelOptions];
+    const [accepted, passes] = known || [`no value: its options are ${Object.keys(CHECKS).join(', ')}`, () => false];
     if (value !== undefined && !passes(value)) return [name, value, accepted];
   }
   return undefined;

@@ -61,11 +61,15 @@ const state = byteArray(MAX_BYTES);
 const vector = list(place, 3) as Shape as Shape<Vector>;
 const plane = record({ middle: vector, right: vector, up: vector });
 
-const modelOptions = optionsByName<ModelOptions>();
+/** A file of at most 64 MB, which the stage checks, or null. */
+const modelFile = Object.assign(nullable(state), {
+  transferred: (bytes: unknown) => (bytes ? state.transferred!(bytes) : []),
+});
+
 const modelNode = record({ name: text, rigid: integer(0, FAR), surface: integer(-1, FAR) });
 const model = record({
-  triangles: integer(0, FAR),
-  materials: integer(0, FAR),
+  triangles: number(FAR),
+  materials: number(FAR),
   box: vector,
   nodes: list(modelNode, MAX_KEYS),
   animations: list(record({ name: text, seconds: number(FAR) }), MAX_KEYS),
@@ -142,7 +146,7 @@ export const methods: { readonly [Name in MethodName]: EntryOf<(typeof calls)[Na
   emit: { takes: [optionsByName<EmissionOptions>()], gives: integer(0, 2 ** 53) },
   changeEmission: { takes: [integer(0, 2 ** 53), optionsByName<EmissionChange>()], gives: nothing },
   drop: { takes: [place, place], gives: flag },
-  setModel: { takes: [nullable(byteArray(MAX_BYTES)), optional(modelOptions)], gives: nullable(model) },
+  setModel: { takes: [modelFile, optional(optionsByName<ModelOptions>())], gives: nullable(model) },
   pickModel: {
     takes: [place, place],
     gives: nullable(record({ node: modelNode, position: vector, direction: vector })),

@@ -60,11 +60,7 @@ export function optional<Value>(of: Shape<Value>): Shape<Value | undefined> {
 }
 
 export function nullable<Value>(of: Shape<Value>): Shape<Value | null> {
-  const { transferred } = of;
-  return Object.assign(
-    shape<Value | null>(`${of.words}, or null`, (value) => value === null || of(value)),
-    transferred && { transferred: (message: unknown) => (message === null ? [] : transferred(message)) },
-  );
+  return shape(`${of.words}, or null`, (value) => value === null || of(value));
 }
 
 export function byteArray(max: number): Shape<Uint8Array> {

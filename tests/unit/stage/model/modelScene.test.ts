@@ -268,7 +268,7 @@ test('the colour is the mean of the texture where the triangles are, times the f
 test.each([
   ['size', 0], ['size', '2'], ['speed', NaN], ['turn', 1e9], ['casts', 1], ['position', { x: 1, y: 2 }], ['position', null], ['animation', 3],
 ] as const)('the option %s cannot be %j', (name, value) => {
-  expect(faultOf({ [name]: value } as ModelOptions)?.slice(0, 2)).toEqual([name, value]);
+  expect(faultOf({ [name]: value })?.slice(0, 2)).toEqual([name, value]);
 }); // prettier-ignore
 
 test('the place under the pointer is on the node that carries it', async () => {
