@@ -99,7 +99,6 @@ export async function bundleAll(folder, plugins = shrinking()) {
   // worker.
   const ofWorker = [...plugins, modelByUrl()];
   await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins: ofWorker }, folder, ALONE);
-  await bundleModel(folder);
   // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
   await bundleWarnings(join(folder, 'development'));
@@ -119,7 +118,7 @@ async function bundleWarnings(folder) {
 }
 
 /**
- * Writes only the script for CDNs, with the simulator beside it.
+ * Writes only the script for CDNs, with the simulator and the code of models beside it.
  *
  * @param {string} folder
  * @param {import('rolldown').RolldownPluginOption[]} [plugins] that reduce the size
@@ -127,13 +126,8 @@ async function bundleWarnings(folder) {
 export async function bundleScript(folder, plugins = shrinking()) {
   const input = entries({ [SCRIPT]: 'src/script.ts' });
   await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`), modelByUrl()] }, folder, ALONE);
-  await bundleModel(folder);
-  copyWasm(folder, ['core', 'meshes', 'physics']);
-}
-
-/** @param {string} folder */
-async function bundleModel(folder) {
   await bundle({ input: entries(MODEL) }, folder, ALONE);
+  copyWasm(folder, ['core', 'meshes', 'physics']);
 }
 
 /**

@@ -30,7 +30,7 @@ const modules = new LazyModules({
   rareForces: (): Promise<SimulatorFactory> => import('../simulator/meshes.ts').then(({ loadMeshes }) => loadMeshes()),
 });
 const TIMELINE = 'The timeline';
-const FLOWS = 'The simulator of flows';
+const MESHES = 'The simulator with flows and meshes';
 /** The modules that are loaded. */
 export const { loaded } = modules;
 
@@ -113,7 +113,7 @@ function needsOf(kind: PictureKind): Partial<Record<Name, string>> {
     ...(hasAdditionalLights && { additionalLights: 'More lights' }),
     ...(hasLooks && { looks: 'Looks of emitters' }),
     ...(isAnimated && { animation: TIMELINE }),
-    ...(lacksForces && { rareForces: FLOWS }),
+    ...(lacksForces && { rareForces: MESHES }),
     ...(isTiled && { tiledVolumes: 'Volumes in tiles' }),
   };
 }
@@ -169,9 +169,9 @@ export async function fetchTimelineText(given: GivenValues): Promise<Values> {
   return timelineText(given);
 }
 
-/** Loads the simulator with rare forces. @throws LoadError if it cannot be loaded */
+/** Loads the simulator with rare forces and meshes. @throws LoadError if it cannot be loaded */
 export function fetchRareForces(): Promise<SimulatorFactory> {
-  return modules.load('rareForces', FLOWS);
+  return modules.load('rareForces', MESHES);
 }
 
 function missing(kind: PictureKind): [Name, string][] {

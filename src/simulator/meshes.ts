@@ -1,10 +1,11 @@
 /** The variant with meshes that move as they are told and with rare forces, in a module that few pages load. */
 import { loadSimulators, type SimulatorFactory, type Variant } from './load.ts';
 
-/** Its WASM, whose bindings the code of models has. */
-export const meshesAddress = () => new URL('./wasm/meshes/bindings_bg.wasm', import.meta.url);
-
-export const MESHES: Variant = { name: 'meshes', code: () => import('./meshBindings.ts'), address: meshesAddress };
+export const MESHES: Variant = {
+  name: 'meshes',
+  code: () => import('./meshBindings.ts'),
+  address: () => new URL('./wasm/meshes/bindings_bg.wasm', import.meta.url),
+};
 
 /** Loads it; see `loadSimulators`. */
 export function loadMeshes(): Promise<SimulatorFactory> {

@@ -2,8 +2,7 @@
 import { FileError, ParameterError } from '../base/errors.ts';
 import { fetched } from '../base/timeout.ts';
 import { prepareSurfaces } from '../renderer/prepare.ts';
-import { loadSimulators } from '../simulator/load.ts';
-import { meshesAddress } from '../simulator/meshes.ts';
+import { fetchRareForces as fetchMeshes } from '../renderer/extraPasses.ts';
 import type { ModelOptions } from './contract.ts';
 import type { Dress } from './model/kit.ts';
 
@@ -13,5 +12,5 @@ import type { Dress } from './model/kit.ts';
  */
 export async function loadModel(bytes: Uint8Array, options: ModelOptions): Promise<Dress> {
   const { prepareModel } = await fetched('Models', import('./model/stageModel.ts'));
-  return prepareModel(bytes, options, { FileError, ParameterError, loadSimulators, meshesAddress, prepareSurfaces });
+  return prepareModel(bytes, options, { FileError, ParameterError, fetchMeshes, prepareSurfaces });
 }

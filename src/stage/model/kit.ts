@@ -1,16 +1,15 @@
 /** What the stage and the code of models know of each other. */
 import type { FileError, ParameterError } from '../../base/errors.ts';
 import type { prepareSurfaces } from '../../renderer/prepare.ts';
-import type { loadSimulators } from '../../simulator/load.ts';
-import type { meshesAddress } from '../../simulator/meshes.ts';
+import type { SimulatorFactory } from '../../simulator/load.ts';
 import type { OpenedScene } from '../openScene.ts';
 
 /** What the code of models uses of the library: in the package it is a file of its own, which imports nothing. */
 export interface Kit {
   readonly FileError: typeof FileError;
   readonly ParameterError: typeof ParameterError;
-  readonly loadSimulators: typeof loadSimulators;
-  readonly meshesAddress: typeof meshesAddress;
+  /** Loads the simulator with meshes. */
+  readonly fetchMeshes: () => Promise<SimulatorFactory>;
   readonly prepareSurfaces: typeof prepareSurfaces;
 }
 

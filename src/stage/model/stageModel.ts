@@ -1,26 +1,12 @@
 /**
  * Models of GLB files. The stage loads this module on demand. In the package it is a file of its own, which imports nothing.
  */
-import {
-  initSync,
-  lastFault,
-  provokeFault,
-  rigidArguments,
-  readTake,
-  Simulator,
-} from '../../simulator/meshBindings.ts';
 import type { Scene } from '../../scenes/scene.ts';
-import type { SimulatorBindings } from '../../simulator/simulator.ts';
-import type { Variant } from '../../simulator/load.ts';
 import type { ModelOptions } from '../contract.ts';
 import type { Dress, Kit } from './kit.ts';
 import { colorsOf, decodeByBrowser, type Decode } from './colors.ts';
 import { readModel } from './modelFile.ts';
 import { withModel, type SceneModel } from './modelScene.ts';
-
-const bindings = { initSync, lastFault, provokeFault, rigidArguments, readTake, Simulator } as SimulatorBindings;
-/** The simulator with meshes. One object, by which its loading is known. */
-let meshes: Variant | undefined;
 
 /** A scene with a model. */
 export interface DressedScene {
@@ -80,11 +66,10 @@ export async function prepareModel(bytes: Uint8Array, options: ModelOptions, kit
   if (fault) throw new kit.ParameterError(`setModel.${fault[0]}`, fault[1], fault[2]);
   const own = ownErrors(kit);
   const dress = await own(() => openModel(bytes, options));
-  meshes ??= { name: 'meshes', code: async () => bindings, address: kit.meshesAddress };
   return async (opened) => {
     const { hasRigids, ...dressed } = await own(() => dress(opened.scene));
     const isEnough = !hasRigids || opened.factory.module.bindings.rigidArguments;
-    const factory = isEnough ? opened.factory : await kit.loadSimulators({ physics: meshes! });
+    const factory = isEnough ? opened.factory : await kit.fetchMeshes();
     await kit.prepareSurfaces(dressed.scene.surfaces, 0);
     return { ...dressed, factory };
   };
