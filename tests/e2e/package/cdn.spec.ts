@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import type {} from '../../../src/script.ts';
+import type { puff as call } from '../../../src/script.ts';
 import { watchConsole } from '../../support/consoleErrors.ts';
 import { expect, stands, test as base, type Server } from '../../support/embed.ts';
 import { longIf } from '../../support/fixtures.ts';
@@ -85,7 +85,7 @@ for (const [kind, warnings] of [
     expect(await thread(page)).toBe('worker');
     await page.evaluate(async () => {
       await document.querySelectorAll('cartoon-smoke')[1].ready;
-      const { puff } = window;
+      const { puff } = window as unknown as { puff: typeof call };
       await Promise.all([puff(null, { count: 1, effect: 'pop' }), puff(null, { count: 1, effect: 'pop' })]);
     });
     expect(lines.toSorted()).toEqual(warnings.map((warning) => expect.stringMatching(warning) as unknown));

@@ -23,6 +23,12 @@ const EXAMPLES = {
   vite: [...VITE, 'Cartoon smoke with Vite'],
   vue: [...VITE, 'Cartoon smoke in Vue'],
 } as const;
+/** Versions by the names of packages. */
+interface Dependencies {
+  readonly dependencies: Record<string, string>;
+  readonly devDependencies?: Record<string, string>;
+}
+
 const { version } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8')) as { version: string };
 
 test.use({ deviceScaleFactor: 1 });
@@ -44,10 +50,7 @@ test('all examples with a package.json are tested', () => {
 for (const [name, [builder, folder, title]] of Object.entries(EXAMPLES)) {
   test(`${name}: a copy builds and draws smoke`, async ({ page, project }) => {
     const files = filesOf(name);
-    const { dependencies, devDependencies = {} } = JSON.parse(files['package.json']) as Record<
-      'dependencies' | 'devDependencies',
-      Record<string, string>
-    >;
+    const { dependencies, devDependencies = {} } = JSON.parse(files['package.json']) as Dependencies;
     expect(dependencies['cartoon-smoke']).toBe(version);
     delete dependencies['cartoon-smoke'];
     // The tarball takes the place of the published package.

@@ -82,7 +82,7 @@ exec npx cartoon-smoke film '${LINK}' ${SHOT.join(' ')} --out shots --states sta
     await until(() => !run(place, 'squeue', '--noheader').trim(), 'the end of all tasks');
     expect(filesIn(join(place, 'shots'))).toEqual(filesIn(join(place, 'one')));
   } finally {
-    for (const daemon of daemons.reverse()) await end(daemon);
+    for (const daemon of daemons.toReversed()) await stop(daemon);
   }
 });
 
@@ -145,7 +145,7 @@ PartitionName=film Nodes=ALL Default=YES MaxTime=INFINITE State=UP
   return started;
 }
 
-async function end(daemon: ChildProcess): Promise<void> {
+async function stop(daemon: ChildProcess): Promise<void> {
   if (daemon.exitCode !== null) return;
   const ended = new Promise((resolve) => daemon.once('close', resolve));
   daemon.kill();
