@@ -43,6 +43,11 @@ const scenes: Readonly<Record<string, SceneWords>> = {
 };
 
 /** All texts of the page, in one place for translation. Labels of parameters are in the table. */
+/** Size of a file. */
+function sizeOf(bytes: number): string {
+  return `${(bytes / 1e6).toFixed(bytes < 1e6 ? 2 : 1)} MB`;
+}
+
 export const strings = {
   title: 'Cartoon Smoke',
   scenes,
@@ -196,7 +201,7 @@ export const strings = {
       png: '',
       svg: 'Flat colours and ink as grouped paths. Gradients become steps.',
       apng: 'Loops seamlessly, with all colours and exact alpha.',
-      webp: 'Loops seamlessly, with alpha.',
+      webp: 'Loops seamlessly, with exact alpha and a small loss of colour.',
       gif: 'Loops seamlessly, with 256 colours for each frame and no partial transparency.',
       webm: 'Contains every frame, even on a slow machine.',
       mp4: 'Contains every frame, even on a slow machine.',
@@ -212,7 +217,18 @@ export const strings = {
     start: 'Capture',
     working: 'Drawing frame by frame\u2026',
     cancelled: 'Stopped. The smoke is unchanged.',
-    saved: (name: string, bytes: number) => `Saved ${name}, ${(bytes / 1e6).toFixed(bytes < 1e5 ? 2 : 1)} MB.`,
+    compare: 'Compare sizes',
+    comparing: 'Drawing the clip in each format\u2026',
+    compared: (count: number) => `The clip is ready in ${count} formats.`,
+    sizes: 'Sizes of this clip',
+    megabytes: sizeOf,
+    save: 'Save',
+    saveAs: (name: string) => `Save ${name}`,
+    names: { apng: 'APNG', webp: 'WebP', gif: 'GIF', webm: 'WebM', mp4: 'MP4' },
+    missing: 'Not in this browser',
+    opaque: 'with background',
+    tooFast: (rate: number) => `At most ${rate} per second`,
+    saved: (name: string, bytes: number) => `Saved ${name}, ${sizeOf(bytes)}.`,
     failed: (reason: string) => `The capture failed. ${reason}`,
     tooLarge: (width: number, height: number, max: number) =>
       `${width} \u00d7 ${height} pixels are too large for this GPU. The limit is ${max} pixels per side.`,

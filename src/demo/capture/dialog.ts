@@ -2,9 +2,11 @@ import type { Stage } from '../../index.ts';
 import { create, textButton, download } from '../ui/dom.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
+import { capture } from './capture.ts';
 import { SettingsForm } from './settingsForm.ts';
-import type { CaptureSettings, Format } from './settings.ts';
-import { type Task, openStudio, type Studio } from './studio.ts';
+import { isCompared, type CaptureSettings, type Format } from './settings.ts';
+import type { Compared } from './compare.ts';
+import type { Task } from './studio.ts';
 
 /** Dialog that selects what to capture, shows progress and allows cancelling. The smoke is paused meanwhile. */
 export class CaptureDialog {
@@ -12,7 +14,10 @@ export class CaptureDialog {
   private readonly stage: Stage;
   private readonly form = new SettingsForm();
   private readonly outcome = create('div', { class: 'capture-outcome', role: 'status' });
+  /** Files that wait to be saved, with their sizes. */
+  private readonly files = create('div', { class: 'capture-files' });
   private readonly start = create('button', { type: 'submit', class: 'loud' }, strings.capture.start);
+  private readonly compare = textButton('quiet', strings.capture.compare, () => void this.runComparison());
   private work: AbortController | undefined;
   private wasPlaying: boolean | undefined;
 
@@ -20,15 +25,17 @@ export class CaptureDialog {
     this.stage = stage;
     const { title } = strings.capture;
     const close = textButton('quiet', strings.help.close, () => this.element.close());
-    const buttons = create('div', { class: 'capture-buttons' }, this.start, close);
-    this.form.element.append(this.outcome, buttons);
+    const buttons = create('div', { class: 'capture-buttons' }, this.start, this.compare, close);
+    this.form.element.append(this.outcome, this.files, buttons);
     const heading = create('h2', { id: 'capture-title' }, title);
     const attributes = { class: 'sheet card capture', 'aria-labelledby': 'capture-title' };
     this.element = create('dialog', attributes, heading, this.form.element);
     this.form.element.addEventListener('submit', (event) => {
       event.preventDefault();
-      void this.run(this.form.settings());
+      void this.runCapture(this.form.settings());
     });
+    this.form.element.addEventListener('input', () => this.update());
+    this.update();
     this.element.addEventListener('close', () => this.leave());
   }
 
@@ -39,6 +46,7 @@ export class CaptureDialog {
     this.stage.pause();
     this.outcome.replaceChildren();
     this.form.measureWindow();
+    this.update();
     this.element.showModal();
   }
 
@@ -50,28 +58,55 @@ export class CaptureDialog {
     this.wasPlaying = undefined;
   }
 
-  private async run(settings: CaptureSettings): Promise<void> {
-    const work = (this.work = new AbortController());
-    const progress = new Progress(strings.capture.working, () => work.abort());
+  /** Files of other settings are dropped. */
+  private update(): void {
+    this.files.replaceChildren();
+    this.compare.hidden = !isCompared(this.form.settings().format);
+  }
+
+  private runCapture(settings: CaptureSettings): Promise<void> {
+    return this.run(strings.capture.working, async (task) => {
+      this.save(settings.format, await capture(this.stage, settings, task));
+    });
+  }
+
+  private runComparison(): Promise<void> {
+    if (!this.form.element.reportValidity()) return Promise.resolve();
+    const settings = this.form.settings();
+    return this.run(strings.capture.comparing, async (task) => {
+      const { compareFormats } = await import('./compare.ts');
+      const found = await compareFormats(this.stage, settings, task);
+      this.files.replaceChildren(sizesOf(found, (format, file) => this.save(format, file)));
+      this.say(strings.capture.compared(found.filter(({ file }) => file).length));
+    });
+  }
+
+  private async run(message: string, work: (task: Task) => Promise<void>): Promise<void> {
+    const controller = (this.work = new AbortController());
+    const { signal } = controller;
+    const progress = new Progress(message, () => controller.abort());
     progress.element.classList.remove('card');
     this.outcome.replaceChildren(progress.element);
-    this.form.isLocked = this.start.disabled = true;
+    this.files.replaceChildren();
+    this.setLocked(true);
     try {
-      const onProgress = (share: number) => progress.show(share);
-      const file = await capture(this.stage, settings, { signal: work.signal, onProgress });
-      this.say(this.save(settings, file));
+      await work({ signal, onProgress: (share) => progress.show(share) });
     } catch (error) {
-      this.say(work.signal.aborted ? strings.capture.cancelled : strings.capture.failed((error as Error).message));
+      this.say(signal.aborted ? strings.capture.cancelled : strings.capture.failed((error as Error).message));
     } finally {
-      this.form.isLocked = this.start.disabled = false;
+      this.setLocked(false);
     }
   }
 
-  private save({ format }: CaptureSettings, file: Blob): string {
+  private setLocked(isLocked: boolean): void {
+    this.form.isLocked = this.start.disabled = this.compare.disabled = isLocked;
+  }
+
+  private save(format: Format, file: Blob): void {
     const { scene } = this.stage.get();
     const name = `${String(scene)}-${this.stage.stats.time.toFixed(2)}s.${format === 'flipbook' ? 'flipbook.zip' : format}`;
     download(name, file);
-    return strings.capture.saved(name, file.size);
+    this.say(strings.capture.saved(name, file.size));
   }
 
   private say(message: string): void {
@@ -79,32 +114,16 @@ export class CaptureDialog {
   }
 }
 
-type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
-
-/** Encoders by format. Each module and its library are fetched on first use. */
-const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
-  png: async () => (await import('./png.ts')).makePng,
-  svg: async () => (await import('./svg.ts')).makeSvg,
-  apng: async () => (await import('./clips/loops.ts')).makeLoop,
-  webp: async () => (await import('./clips/loops.ts')).makeLoop,
-  gif: async () => (await import('./clips/loops.ts')).makeLoop,
-  webm: async () => (await import('./video.ts')).makeVideo,
-  mp4: async () => (await import('./video.ts')).makeVideo,
-  zip: async () => (await import('./pngSequence.ts')).makePngSequence,
-  flipbook: async () => (await import('./flipbook.ts')).makeFlipbook,
-};
-
-/**
- * Captures what a stage shows, from the current time on, as a file. The stage is not modified.
- * @throws the reason of the task's signal when it is aborted; VideoError when the browser has no encoder for the format
- */
-export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
-  const make = await makers[settings.format]();
-  const studio = await openStudio(stage, settings);
-  try {
-    task.signal.throwIfAborted();
-    return await make(studio, settings, task);
-  } finally {
-    studio.stage.dispose();
-  }
+/** A table of files with a button for each. */
+function sizesOf(found: readonly Compared[], save: (format: Format, file: Blob) => void): HTMLTableElement {
+  const { sizes, names, megabytes, save: label, saveAs } = strings.capture;
+  const rows = found.map(({ format, file, note }) => {
+    const name = create('th', { scope: 'row' }, names[format]);
+    if (!file) return create('tr', {}, name, create('td', { colspan: 2 }, note ?? ''));
+    const button = textButton('quiet', label, () => save(format, file));
+    button.setAttribute('aria-label', saveAs(names[format]));
+    const size = [megabytes(file.size), ...(note ? [note] : [])].join(', ');
+    return create('tr', {}, name, create('td', {}, size), create('td', {}, button));
+  });
+  return create('table', {}, create('caption', {}, sizes), create('tbody', {}, ...rows));
 }

@@ -14,6 +14,14 @@ export const FORMATS = {
 } as const;
 export type Format = keyof typeof FORMATS;
 
+/** Formats for the same purpose, whose sizes are compared. */
+export const COMPARED = ['apng', 'webp', 'gif', 'webm', 'mp4'] as const;
+export type ComparedFormat = (typeof COMPARED)[number];
+
+export function isCompared(format: Format): boolean {
+  return COMPARED.some((each) => each === format);
+}
+
 /** Device pixels per CSS pixel. */
 export const SCALES = [1, 2, 4] as const;
 /**

@@ -110,6 +110,42 @@ test('captures are started from the sheet and do not change the smoke', async ({
   });
 });
 
+test('sizes of a clip in all formats stand beside each other before one is saved, by keys', async ({ page }) => {
+  await open(page, `?paused=1${LAMP}`);
+  await ask(page, (stage) => stage.step(60));
+  const hash = await openSheet(page);
+  const table = sheet(page).getByRole('table', { name: 'Sizes of this clip' });
+  const compare = sheet(page).getByRole('button', { name: 'Compare sizes' });
+  await expect(compare, 'for a picture').toBeHidden();
+  await sheet(page).getByLabel('Format').selectOption('webp');
+  await sheet(page).getByLabel('Frame rate').selectOption('12');
+  await test.step('a long one is stopped', async () => {
+    await sheet(page).getByLabel('Seconds').fill('60');
+    await compare.press('Enter');
+    await expect(sheet(page).getByRole('progressbar', { name: 'Drawing the clip in each format' })).toBeVisible();
+    await sheet(page).getByRole('button', { name: 'Stop here' }).press('Enter');
+    await expect(sheet(page).getByText('Stopped. The smoke is unchanged.')).toBeVisible();
+    await expect(table).toBeHidden();
+  });
+  await sheet(page).getByLabel('Seconds').fill('0.25');
+  await compare.press('Enter');
+  await expect(sheet(page).getByText('The clip is ready in 5 formats.')).toBeVisible();
+  const names = ['APNG', 'WebP', 'GIF', 'WebM', 'MP4'];
+  await expect(table.getByRole('rowheader')).toHaveText(names);
+  const row = table.getByRole('row').filter({ hasText: 'APNG' });
+  const [, shown] = /([\d.]+) MB/.exec(await row.innerText())!;
+  const button = sheet(page).getByRole('button', { name: 'Save APNG' });
+  const [file] = await Promise.all([page.waitForEvent('download'), button.press('Enter')]);
+  expect(file.suggestedFilename()).toBe('lamp-1.00s.apng');
+  const { length } = await bytesOf(file);
+  expect(Math.abs(length / 1e6 - Number(shown))).toBeLessThan(0.0051);
+  await expect(sheet(page).getByRole('status')).toContainText('Saved lamp-1.00s.apng');
+  await expect(table, 'others can be saved, too').toBeVisible();
+  await sheet(page).getByLabel('Frame rate').selectOption('24');
+  await expect(table, 'for other settings').toBeHidden();
+  expect(await ask(page, (stage) => stage.hash())).toBe(hash);
+});
+
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 

@@ -1,5 +1,5 @@
 /** Runs in a page: stages on the main thread, small because of software rendering. */
-import { capture } from '../../../src/demo/capture/dialog.ts';
+import { capture } from '../../../src/demo/capture/capture.ts';
 import type { Format } from '../../../src/demo/capture/settings.ts';
 import { encode } from '../../../src/parameters/codec.ts';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';

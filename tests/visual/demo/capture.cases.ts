@@ -1,7 +1,8 @@
 /** Captures of a small lamp scene, and the decoded content of the files. */
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
-import { capture } from '../../../src/demo/capture/dialog.ts';
+import { compareFormats } from '../../../src/demo/capture/compare.ts';
+import { capture } from '../../../src/demo/capture/capture.ts';
 import type { CaptureSettings, Format } from '../../../src/demo/capture/settings.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
@@ -414,6 +415,20 @@ export function withoutWebp() {
     const message = await captured({ format: 'webp' }).catch((error: Error) => `${error.name}: ${error.message}`);
     OffscreenCanvas.prototype.convertToBlob = convertToBlob;
     return { message };
+  });
+}
+
+/** What is compared, by format. */
+export function compared(settings: Partial<CaptureSettings>, isWithoutEncoder = false) {
+  return untouched(async () => {
+    const encoder = globalThis.VideoEncoder;
+    if (isWithoutEncoder) Reflect.deleteProperty(globalThis, 'VideoEncoder');
+    const shares: number[] = [];
+    const task = { signal: new AbortController().signal, onProgress: (share: number) => void shares.push(share) };
+    const found = await compareFormats(await lamp(), { ...PLAIN, ...settings }, task);
+    globalThis.VideoEncoder = encoder;
+    const rows = found.map(({ format, file, note }) => [format, file?.type, note]);
+    return { rows, sizes: found.map(({ file }) => file?.size ?? Infinity), shares };
   });
 }
 

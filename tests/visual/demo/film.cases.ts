@@ -1,6 +1,6 @@
 /** The same frames as `npm run film`, by the page and by `npm run poster`; and a link with a take. */
 import { unzipSync } from 'fflate';
-import { capture } from '../../../src/demo/capture/dialog.ts';
+import { capture } from '../../../src/demo/capture/capture.ts';
 import { downsample } from '../../../src/demo/film/downsample.ts';
 import { decode, encode } from '../../../src/parameters/codec.ts';
 import { createStage } from '../../../src/stage/stage.ts';

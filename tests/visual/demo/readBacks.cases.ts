@@ -1,6 +1,6 @@
 /** What the code decides by pixels that it reads, also in browsers that falsify them. */
 import { unzipSync } from 'fflate';
-import { capture } from '../../../src/demo/capture/dialog.ts';
+import { capture } from '../../../src/demo/capture/capture.ts';
 import type { CaptureSettings } from '../../../src/demo/capture/settings.ts';
 import { DepthReader } from '../../../src/demo/film/depth.ts';
 import { createDevice } from '../../../src/renderer/gpu/device.ts';
