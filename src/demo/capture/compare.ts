@@ -2,9 +2,10 @@ import type { Stage } from '../../index.ts';
 import { strings } from '../strings.ts';
 import { capture } from './capture.ts';
 import type { LoopFormat } from './clips/clipFile.ts';
+import { hevcWithAlpha } from './clips/hevc.ts';
 import { makeLoops } from './clips/loops.ts';
 import { encodesWebp } from './clips/webp.ts';
-import { COMPARED, FASTEST_GIF, FORMATS, type CaptureSettings, type ComparedFormat } from './settings.ts';
+import { COMPARED, FASTEST_GIF, FORMATS, pixelSize, type CaptureSettings, type ComparedFormat } from './settings.ts';
 import { openStudio, VideoError, type Task } from './studio.ts';
 
 export interface Compared {
@@ -43,7 +44,8 @@ export async function compareFormats(
   const files = await captureLoops(loops, stage, settings, pass());
   loops.forEach((format, at) => found.push({ format, file: files[at] }));
   for (const format of VIDEOS) {
-    const hasBackground = settings.hasBackground || !FORMATS[format].hasAlpha;
+    const hasAlpha = format === 'mp4' ? await encodesAlpha(settings) : FORMATS[format].hasAlpha;
+    const hasBackground = settings.hasBackground || !hasAlpha;
     const note = hasBackground === settings.hasBackground ? undefined : strings.capture.opaque;
     const video = capture(stage, { ...settings, format, hasBackground }, pass());
     found.push(await video.then((file) => ({ format, file, note }), missing(format)));
@@ -63,6 +65,11 @@ async function captureLoops(
   } finally {
     studio.stage.dispose();
   }
+}
+
+async function encodesAlpha(settings: CaptureSettings): Promise<boolean> {
+  const [width, height] = pixelSize({ ...settings, format: 'mp4' });
+  return (await hevcWithAlpha({ width, height, rate: settings.rate })) !== undefined;
 }
 
 /** The row of a format that the browser does not encode. */

@@ -8,6 +8,7 @@ export const FORMATS = {
   webp: { isClip: true, hasAlpha: true },
   gif: { isClip: true, hasAlpha: true },
   webm: { isClip: true, hasAlpha: true },
+  // With alpha only where the browser encodes it, see clips/hevc.ts.
   mp4: { isClip: true, hasAlpha: false },
   zip: { isClip: true, hasAlpha: true },
   flipbook: { isClip: true, hasAlpha: false },

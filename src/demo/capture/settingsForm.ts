@@ -1,6 +1,7 @@
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 import type { LightLayout } from './lightMaps.ts';
+import { hevcWithAlpha } from './clips/hevc.ts';
 import {
   FASTEST_GIF,
   columnsOf,
@@ -41,6 +42,9 @@ export class SettingsForm {
     (name) => strings.capture.lights[name],
   );
 
+  /** Whether an MP4 of the selected size can be transparent. */
+  private hasMp4Alpha = false;
+
   constructor() {
     const { labels } = strings.capture;
     this.seconds.value = '3';
@@ -79,7 +83,7 @@ export class SettingsForm {
       width,
       height,
       scale: format === 'svg' ? DRAWING_SCALE : Number(this.scale.value),
-      hasBackground: format !== 'flipbook' && (this.background.checked || !FORMATS[format].hasAlpha),
+      hasBackground: format !== 'flipbook' && (this.background.checked || !this.hasAlpha(format)),
       seconds: Number(this.seconds.value),
       rate: Number(this.rate.value),
       inLayers: this.layers.checked,
@@ -93,16 +97,30 @@ export class SettingsForm {
   /** Shows the fields of the selected format, and a summary of the result. */
   private updateFields(): void {
     const format = this.format.value as Format;
-    const { isClip, hasAlpha } = FORMATS[format];
+    const { isClip } = FORMATS[format];
+    if (format === 'mp4') void this.askForAlpha();
     show(this.scale, format !== 'svg');
     show(this.seconds, isClip);
     show(this.rate, isClip);
-    show(this.background, hasAlpha);
+    show(this.background, this.hasAlpha(format));
     show(this.layers, format === 'zip');
     show(this.lights, format === 'flipbook');
     for (const option of this.rate.options) option.disabled = format === 'gif' && Number(option.value) > FASTEST_GIF;
     if (this.rate.selectedOptions[0].disabled) this.rate.value = String(FASTEST_GIF);
     this.notify();
+  }
+
+  private hasAlpha(format: Format): boolean {
+    return format === 'mp4' ? this.hasMp4Alpha : FORMATS[format].hasAlpha;
+  }
+
+  /** Asks the browser only for MP4, because WebKitGTK 2.50 can crash. */
+  private async askForAlpha(): Promise<void> {
+    const [width, height] = pixelSize(this.settings());
+    const hasAlpha = (await hevcWithAlpha({ width, height, rate: Number(this.rate.value) })) !== undefined;
+    if (hasAlpha === this.hasMp4Alpha) return;
+    this.hasMp4Alpha = hasAlpha;
+    if (this.format.value === 'mp4') show(this.background, hasAlpha);
   }
 
   private notify(): void {

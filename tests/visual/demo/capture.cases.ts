@@ -1,9 +1,11 @@
 /** Captures of a small lamp scene, and the decoded content of the files. */
 import { unzipSync } from 'fflate';
-import { ALL_FORMATS, BlobSource, Input, VideoSampleSink } from 'mediabunny';
+import { ALL_FORMATS, BlobSource, EncodedPacketSink, Input, VideoSampleSink } from 'mediabunny';
+import { hevcWithAlpha } from '../../../src/demo/capture/clips/hevc.ts';
 import { compareFormats } from '../../../src/demo/capture/compare.ts';
 import { capture } from '../../../src/demo/capture/capture.ts';
 import type { CaptureSettings, Format } from '../../../src/demo/capture/settings.ts';
+import { SettingsForm } from '../../../src/demo/capture/settingsForm.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
 import type { LightLayout } from '../../../src/demo/capture/lightMaps.ts';
@@ -429,6 +431,97 @@ export function compared(settings: Partial<CaptureSettings>, isWithoutEncoder = 
     globalThis.VideoEncoder = encoder;
     const rows = found.map(({ format, file, note }) => [format, file?.type, note]);
     return { rows, sizes: found.map(({ file }) => file?.size ?? Infinity), shares };
+  });
+}
+
+/** Header of a HEVC stream without parameter sets. */
+const HVCC = Uint8Array.of(
+  1,
+  1,
+  0x60,
+  0,
+  0,
+  0,
+  0x90,
+  0,
+  0,
+  0,
+  0,
+  0,
+  153,
+  0xf0,
+  0,
+  0xfc,
+  0xfd,
+  0xf8,
+  0xf8,
+  0,
+  0,
+  0x0f,
+  0,
+);
+
+/** Records what it is given, and has one byte for each frame. */
+class FakeEncoder extends EventTarget {
+  static configs: VideoEncoderConfig[] = [];
+  static corners: number[] = [];
+  state: CodecState = 'configured';
+  readonly encodeQueueSize = 0;
+  private readonly init: VideoEncoderInit;
+  constructor(init: VideoEncoderInit) {
+    super();
+    this.init = init;
+  }
+  static isConfigSupported(config: VideoEncoderConfig) {
+    return Promise.resolve({ supported: config.alpha === 'keep' && config.codec.startsWith('hvc1'), config });
+  }
+  configure(config: VideoEncoderConfig) {
+    FakeEncoder.configs.push(config);
+  }
+  encode(frame: VideoFrame, { keyFrame }: VideoEncoderEncodeOptions = {}) {
+    FakeEncoder.corners.push(drawn(frame, WIDTH, HEIGHT).data[3]);
+    const { timestamp, duration } = frame;
+    const chunk = { type: keyFrame ? 'key' : 'delta', timestamp, duration: duration!, data: Uint8Array.of(1) } as const;
+    const decoderConfig = { codec: 'hvc1.1.6.L153.B0', codedWidth: WIDTH, codedHeight: HEIGHT, description: HVCC };
+    this.init.output(new EncodedVideoChunk(chunk), { decoderConfig });
+  }
+  flush() {
+    return Promise.resolve();
+  }
+  close() {
+    this.state = 'closed';
+  }
+}
+
+/** MP4 with alpha by an encoder that has it, and the field of the background with and without such an encoder. */
+export function hevc() {
+  return untouched(async () => {
+    const encoder = globalThis.VideoEncoder;
+    const hasField: boolean[] = [];
+    const form = new SettingsForm();
+    const ask = async () => {
+      for (const format of ['png', 'mp4']) {
+        form.element.querySelector<HTMLSelectElement>('[name=format]')!.value = format;
+        form.element.dispatchEvent(new Event('input'));
+        // The form has asked before, and has its answer before.
+        await hevcWithAlpha({ width: WIDTH, height: HEIGHT, rate: 24 });
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+      const field = form.element.querySelector<HTMLInputElement>('[name=background]')!;
+      field.checked = false;
+      hasField.push(!field.disabled, form.settings().hasBackground);
+    };
+    await ask();
+    globalThis.VideoEncoder = FakeEncoder as unknown as typeof VideoEncoder;
+    await ask();
+    const blob = await captured({ format: 'mp4', hasBackground: false });
+    globalThis.VideoEncoder = encoder;
+    const input = new Input({ source: new BlobSource(blob), formats: ALL_FORMATS });
+    const track = (await input.getPrimaryVideoTrack())!;
+    const times: number[] = [];
+    for await (const { timestamp } of new EncodedPacketSink(track).packets()) times.push(timestamp);
+    const { configs, corners } = FakeEncoder;
+    return { hasField, configs, corners, times, codec: track.codec, type: blob.type };
   });
 }
 

@@ -240,6 +240,17 @@ for (const [what, settings, isWithoutEncoder, rows] of [
   });
 }
 
+// No browser encodes it in 2026, so the encoder is replaced. The browser of the tests is the one without.
+test('an MP4 has alpha if, and only if, the browser encodes HEVC with it', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.hevc());
+  expect(report.hasField, 'whether there is a field, and a background').toEqual([false, true, true, false]);
+  const config = { codec: 'hvc1.1.6.L153.B0', width: 160, height: 120, framerate: 24, alpha: 'keep' };
+  expect(report.configs).toEqual([expect.objectContaining(config)]);
+  expect(report.corners).toEqual(Array(6).fill(0));
+  expect(report.times.map((time) => Math.round(24 * time))).toEqual([0, 1, 2, 3, 4, 5]);
+  expect([report.codec, report.type, report.isUntouched]).toEqual(['hevc', 'video/mp4', true]);
+});
+
 test('without an encoder the page reports it and suggests an alternative', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutEncoder());
   expect(report.message).toContain('cannot encode Video (MP4) at 160 \u00d7 120 pixels. Use');
