@@ -39,6 +39,7 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   wisp: { loading: 'Boiling water\u2026', picture: 'A steaming cup of tea.' },
   firework: { loading: 'Lighting the fuse\u2026', picture: 'Coloured shells that burst over an island at night.' },
   title: { loading: 'Raising the curtain\u2026', picture: 'Four letters that burst out of a stage: puff.' },
+  dragon: { loading: 'Waking the dragon\u2026', picture: 'A small dragon on its gold that breathes fire and smoke.' },
   air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 

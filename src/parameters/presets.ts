@@ -4,6 +4,7 @@ import { presets as air } from './byScene/air.ts';
 import { presets as airplane } from './byScene/airplane.ts';
 import { presets as campfire } from './byScene/campfire.ts';
 import { presets as cloudscape } from './byScene/cloudscape.ts';
+import { presets as dragon } from './byScene/dragon.ts';
 import { presets as dust } from './byScene/dust.ts';
 import { presets as firework } from './byScene/firework.ts';
 import { presets as genie } from './byScene/genie.ts';
@@ -31,6 +32,7 @@ export const presets: readonly Preset[] = [
   ...wisp,
   ...firework,
   ...title,
+  ...dragon,
   ...air,
 ];
 

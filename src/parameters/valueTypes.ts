@@ -49,6 +49,8 @@ export type PresetName =
   | 'wisp-charcoal'
   | 'firework'
   | 'title'
+  | 'dragon'
+  | 'dragon-night'
   | 'air'
   | 'air-comic-explosion'
   | 'air-leaves'
@@ -68,6 +70,7 @@ export type SingleValues = {
     | 'wisp'
     | 'firework'
     | 'title'
+    | 'dragon'
     | 'air';
   /** Seed: Seed of the random numbers. The same seed makes the same smoke. A change restarts the smoke. */ seed: number;
   /** Rate: Number of new puffs per second. */ 'emission.rate': number;

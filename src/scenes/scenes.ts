@@ -21,6 +21,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   wisp: { hasRigids: false, load: async () => (await import('./wisp.ts')).wisp() },
   firework: { hasRigids: false, load: async () => (await import('./firework.ts')).firework() },
   title: { hasRigids: false, load: async () => (await import('./title.ts')).title() },
+  dragon: { hasRigids: false, load: async () => (await import('./dragon.ts')).dragon() },
   air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };
 

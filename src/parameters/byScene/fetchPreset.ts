@@ -14,6 +14,7 @@ const byScene: Readonly<Record<string, () => Promise<{ presets: readonly Preset[
   wisp: () => import('./wisp.ts'),
   firework: () => import('./firework.ts'),
   title: () => import('./title.ts'),
+  dragon: () => import('./dragon.ts'),
   air: () => import('./air.ts'),
 };
 

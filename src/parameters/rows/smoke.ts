@@ -13,6 +13,7 @@ const SCENES = [
   'wisp',
   'firework',
   'title',
+  'dragon',
   'air',
 ] as const;
 

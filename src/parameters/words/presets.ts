@@ -76,6 +76,8 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   'wisp-charcoal': { label: 'Charcoal', text: 'Grain of charcoal on grey paper.' },
   firework: { label: 'Firework', text: 'Shells of six colours that rise, burst and fall over an island at night.' },
   title: { label: 'Title', text: 'Twelve seconds of film: four letters burst out of the stage in clouds of colour.' },
+  dragon: { label: 'Dragon', text: 'A small dragon that breathes fire and smoke on the beat.' },
+  'dragon-night': { label: 'Night', text: 'The fire lights the dragon, its gold and its smoke.' },
   air: { label: 'Open air', text: 'Only smoke, to flow over pages and around their elements.' },
   'air-comic-explosion': {
     label: 'Comic explosion',

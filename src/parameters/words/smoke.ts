@@ -21,6 +21,7 @@ export const smokeWords: WordsOf<Rows> = {
       wisp: 'Cup of tea',
       firework: 'Firework',
       title: 'Title',
+      dragon: 'Dragon',
       air: 'Open air',
     },
   },

@@ -51,6 +51,21 @@ export function planarAxis(path: Curve): Axis {
   };
 }
 
+/**
+ * An axis along a curve of [x, y, z]; positions along it are curve parameters.
+ * @param up a unit vector that the curve is never parallel to; `across` is as close to it as possible
+ */
+export function spatialAxis(path: Curve, up: Vector): Axis {
+  return (along) => {
+    // A smooth profile reaches slightly beyond both ends, where the path does not move.
+    const within = Math.min(Math.max(along, STEP), 1 - STEP);
+    const [x, y, z] = path(along);
+    const tangent = normalized(minus(path(within + STEP), path(within - STEP)));
+    const [a, b, c] = normalized(cross(up, tangent));
+    return { origin: [x, y, z], across: cross(tangent, [a, b, c]), side: [a, b, c] };
+  };
+}
+
 /** Step for finite differences, as a fraction of a curve. */
 const STEP = 1e-4;
 

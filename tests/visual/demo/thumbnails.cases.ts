@@ -4,8 +4,8 @@ import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 /** Long enough for smoke to fill its column. */
 const SECONDS = 6;
-/** By scene, where the emitter is out of view at that time. */
-const EARLIER: Readonly<Record<string, number>> = { rocket: 4 };
+/** By scene, where the emitter is out of view or rests at that time. */
+const EARLIER: Readonly<Record<string, number>> = { rocket: 4, dragon: 4 };
 /** The time of the still frame of `src/demo/main.ts`, which replaces the poster for users who prefer less motion. */
 const STILL_SECONDS = 4;
 
