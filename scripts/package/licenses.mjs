@@ -27,8 +27,23 @@ const WASM = ['-p', 'bindings', '--features', 'rigids', '--target', 'wasm32-unkn
  * @param {readonly string[]} [bundles] folders of built scripts with source maps, which list the bundled files
  */
 export async function writeLicenses(folder, bundles = [folder]) {
-  const works = [...packagesIn(bundles), ...(await crates())].sort((a, b) => a.name.localeCompare(b.name, 'en'));
-  writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...describeAll(works)].join('\n\n')}\n`);
+  write(folder, [...packagesIn(bundles, '.'), ...(await crates())]);
+}
+
+/**
+ * The same without the WASM.
+ *
+ * @param {string} folder
+ * @param {string} home folder in the repository that has the packages
+ */
+export function writeScriptLicenses(folder, home) {
+  write(folder, packagesIn([folder], home));
+}
+
+/** @param {string} folder @param {Work[]} works */
+function write(folder, works) {
+  const sorted = works.sort((a, b) => a.name.localeCompare(b.name, 'en'));
+  writeFileSync(join(folder, FILE), `${[INTRODUCTION, ...describeAll(sorted)].join('\n\n')}\n`);
 }
 
 const INTRODUCTION = `Cartoon Smoke contains third-party work under the licences below. The work was bundled and minified, and unused
@@ -42,10 +57,11 @@ export function sourceMaps(folder) {
 
 /**
  * @param {readonly string[]} bundles
+ * @param {string} home
  * @returns {Work[]}
  */
-function packagesIn(bundles) {
-  const folders = new Set(bundles.flatMap(sourceMaps).flatMap(packageFolders));
+function packagesIn(bundles, home) {
+  const folders = new Set(bundles.flatMap(sourceMaps).flatMap((map) => packageFolders(map, home)));
   return [...folders].map((place) => {
     const { name, version, license, repository } = JSON.parse(readFileSync(join(place, 'package.json'), 'utf8'));
     const address = typeof repository === 'string' ? repository : repository?.url;
@@ -57,11 +73,12 @@ function packagesIn(bundles) {
 /**
  * Folders of the packages in a source map, independent of the output folder.
  * @param {string} map
+ * @param {string} home
  */
-function packageFolders(map) {
+function packageFolders(map, home) {
   /** @type {{ sources: string[] }} */
   const { sources } = JSON.parse(readFileSync(map, 'utf8'));
-  return sources.flatMap((source) => PACKAGE.exec(source)?.[0] ?? []).map(inRoot);
+  return sources.flatMap((source) => PACKAGE.exec(source)?.[0] ?? []).map((path) => inRoot(`${home}/${path}`));
 }
 
 /**

@@ -1,11 +1,9 @@
-/** The Node packages of package-lock.json. */
+/** The Node packages of the lock files. */
 
 import { existsSync, readFileSync } from 'node:fs';
 import { run } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
-
-export const title = 'Node packages';
 
 /** npm tries each download three times. Without a network, it should fail within a minute. */
 const RETRIES = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000'];
@@ -15,24 +13,42 @@ const RETRIES = ['--fetch-retry-mintimeout=2000', '--fetch-retry-maxtimeout=8000
  * @typedef {Record<string, Package>} Packages by path, like `node_modules/three`
  */
 
+/** The packages of the repository itself. */
+export const { title, isFresh, bring } = packagesIn('.', 'Node packages');
+
+/**
+ * The packages of a folder with a lock file.
+ *
+ * @param {string} folder in the repository
+ * @param {string} name of the component
+ */
+export function packagesIn(folder, name) {
+  return {
+    title: name,
+    isFresh: () => isInstalled(folder),
+    bring: (/** @type {(line: string) => void} */ say) => install(folder, say),
+  };
+}
+
 /** Whether node_modules is what `npm ci` would install from the lock file. */
-export function isFresh() {
-  const wanted = readPackages('package-lock.json');
+function isInstalled(/** @type {string} */ folder) {
+  const wanted = readPackages(`${folder}/package-lock.json`);
   // npm writes its hidden lock file last, so an interrupted installation has none.
-  const found = readPackages('node_modules/.package-lock.json');
+  const found = readPackages(`${folder}/node_modules/.package-lock.json`);
   if (!wanted || !found) return false;
   const isUnchanged = Object.entries(wanted).every(([path, entry]) => {
     const same = found[path]?.version === entry.version && found[path]?.integrity === entry.integrity;
     // Most optional packages are binaries for other platforms, which npm skips.
-    return found[path] ? same && existsSync(inRoot(path)) : Boolean(entry.optional);
+    return found[path] ? same && existsSync(inRoot(`${folder}/${path}`)) : Boolean(entry.optional);
   });
   return isUnchanged && Object.keys(found).every((path) => path in wanted);
 }
 
-/** @param {(line: string) => void} say */
-export async function bring(say) {
+/** @param {string} folder @param {(line: string) => void} say */
+async function install(folder, say) {
   let fetched = 0;
   const outcome = await runNpm(['ci', '--no-audit', '--no-fund', '--loglevel=http', ...RETRIES], {
+    folder: inRoot(folder),
     onLine: (line) => say(/http fetch GET 200/.test(line) ? `${++fetched} files fetched` : line),
   });
   if (outcome.status === 0) return;

@@ -5,6 +5,7 @@ import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { publishedAt } from '../site/published.mjs';
+import * as docs from './docs.mjs';
 import { digestOf } from './sources.mjs';
 
 export const title = 'Site';
@@ -31,15 +32,26 @@ const STAMP = '.cache/site.txt';
 
 /** Whether dist/ was built from the current sources, including the WASM. */
 export function isFresh() {
+  return areAppsFresh() && docs.isFresh();
+}
+
+/** The same without the documentation. */
+function areAppsFresh() {
   if (!existsSync(inRoot('dist/index.html')) || !existsSync(inRoot(STAMP))) return false;
   return readFileSync(inRoot(STAMP), 'utf8') === digest();
 }
 
 /** @param {(line: string) => void} say */
 export async function bring(say) {
+  if (!areAppsFresh()) await bringApps(say);
+  await docs.bring(say);
+}
+
+/** @param {(line: string) => void} say */
+async function bringApps(say) {
   rmSync(inRoot(STAMP), { force: true });
   const before = digest();
-  await build(inRoot('dist'), say);
+  await buildApps(inRoot('dist'), say);
   mkdirSync(inRoot('.cache'), { recursive: true });
   // The digest from before the build: if sources change during the build, it does not match and the next call rebuilds.
   writeFileSync(inRoot(STAMP), before);
@@ -52,6 +64,12 @@ export async function bring(say) {
  * @param {(line: string) => void} say
  */
 export async function build(folder, say) {
+  await buildApps(folder, say);
+  await docs.build(folder, say);
+}
+
+/** @param {string} folder @param {(line: string) => void} say */
+async function buildApps(folder, say) {
   // Imported late, because the packages may not be installed when this module loads.
   const { buildElementScript } = await import('../site/elementScript.mjs');
   const script = await buildElementScript();

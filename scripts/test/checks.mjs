@@ -1,7 +1,9 @@
 /** Checks without a test runner. Each counts as one test that passes or fails. */
 
 import { runScript } from '../lib/command.mjs';
+import { packages as docsPackages } from '../setup/docs.mjs';
 import { cargo, cargoNative } from '../setup/toolchain.mjs';
+import { compileCodeBlocks } from './codeBlocks.mjs';
 
 /**
  * @typedef {import('../lib/command.mjs').Outcome} Outcome
@@ -55,6 +57,11 @@ export const CHECKS = [
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
   check('examples', 'Types of examples/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'examples'], say)),
+  check('site', 'Types of site/ (tsc)', async (say) => {
+    if (!docsPackages.isFresh()) await docsPackages.bring(say);
+    return tool(TSC, ['--noEmit', '-p', 'site'], say);
+  }),
+  check('documents', 'Code in the documents (tsc)', compileCodeBlocks),
   check('arrows', 'Import direction and cycles', (say) => runScript('scripts/lint/imports.mjs', [], { onLine: say })),
 ];
 

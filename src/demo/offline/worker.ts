@@ -1,7 +1,8 @@
 /**
  * The service worker: everything that was fetched once works offline. Files with a hash in their name are served
  * cache-first, because they never change. Pages are served network-first, so that updates appear at once. Only the
- * start page is prefetched, so visitors download only what they use.
+ * start page is prefetched, so visitors download only what they use. Readers of the documentation get all of its text, so
+ * that its search works offline.
  */
 
 /** Types that TypeScript's DOM library lacks. */
@@ -32,19 +33,28 @@ const { scope } = worker.registration;
 // Other pages of the origin share the cache storage, so the name includes the scope.
 const CACHE = `cartoon-smoke ${scope}`;
 const hashed = new Set(HASHED_FILES.map((file) => new URL(file, scope).href));
+const DOCS = new URL('docs/', scope).href;
+const DOCS_ASSETS = new URL('assets/', DOCS).href;
 
 worker.addEventListener('install', (event) => event.waitUntil(keep([scope])));
 worker.addEventListener('activate', (event) => event.waitUntil(forget().then(() => worker.clients.claim())));
 worker.addEventListener('message', (event) => {
   if (event.data === 'take over') event.waitUntil(worker.skipWaiting());
-  else if (Array.isArray(event.data)) event.waitUntil(keep(event.data.filter((file) => hashed.has(file as string))));
+  else if (Array.isArray(event.data)) event.waitUntil(keepKnown(event.data.map(String)));
 });
 worker.addEventListener('fetch', (event) => {
   const { request } = event;
   if (request.method !== 'GET') return;
-  if (hashed.has(request.url)) event.respondWith(cacheFirst(request));
+  if (hashed.has(request.url) || request.url.startsWith(DOCS_ASSETS)) event.respondWith(cacheFirst(request));
   else if (request.mode === 'navigate' && request.url.startsWith(scope)) event.respondWith(networkFirst(request));
 });
+
+/** Adds files of this version. A list of the documentation is all of it, and replaces that of an earlier version. */
+async function keepKnown(files: readonly string[]): Promise<void> {
+  const docs = new Set(files.filter((file) => file.startsWith(DOCS)));
+  await keep([...files.filter((file) => hashed.has(file)), ...docs]);
+  if (docs.size > 0) await remove((url) => url.startsWith(DOCS) && !docs.has(url));
+}
 
 /** Adds missing files to the cache, and refreshes the start page. */
 async function keep(files: readonly string[]): Promise<void> {
@@ -55,9 +65,13 @@ async function keep(files: readonly string[]): Promise<void> {
 
 /** Deletes the files of other versions; pages stay. */
 async function forget(): Promise<void> {
-  const cache = await caches.open(CACHE);
   const assets = new URL('assets/', scope).href;
-  const old = (await cache.keys()).filter(({ url }) => url.startsWith(assets) && !hashed.has(url));
+  await remove((url) => url.startsWith(assets) && !hashed.has(url));
+}
+
+async function remove(isOld: (url: string) => boolean): Promise<void> {
+  const cache = await caches.open(CACHE);
+  const old = (await cache.keys()).filter(({ url }) => isOld(url));
   await Promise.all(old.map((request) => cache.delete(request)));
 }
 

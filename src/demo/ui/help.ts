@@ -7,6 +7,7 @@ import { strings } from '../strings.ts';
 /** Text of the dialog. */
 const text = {
   title: 'Play with smoke',
+  docs: 'Documentation',
   paper: 'Comparison with the 2006 paper',
   puff: 'Smoke by one call: puff()',
   examples: 'Examples with their code',
@@ -67,7 +68,7 @@ export class Help {
 
   /** @param noShortcuts whether shortcuts of a single character are turned off */
   constructor(stage: Stage, noShortcuts: Flag) {
-    const { title, keyboard, shortcuts, paper, puff, examples, drivers, licenses } = text;
+    const { title, docs, keyboard, shortcuts, paper, puff, examples, drivers, licenses } = text;
     const { close } = strings.help;
     this.stage = stage;
     const button = textButton('loud', close, () => this.element.close());
@@ -76,6 +77,8 @@ export class Help {
     const links = create(
       'p',
       { class: 'help-links' },
+      // The development server does not have it.
+      ...(import.meta.env.PROD ? [create('a', { href: './docs/index.html' }, docs)] : []),
       create('a', { href: './paper.html' }, paper),
       create('a', { href: './puff.html' }, puff),
       create('a', { href: './examples.html' }, examples),

@@ -1,9 +1,13 @@
-/** The documents: generated tables, the length of README.md, relative links, and files that they name. */
+/**
+ * The documents: generated tables, the length of README.md, relative links, files that they name, and the markup of
+ * elements. `npm test -- documents` compiles their code.
+ */
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
 import { attributes, cssParts, cssProperties, events, slots } from '../../../src/page/element/documentation.ts';
+import { names } from '../../../src/page/element/attributes/names.ts';
 import { table } from '../../../src/parameters/words/table.ts';
 import type { Parameter } from '../../../src/parameters/words/words.ts';
 
@@ -118,6 +122,25 @@ it.each([
   expect(linksIn(`See [this](${link}).`).filter((each) => isBroken(each, 'README.md'))).toEqual([link]);
 });
 
+it('lists every document of the folder in its README', () => {
+  const listed = linksIn(read('docs/README.md'));
+  const missing = readdirSync(join(ROOT, FOLDER))
+    .filter((file) => file.endsWith('.md') && file !== 'README.md')
+    .filter((file) => !listed.includes(file));
+  expect(missing).toEqual([]);
+});
+
+const OF_ALL_ELEMENTS = ['class', 'id', 'slot', 'style', 'title'];
+
+it('writes only attributes that exist into elements', () => {
+  const known = [...attributes.map(({ name }) => name), ...names.map(({ attribute }) => attribute), ...OF_ALL_ELEMENTS];
+  const tags = DOCUMENTS.flatMap((file) => elementsIn(read(file)));
+  expect(tags.length).toBeGreaterThan(2);
+  expect(tags.flatMap(attributesIn).filter((name) => !known.includes(name))).toEqual([]);
+  const wrong = '```html\n<cartoon-smoke preset="a b" emission-rates="3" paused></cartoon-smoke>\n```';
+  expect(elementsIn(wrong).flatMap(attributesIn)).toEqual(['preset', 'emission-rates', 'paused']);
+});
+
 /** Files that a build writes. */
 const BUILT = [
   'custom-elements.json',
@@ -128,13 +151,24 @@ const BUILT = [
 ];
 
 it('names no source file that does not exist', () => {
-  const files = ['src', 'shaders', 'scripts', 'tests', 'public', 'examples', 'docs', '.github'].flatMap((folder) =>
+  const files = [
+    'src',
+    'shaders',
+    'scripts',
+    'tests',
+    'public',
+    'examples',
+    'docs',
+    'site/.vitepress',
+    '.github',
+  ].flatMap((folder) =>
     readdirSync(join(ROOT, folder), { recursive: true, encoding: 'utf8' }).map((path) => `${folder}/${path}`),
   );
   const crates = ['sim', 'world', 'bindings', 'xtask', 'reference', 'fuzz'].flatMap((crate) =>
     readdirSync(join(ROOT, 'sim-wasm', crate), { recursive: true, encoding: 'utf8' }).map((path) => `${crate}/${path}`),
   );
-  const paths = [...readdirSync(ROOT), ...readdirSync(join(ROOT, 'sim-wasm')), ...files, ...crates];
+  const ofSite = readdirSync(join(ROOT, 'site')).map((path) => `site/${path}`);
+  const paths = [...readdirSync(ROOT), ...ofSite, ...readdirSync(join(ROOT, 'sim-wasm')), ...files, ...crates];
   const known = paths.map((path) => `/${path.replaceAll('\\', '/')}`);
   const cited = DOCUMENTS.flatMap((file) =>
     [...read(file).matchAll(/`([\w./-]+\.(?:ts|mjs|rs|glsl|frag|vert|json|html|css))`/g)].map(([, path]) => ({
@@ -151,6 +185,16 @@ it('names no source file that does not exist', () => {
 
 function read(file: string): string {
   return readFileSync(join(ROOT, file), 'utf8');
+}
+
+/** The start tags of smoke in HTML blocks. */
+function elementsIn(text: string): string[] {
+  const blocks = [...text.matchAll(/^```html\b.*\n([^]*?)^```/gm)].map(([, code]) => code);
+  return blocks.flatMap((code) => code.match(/<cartoon-smoke\b(?:"[^"]*"|[^">])*>/g) ?? []);
+}
+
+function attributesIn(tag: string): string[] {
+  return [...tag.replace(/"[^"]*"/g, '').matchAll(/\s([a-z][\w-]*)/g)].map(([, name]) => name);
 }
 
 function withoutCode(text: string): string {

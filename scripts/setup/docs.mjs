@@ -1,0 +1,48 @@
+/** The documentation in dist/docs, and whether it was built from the current sources. */
+
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { inRoot } from '../lib/paths.mjs';
+import { packagesIn } from './packages.mjs';
+import { digestOf } from './sources.mjs';
+
+const SOURCES = [
+  'ARCHITECTURE.md',
+  'CHANGELOG.md',
+  'CONTRIBUTING.md',
+  'SECURITY.md',
+  'docs',
+  'public/favicon.svg',
+  'scripts/site',
+  'site/.vitepress',
+  'site/package-lock.json',
+];
+const STAMP = '.cache/docs.txt';
+
+/** Those of site/. */
+export const packages = packagesIn('site', 'Packages of the documentation');
+
+export function isFresh() {
+  if (!existsSync(inRoot('dist/docs/index.html')) || !existsSync(inRoot(STAMP))) return false;
+  return readFileSync(inRoot(STAMP), 'utf8') === digestOf(SOURCES);
+}
+
+/**
+ * Builds it into dist/, which contains the pages of the site that it links to.
+ *
+ * @param {(line: string) => void} say
+ */
+export async function bring(say) {
+  rmSync(inRoot(STAMP), { force: true });
+  const before = digestOf(SOURCES);
+  await build(inRoot('dist'), say);
+  mkdirSync(inRoot('.cache'), { recursive: true });
+  writeFileSync(inRoot(STAMP), before);
+}
+
+/** @param {string} folder of a built site @param {(line: string) => void} say */
+export async function build(folder, say) {
+  if (!packages.isFresh()) await packages.bring(say);
+  // Imported late, because the packages may not be installed when this module loads.
+  const { buildDocs } = await import('../site/docs.mjs');
+  await buildDocs(folder, say);
+}

@@ -1,0 +1,93 @@
+/** The documentation site, built by scripts/site/docs.mjs from pages that scripts/site/documents.mjs writes. */
+
+import { createHash } from 'node:crypto';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { createCssVariablesTheme, type ShikiTransformer } from 'shiki';
+import { defineConfig, type DefaultTheme } from 'vitepress';
+
+const CACHE = fileURLToPath(new URL('../../.cache/docs', import.meta.url));
+const PAGES = fileURLToPath(new URL('../pages', import.meta.url));
+const ICON = readFileSync(fileURLToPath(new URL('../../public/favicon.svg', import.meta.url)), 'utf8');
+const OUT = process.env.DOCS_OUT ?? join(CACHE, 'out');
+
+const { repository, groups }: { repository: string; groups: DefaultTheme.SidebarItem[] } = JSON.parse(
+  readFileSync(join(PAGES, 'navigation.json'), 'utf8'),
+);
+
+/** Classes in place of style attributes, which a Content Security Policy with `style-src 'self'` forbids. */
+const classesForColors: ShikiTransformer = {
+  name: 'classes-for-colors',
+  pre(node) {
+    delete node.properties.style;
+  },
+  span(node) {
+    const name = /--shiki-token-([\w-]+)/.exec(String(node.properties.style))?.[1];
+    delete node.properties.style;
+    if (name) node.properties.class = `token-${name}`;
+  },
+};
+
+/** Moves inline scripts to files, and removes style attributes: a strict Content Security Policy forbids both. */
+function withoutInlineCode(html: string, page: string): string {
+  // These are of the theme; site.css has what they do.
+  const plain = html.replace(/ style="(position:relative|--vp-vh:0px);"/g, '');
+  return plain.replace(/<script(?![^>]*\bsrc=)([^>]*)>([^]*?)<\/script>/g, (_, attributes: string, code: string) => {
+    const name = `assets/${createHash('sha256').update(code).digest('hex').slice(0, 10)}.js`;
+    mkdirSync(join(OUT, 'assets'), { recursive: true });
+    writeFileSync(join(OUT, name), code);
+    return `<script${attributes} src="${relative(dirname(page), join(OUT, name)).replaceAll('\\', '/')}"></script>`;
+  });
+}
+
+export default defineConfig({
+  title: 'Cartoon Smoke',
+  description: 'Real-time cartoon smoke for the browser: guides, parameters and the API.',
+  lang: 'en',
+  // The site works in any folder of any host.
+  base: './',
+  srcDir: PAGES,
+  outDir: OUT,
+  cacheDir: join(CACHE, 'vite'),
+  // They list the packages in the scripts, for their licences.
+  vite: { build: { sourcemap: 'hidden' } },
+  transformHtml: withoutInlineCode,
+  // It would insert a style element.
+  appearance: { disableTransition: false },
+  // A relative address would be wrong after a link to a page in another folder, which changes only the content.
+  head: [['link', { rel: 'icon', href: `data:image/svg+xml,${encodeURIComponent(ICON)}`, type: 'image/svg+xml' }]],
+  markdown: {
+    theme: createCssVariablesTheme(),
+    codeTransformers: [classesForColors],
+    // As GitHub makes them, so that links with a heading work in both places.
+    anchor: { slugify: anchorOf },
+    config(md) {
+      const { code_inline: inlineCode } = md.renderer.rules;
+      // Otherwise Vue would evaluate `{{ }}` in it.
+      md.renderer.rules.code_inline = (tokens, at, ...others) => {
+        tokens[at].attrSet('v-pre', '');
+        return inlineCode!(tokens, at, ...others);
+      };
+    },
+  },
+  themeConfig: {
+    nav: [
+      { text: 'Demo', link: '/../index.html', target: '_self' },
+      { text: 'Examples', link: '/../examples.html', target: '_self' },
+    ],
+    sidebar: groups,
+    outline: { level: [2, 3] },
+    search: { provider: 'local' },
+    socialLinks: [{ icon: 'github', link: repository }],
+    docFooter: { prev: false, next: false },
+  },
+});
+
+function anchorOf(heading: string): string {
+  return heading
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N} _-]/gu, '')
+    .trim()
+    .replaceAll(' ', '-');
+}

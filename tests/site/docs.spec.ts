@@ -1,0 +1,94 @@
+/** The documentation in a nested folder of a host with a strict Content-Security-Policy. */
+import { fileURLToPath } from 'node:url';
+import { AxeBuilder } from '@axe-core/playwright';
+import { expect, test } from '../support/fixtures.ts';
+import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
+
+const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
+const PHONE = { width: 390, height: 844 };
+const DESKTOP = { width: 1440, height: 900 };
+
+let server: SiteServer;
+
+test.beforeAll(async () => {
+  server = await serveStrictly(DIST);
+});
+test.afterAll(() => server.close());
+// A violation of the policy is an error on the console, which makes a test fail.
+test.use({ serviceWorkers: 'block' });
+
+test('the search finds a section, whose page opens from this host alone', async ({ page }) => {
+  const foreign: string[] = [];
+  page.on('request', (request) => {
+    if (!request.url().startsWith(server.address)) foreign.push(request.url());
+  });
+  await page.setViewportSize(DESKTOP);
+  await page.goto(`${server.address}docs/design/puffs.html`);
+  await page.getByRole('button', { name: 'Search' }).click();
+  await page.keyboard.type('wasm-unsafe-eval');
+  await page.getByRole('listbox').getByRole('link', { name: 'Content Security Policy' }).first().click();
+  await expect(page).toHaveURL(/\/docs\/[\w-]+\.html#content-security-policy$/);
+  await expect(page.getByRole('heading', { name: 'Content Security Policy' })).toBeInViewport();
+  await page.getByRole('link', { name: 'Demo', exact: true }).click();
+  await expect(page).toHaveURL(`${server.address}index.html`);
+  expect(foreign).toEqual([]);
+});
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const viewport of [DESKTOP, PHONE]) {
+    test.describe(`${colorScheme}, ${viewport.width} pixels wide`, () => {
+      test.use({ colorScheme, viewport });
+
+      // The others differ by width or by colours alone.
+      const often = (colorScheme === 'light') === (viewport === PHONE);
+      test(`axe finds nothing, and nothing is wider than the window${often ? '' : ' @long'}`, async ({ page }) => {
+        for (const name of ['index', 'element']) {
+          await page.goto(`${server.address}docs/${name}.html`);
+          await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+          const axe = new AxeBuilder({ page }).options({ resultTypes: ['violations'] }).setLegacyMode();
+          const { violations } = await axe.analyze();
+          const faults = violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${String(target)}`));
+          expect(faults, name).toEqual([]);
+          expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(viewport.width);
+        }
+      });
+    });
+  }
+}
+
+test.describe('without JavaScript', () => {
+  test.use({ javaScriptEnabled: false, viewport: DESKTOP });
+
+  test('pages have their text, their code and their navigation', async ({ page }) => {
+    await page.goto(`${server.address}docs/design/puffs.html`);
+    await page.getByRole('link', { name: 'The element', exact: true }).click();
+    await expect(page.getByRole('heading', { name: 'Installation' })).toBeVisible();
+    await expect(page.getByText("import 'cartoon-smoke/element';").first()).toBeVisible();
+  });
+});
+
+test.describe('offline', () => {
+  test.use({ serviceWorkers: 'allow', allowed: /ERR_CONNECTION_REFUSED|ERR_FAILED/, viewport: DESKTOP });
+
+  test('the search finds pages that were not visited', async ({ page }) => {
+    const own = await serveStrictly(DIST);
+    await page.goto(`${own.address}docs/index.html`);
+    await expect
+      .poll(() =>
+        page.evaluate(async () => {
+          const names = await caches.keys();
+          const lists = await Promise.all(names.map(async (name) => (await caches.open(name)).keys()));
+          return lists.flat().filter(({ url }) => /glossary\.html|glossary\.md|localSearchIndex/.test(url)).length;
+        }),
+      )
+      .toBeGreaterThanOrEqual(4);
+    await own.close();
+    await page.reload();
+    await page.getByRole('button', { name: 'Search' }).click();
+    await page.keyboard.type('nailboard');
+    await page.getByRole('listbox').getByRole('link', { name: 'Glossary' }).first().click();
+    await expect(page.getByRole('heading', { name: 'Glossary', level: 1 })).toBeVisible();
+    await page.reload();
+    await expect(page.getByRole('heading', { name: 'Glossary', level: 1 })).toBeVisible();
+  });
+});
