@@ -12,9 +12,12 @@ const SOURCES = [
   'SECURITY.md',
   'docs',
   'public/favicon.svg',
+  'public/thumbnails',
   'scripts/site',
   'site/.vitepress',
   'site/package-lock.json',
+  'src/demo/posters',
+  'src/parameters',
 ];
 const STAMP = '.cache/docs.txt';
 

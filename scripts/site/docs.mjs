@@ -7,6 +7,8 @@ import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeScriptLicenses } from '../package/licenses.mjs';
 import { writeDocuments } from './documents.mjs';
+import { elementScriptIn } from './elementScript.mjs';
+import { writeGallery } from './gallery.mjs';
 
 /**
  * @param {string} folder of the built site; the documentation goes to `docs` in it
@@ -16,7 +18,9 @@ export async function buildDocs(folder, say) {
   const out = join(folder, 'docs');
   rmSync(out, { recursive: true, force: true });
   writeDocuments(folder);
-  const options = { environment: { DOCS_OUT: out }, folder: inRoot('site'), onLine: say };
+  await writeGallery();
+  const environment = { DOCS_OUT: out, DOCS_ELEMENT: `/../${elementScriptIn(folder)}` };
+  const options = { environment, folder: inRoot('site'), onLine: say };
   const { status, output } = await runScript('site/node_modules/vitepress/bin/vitepress.js', ['build'], options);
   if (status !== 0) throw new UserError(`The documentation could not be built:\n${output}`);
   writeScriptLicenses(out, 'site');
@@ -55,6 +59,7 @@ function leadsSomewhere(target, page) {
   const cited =
     file === '' ? page : join(dirname(page), decodeURIComponent(file), file.endsWith('/') ? 'index.html' : '');
   if (!existsSync(cited)) return false;
-  if (!heading || !cited.endsWith('.html')) return true;
+  // The hash of a share link is no heading.
+  if (!heading || heading.includes('=') || !cited.endsWith('.html')) return true;
   return readFileSync(cited, 'utf8').includes(` id="${decodeURIComponent(heading)}"`);
 }

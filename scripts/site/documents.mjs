@@ -13,6 +13,14 @@ export const PAGES = 'site/pages';
 const FOLDER = 'docs';
 const INDEX = 'docs/README.md';
 const DESIGN = 'docs/design';
+const POSTERS = 'src/demo/posters';
+const WIDE = '.wide.webp';
+
+/**
+ * Pages that the build makes, by the group that they are added to.
+ * @type {Readonly<Record<string, Entry[]>>}
+ */
+const MADE = { 'Look it up': [{ text: 'Presets', link: '/gallery' }] };
 
 /** Documents outside of docs/ that are pages, too. */
 const OTHERS = ['ARCHITECTURE.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md'];
@@ -38,6 +46,9 @@ export function writeDocuments(site) {
     write(page, withLinks(readFileSync(inRoot(file), 'utf8'), file, pages, site));
   }
   cpSync(inRoot(`${FOLDER}/images`), inRoot(`${PAGES}/images`), { recursive: true });
+  for (const file of readdirSync(inRoot(POSTERS)).filter((name) => name.endsWith(WIDE))) {
+    cpSync(inRoot(`${POSTERS}/${file}`), inRoot(`${PAGES}/posters/${file.replace(WIDE, '.webp')}`));
+  }
   write('navigation.json', JSON.stringify(navigation(pages)));
 }
 
@@ -119,10 +130,13 @@ function repository() {
 function navigation(pages) {
   const groups = sections(readFileSync(inRoot(INDEX), 'utf8')).map(({ heading, lines }) => ({
     text: heading,
-    items: lines.flatMap((line) => {
-      const [, label, target] = /^- \[([^\]]+)\]\(([^)]+)\)/.exec(line) ?? [];
-      return label ? [{ text: plain(label), link: linkTo(pages.get(posix.join(FOLDER, target)) ?? target) }] : [];
-    }),
+    items: [
+      ...lines.flatMap((line) => {
+        const [, label, target] = /^- \[([^\]]+)\]\(([^)]+)\)/.exec(line) ?? [];
+        return label ? [{ text: plain(label), link: linkTo(pages.get(posix.join(FOLDER, target)) ?? target) }] : [];
+      }),
+      ...(MADE[heading] ?? []),
+    ],
   }));
   const items = markdownIn(DESIGN).map((file) => ({ text: titleOf(file), link: linkTo(pageOf(file)) }));
   return { repository: repository(), groups: [...groups, { text: 'Design', collapsed: true, items }] };

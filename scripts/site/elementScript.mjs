@@ -3,7 +3,7 @@
  * name of its folder is a content hash, so that a page with an integrity hash never gets another version.
  */
 
-import { cpSync, rmSync } from 'node:fs';
+import { cpSync, readdirSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { inRoot } from '../lib/paths.mjs';
 import { bundleScript } from '../package/bundle.mjs';
@@ -34,6 +34,17 @@ export async function buildElementScript() {
     integrity: hash,
     copyTo: (site) => cpSync(made, join(site, folder), { recursive: true }),
   };
+}
+
+/**
+ * Finds the script in a built site.
+ *
+ * @param {string} site folder
+ * @returns {string} path in the site
+ */
+export function elementScriptIn(site) {
+  const [folder] = readdirSync(join(site, 'element'));
+  return `element/${folder}/${FILE}`;
 }
 
 /**

@@ -41,7 +41,22 @@ function withoutInlineCode(html: string, page: string): string {
   });
 }
 
-export default defineConfig({
+/** A block of code with smoke beside it, see theme/liveSmoke.ts. */
+function liveExample(block: string, code: string, kind: string, preset: string, page: string): string {
+  const picture = `${'../'.repeat(page.split('/').length - 1) || './'}posters/${preset}.webp`;
+  return `<LiveSmoke code="${encodeURIComponent(code).replaceAll("'", '%27')}" kind="${kind}" preset="${preset}">
+<template #poster><img src="${picture}" width="800" height="400" alt="" /></template>
+<template #code>${block}</template>
+</LiveSmoke>
+`;
+}
+
+export interface ThemeConfig extends DefaultTheme.Config {
+  /** Address of the script of the element, from the root of the documentation. */
+  readonly elementScript: string;
+}
+
+export default defineConfig<ThemeConfig>({
   title: 'Cartoon Smoke',
   description: 'Real-time cartoon smoke for the browser: guides, parameters and the API.',
   lang: 'en',
@@ -50,8 +65,8 @@ export default defineConfig({
   srcDir: PAGES,
   outDir: OUT,
   cacheDir: join(CACHE, 'vite'),
-  // They list the packages in the scripts, for their licences.
-  vite: { build: { sourcemap: 'hidden' } },
+  // Source maps list the packages in the scripts, for their licences.
+  vite: { build: { sourcemap: 'hidden', assetsInlineLimit: 0 } },
   transformHtml: withoutInlineCode,
   // It would insert a style element.
   appearance: { disableTransition: false },
@@ -69,6 +84,15 @@ export default defineConfig({
         tokens[at].attrSet('v-pre', '');
         return inlineCode!(tokens, at, ...others);
       };
+      const { fence } = md.renderer.rules;
+      md.renderer.rules.fence = (tokens, at, options, env: { relativePath: string }, self) => {
+        const block = fence!(tokens, at, options, env, self);
+        const [, language, named] = /^(html|json) live ?([\w-]*)/.exec(tokens[at].info) ?? [];
+        if (!language) return block;
+        const code = tokens[at].content.trim();
+        const preset = named || (/\spreset="([\w-]+)"/.exec(code)?.[1] ?? 'lamp');
+        return liveExample(block, code, language === 'html' ? 'element' : 'values', preset, env.relativePath);
+      };
     },
   },
   themeConfig: {
@@ -76,6 +100,7 @@ export default defineConfig({
       { text: 'Demo', link: '/../index.html', target: '_self' },
       { text: 'Examples', link: '/../examples.html', target: '_self' },
     ],
+    elementScript: process.env.DOCS_ELEMENT ?? '',
     sidebar: groups,
     outline: { level: [2, 3] },
     search: { provider: 'local' },

@@ -1,6 +1,7 @@
 /** The documentation in a nested folder of a host with a strict Content-Security-Policy. */
 import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
+import { presets } from '../../src/parameters/presets.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
 
@@ -55,6 +56,44 @@ for (const colorScheme of ['light', 'dark'] as const) {
     });
   }
 }
+
+test('a live example starts when pressed, follows its attributes, and never evaluates them', async ({ page }) => {
+  // It would start by itself.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await page.setViewportSize(DESKTOP);
+  await page.goto(`${server.address}docs/element.html#parameters`);
+  const live = page.locator('.live').first();
+  await expect(live.locator('.live-poster img')).toBeVisible();
+  await live.getByRole('button', { name: 'Play', exact: true }).click();
+  const smoke = live.locator('cartoon-smoke');
+  await smoke.evaluate((element) => (element as HTMLElement & { ready: Promise<void> }).ready);
+  await expect(smoke).toHaveAttribute('emission-rate', '24');
+  const code = live.getByLabel('Edit the attributes');
+  await code.fill('<cartoon-smoke preset="wisp" emission-rate="2000000" onclick="document.title = 1"></cartoon-smoke>');
+  await expect(smoke).toHaveAttribute('emission-rate', '2000000');
+  await expect(smoke).not.toHaveAttribute('onclick');
+  await expect(smoke).not.toHaveAttribute('style-smoke-color');
+  await expect(live.getByRole('status')).toContainText('emission.rate');
+  await code.fill('<cartoon-smoke preset="wisp"><script>document.title = 1</script></cartoon-smoke>');
+  await expect(live.getByRole('status')).toContainText('Write one <cartoon-smoke>');
+  await live.getByRole('button', { name: 'Reset' }).click();
+  await expect(smoke).toHaveAttribute('emission-rate', '24');
+  await expect(live.getByRole('status')).toBeEmpty();
+});
+
+test('the gallery has every preset with its picture, code and link', async ({ page }) => {
+  await page.goto(`${server.address}docs/gallery.html`);
+  const cards = page.locator('.presets article');
+  await expect(cards).toHaveCount(presets.length);
+  for (const { name } of presets) {
+    const card = cards.filter({ has: page.getByText(name, { exact: true }) });
+    await expect(card.getByRole('link').first()).toHaveAttribute('href', `../index.html#v=1&preset=${name}`);
+    await expect(card.locator('pre')).toContainText([`preset="${name}"`, `preset: '${name}'`]);
+  }
+  const picture = cards.last().locator('img');
+  await picture.scrollIntoViewIfNeeded();
+  await expect.poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(192);
+});
 
 test.describe('without JavaScript', () => {
   test.use({ javaScriptEnabled: false, viewport: DESKTOP });

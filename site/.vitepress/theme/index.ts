@@ -1,11 +1,13 @@
 import { withBase, type Theme } from 'vitepress';
 import DefaultTheme from 'vitepress/theme-without-fonts';
 import './site.css';
+import LiveSmoke from './liveSmoke.ts';
 import { workOffline } from './offline.ts';
 
 export default {
   extends: DefaultTheme,
-  enhanceApp() {
+  enhanceApp({ app }) {
+    app.component('LiveSmoke', LiveSmoke);
     if (!import.meta.env.SSR) addEventListener('load', () => void workOffline(withBase('/')), { once: true });
   },
 } satisfies Theme;

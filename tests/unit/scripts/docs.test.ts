@@ -26,6 +26,7 @@ it.each([
   ['a heading', '<a href="../index.html#size">', false],
   ['a heading of the same page', '<h2 id="here"></h2><a href="#here">', false],
   ['a picture', '<img src="../picture.png">', false],
+  ['a share link', '<a href="../index.html#v=1&amp;preset=lamp">', false],
   ['another host', '<a href="https://example.org/missing.html">', false],
   ['a missing page', '<a href="../missing.html">', true],
   ['a missing heading', '<a href="../index.html#colour">', true],
