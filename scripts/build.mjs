@@ -16,6 +16,6 @@ await conclude(async () => {
   publishedAt();
   await setUp(PAGE);
   const { out } = values;
-  await withProgress(site.title, out ? (say) => site.build(resolve(out), say) : site.bring);
+  await withProgress(site.title, out ? (say) => site.build(resolve(out), say) : site.bringWhole);
   console.log(`The site is in ${out ?? 'dist/'}.`);
 });

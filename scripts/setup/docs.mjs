@@ -16,6 +16,8 @@ const SOURCES = [
   'scripts/site',
   'site/.vitepress',
   'site/package-lock.json',
+  'site/typedoc.json',
+  'site/typedoc.tsconfig.json',
   'src/demo/posters',
   'src/parameters',
 ];
@@ -33,19 +35,24 @@ export function isFresh() {
  * Builds it into dist/, which contains the pages of the site that it links to.
  *
  * @param {(line: string) => void} say
+ * @param {boolean} [isWhole] whether to make what takes long, see `buildDocs`
  */
-export async function bring(say) {
+export async function bring(say, isWhole = false) {
   rmSync(inRoot(STAMP), { force: true });
   const before = digestOf(SOURCES);
-  await build(inRoot('dist'), say);
+  await build(inRoot('dist'), say, isWhole);
   mkdirSync(inRoot('.cache'), { recursive: true });
   writeFileSync(inRoot(STAMP), before);
 }
 
-/** @param {string} folder of a built site @param {(line: string) => void} say */
-export async function build(folder, say) {
+/**
+ * @param {string} folder of a built site
+ * @param {(line: string) => void} say
+ * @param {boolean} isWhole
+ */
+export async function build(folder, say, isWhole) {
   if (!packages.isFresh()) await packages.bring(say);
   // Imported late, because the packages may not be installed when this module loads.
   const { buildDocs } = await import('../site/docs.mjs');
-  await buildDocs(folder, say);
+  await buildDocs(folder, say, isWhole);
 }

@@ -47,6 +47,16 @@ export async function bring(say) {
   await docs.bring(say);
 }
 
+/**
+ * Builds everything, as it is published.
+ *
+ * @param {(line: string) => void} say
+ */
+export async function bringWhole(say) {
+  await bringApps(say);
+  await docs.bring(say, true);
+}
+
 /** @param {(line: string) => void} say */
 async function bringApps(say) {
   rmSync(inRoot(STAMP), { force: true });
@@ -65,7 +75,7 @@ async function bringApps(say) {
  */
 export async function build(folder, say) {
   await buildApps(folder, say);
-  await docs.build(folder, say);
+  await docs.build(folder, say, true);
 }
 
 /** @param {string} folder @param {(line: string) => void} say */

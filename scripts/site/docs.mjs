@@ -6,19 +6,30 @@ import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeScriptLicenses } from '../package/licenses.mjs';
-import { writeDocuments } from './documents.mjs';
+import { writeApi } from './api.mjs';
+import { writeDocuments, writeNavigation } from './documents.mjs';
 import { elementScriptIn } from './elementScript.mjs';
 import { writeGallery } from './gallery.mjs';
+import { writePictures } from './pictures.mjs';
 
 /**
  * @param {string} folder of the built site; the documentation goes to `docs` in it
  * @param {(line: string) => void} say
+ * @param {boolean} isWhole whether to make what takes long: pictures of parameters and pages of the API. Otherwise they
+ * are there if an earlier build made them from the same sources
  */
-export async function buildDocs(folder, say) {
+export async function buildDocs(folder, say, isWhole) {
   const out = join(folder, 'docs');
   rmSync(out, { recursive: true, force: true });
   writeDocuments(folder);
   await writeGallery();
+  const hasPictures = await writePictures(isWhole, say);
+  const hasApi = await writeApi(isWhole, say);
+  writeNavigation([
+    { text: 'Presets', link: '/gallery' },
+    ...(hasPictures ? [{ text: 'Parameters in pictures', link: '/pictures' }] : []),
+    ...(hasApi ? [{ text: 'API', link: '/api/' }] : []),
+  ]);
   const environment = { DOCS_OUT: out, DOCS_ELEMENT: `/../${elementScriptIn(folder)}` };
   const options = { environment, folder: inRoot('site'), onLine: say };
   const { status, output } = await runScript('site/node_modules/vitepress/bin/vitepress.js', ['build'], options);

@@ -16,11 +16,8 @@ const DESIGN = 'docs/design';
 const POSTERS = 'src/demo/posters';
 const WIDE = '.wide.webp';
 
-/**
- * Pages that the build makes, by the group that they are added to.
- * @type {Readonly<Record<string, Entry[]>>}
- */
-const MADE = { 'Look it up': [{ text: 'Presets', link: '/gallery' }] };
+/** The group of the pages that the build makes. */
+const GROUP_OF_MADE = 'Look it up';
 
 /** Documents outside of docs/ that are pages, too. */
 const OTHERS = ['ARCHITECTURE.md', 'CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md'];
@@ -34,22 +31,34 @@ const CODE_OR_LINK = /^```[^]*?^```|`[^`\n]*`|(!?)\[((?:`[^`]*`|[^[\]`])*)\]\(([
  */
 
 /**
- * Writes all pages, and `navigation.json` beside them.
+ * Writes all pages.
  *
  * @param {string} site folder of the built site, whose pages the documents link to
  */
 export function writeDocuments(site) {
   rmSync(inRoot(PAGES), { recursive: true, force: true });
-  const documents = [...OTHERS, ...markdownIn(FOLDER), ...markdownIn(DESIGN)];
-  const pages = new Map(documents.map((file) => [file, pageOf(file)]));
+  const pages = pagesByDocument();
   for (const [file, page] of pages) {
-    write(page, withLinks(readFileSync(inRoot(file), 'utf8'), file, pages, site));
+    write(page, withFigures(withLinks(readFileSync(inRoot(file), 'utf8'), file, pages, site)));
   }
   cpSync(inRoot(`${FOLDER}/images`), inRoot(`${PAGES}/images`), { recursive: true });
   for (const file of readdirSync(inRoot(POSTERS)).filter((name) => name.endsWith(WIDE))) {
     cpSync(inRoot(`${POSTERS}/${file}`), inRoot(`${PAGES}/posters/${file.replace(WIDE, '.webp')}`));
   }
-  write('navigation.json', JSON.stringify(navigation(pages)));
+}
+
+/**
+ * Writes `navigation.json` beside the pages.
+ *
+ * @param {Entry[]} made pages that are no documents
+ */
+export function writeNavigation(made) {
+  write('navigation.json', JSON.stringify(navigation(pagesByDocument(), made)));
+}
+
+function pagesByDocument() {
+  const documents = [...OTHERS, ...markdownIn(FOLDER), ...markdownIn(DESIGN)];
+  return new Map(documents.map((file) => [file, pageOf(file)]));
 }
 
 /**
@@ -99,6 +108,15 @@ function withLinks(text, file, pages, site) {
   });
 }
 
+/** Figures of a debug view in place of their comments, which GitHub does not show. */
+function withFigures(/** @type {string} */ text) {
+  return text.replace(
+    /^<!-- figure: (\w+) ([\w-]+) -->$/gm,
+    (_, view, preset) =>
+      `<DebugFigure view="${view}" preset="${preset}"><img src="./posters/${preset}.webp" width="800" height="400" alt="" /></DebugFigure>`,
+  );
+}
+
 /**
  * A link that the router of VitePress leaves to the browser.
  *
@@ -125,9 +143,10 @@ function repository() {
  * The groups and their pages: the headings and the lists of docs/README.md, then the design documents.
  *
  * @param {Map<string, string>} pages
+ * @param {Entry[]} made
  * @returns {{ repository: string, groups: Group[] }}
  */
-function navigation(pages) {
+function navigation(pages, made) {
   const groups = sections(readFileSync(inRoot(INDEX), 'utf8')).map(({ heading, lines }) => ({
     text: heading,
     items: [
@@ -135,7 +154,7 @@ function navigation(pages) {
         const [, label, target] = /^- \[([^\]]+)\]\(([^)]+)\)/.exec(line) ?? [];
         return label ? [{ text: plain(label), link: linkTo(pages.get(posix.join(FOLDER, target)) ?? target) }] : [];
       }),
-      ...(MADE[heading] ?? []),
+      ...(heading === GROUP_OF_MADE ? made : []),
     ],
   }));
   const items = markdownIn(DESIGN).map((file) => ({ text: titleOf(file), link: linkTo(pageOf(file)) }));

@@ -81,6 +81,19 @@ test('a live example starts when pressed, follows its attributes, and never eval
   await expect(live.getByRole('status')).toBeEmpty();
 });
 
+test('a figure of the method shows a debug view of the demo, and another one when chosen', async ({ page }) => {
+  await page.setViewportSize(DESKTOP);
+  await page.goto(`${server.address}docs/method.html`);
+  const figure = page.locator('.live').first();
+  await figure.getByRole('button', { name: 'Show depth' }).click();
+  const demo = await (await figure.locator('iframe').elementHandle())!.contentFrame();
+  await demo!.waitForFunction(() => window.cartoonSmoke?.view === 'depth');
+  await figure.getByRole('radio', { name: 'Ink' }).check();
+  await demo!.waitForFunction(() => window.cartoonSmoke?.view === 'ink');
+  await figure.getByRole('radio', { name: 'Picture' }).check();
+  await demo!.waitForFunction(() => window.cartoonSmoke?.view === undefined);
+});
+
 test('the gallery has every preset with its picture, code and link', async ({ page }) => {
   await page.goto(`${server.address}docs/gallery.html`);
   const cards = page.locator('.presets article');

@@ -1,6 +1,7 @@
 import { withBase, type Theme } from 'vitepress';
 import DefaultTheme from 'vitepress/theme-without-fonts';
 import './site.css';
+import DebugFigure from './debugFigure.ts';
 import LiveSmoke from './liveSmoke.ts';
 import { workOffline } from './offline.ts';
 
@@ -8,6 +9,7 @@ export default {
   extends: DefaultTheme,
   enhanceApp({ app }) {
     app.component('LiveSmoke', LiveSmoke);
+    app.component('DebugFigure', DebugFigure);
     if (!import.meta.env.SSR) addEventListener('load', () => void workOffline(withBase('/')), { once: true });
   },
 } satisfies Theme;
