@@ -65,11 +65,14 @@ export function Smoke() {
 `;
 const READY = 'worker,true,12,300';
 
-/** The component that the package's README recommends for server-side rendering. */
-function componentOfReadme(): string {
-  const readme = readFileSync(fileURLToPath(new URL('../../../scripts/package/README.md', import.meta.url)), 'utf8');
-  return /```jsx\n([^]*?)```/.exec(readme)![1];
-}
+/** The examples for frameworks of the package's README by their languages. `jsx` is the one for server-side rendering. */
+const [, ...blocks] = readFileSync(
+  fileURLToPath(new URL('../../../scripts/package/README.md', import.meta.url)),
+  'utf8',
+).split('### Frameworks');
+const README = Object.fromEntries(
+  [...blocks[0].matchAll(/^```(\w+)\n([^]*?)^```/gm)].map(([, language, code]) => [language, code]),
+);
 
 test('React 19: attributes, properties, events and types', async ({ page, project }) => {
   const place = project(
@@ -154,6 +157,8 @@ test('Vue 3: attributes, properties, events and types', async ({ page, project }
   check();
   bin(place, 'vite/bin/vite.js', 'build');
   await expectTitle(page, join(place, 'dist'), READY);
+  writeFileSync(join(place, 'Smoke.vue'), README.vue);
+  check();
   for (const wrong of [':emission-rate="{}"', ':emitters-3-speed="{}"', 'no-such-attribute="1"']) {
     writeFileSync(join(place, 'Smoke.vue'), VUE['Smoke.vue'].replace('preset="wisp"', wrong));
     expect(check, wrong).toThrow('Smoke.vue');
@@ -217,6 +222,8 @@ mount(Smoke, { target: document.getElementById('root')! });
   check();
   bin(place, 'vite/bin/vite.js', 'build');
   await expectTitle(page, join(place, 'dist'), READY);
+  writeFileSync(join(place, 'Smoke.svelte'), README.svelte);
+  check();
   for (const wrong of ['emission-rate={{}}', 'emitters-3-speed={{}}']) {
     writeFileSync(
       join(place, 'Smoke.svelte'),
@@ -246,7 +253,7 @@ export default function Page() {
 }
 `,
     'app/Smoke.jsx': CLIENT,
-    'app/Steam.jsx': componentOfReadme(),
+    'app/Steam.jsx': README.jsx,
   });
   bin(place, 'next/dist/bin/next', 'build');
   const rendered = readFileSync(join(place, 'out/index.html'), 'utf8');
@@ -268,6 +275,7 @@ for (const [name, packages, options] of [
       'right.tsx': `import 'cartoon-smoke/${entry}';
 export const smoke = <cartoon-smoke preset="wisp" emission-rate={12} emitters-3-speed={0.5} paused onready={({ detail }) => detail.thread} />;
 `,
+      'readme.tsx': README.tsx.replace('cartoon-smoke/react', `cartoon-smoke/${entry}`),
       'wrong.tsx': `import 'cartoon-smoke/${entry}';
 export const smoke = <cartoon-smoke emission-rate={{}} />;
 `,
@@ -276,7 +284,7 @@ export const smoke = <cartoon-smoke emission-rate={{}} />;
 export const change = (smoke: CartoonSmokeElement) => (smoke.emitters3Speed = {});
 `,
     });
-    expectTypes(place, options, ['right.tsx']);
+    expectTypes(place, options, ['right.tsx', 'readme.tsx']);
     expect(() => expectTypes(place, options, ['wrong.tsx'])).toThrow('emission-rate');
     expect(() => expectTypes(place, options, ['wrongItem.ts'])).toThrow(/wrongItem\.ts.*TS2322/);
   });
