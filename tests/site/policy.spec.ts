@@ -66,6 +66,10 @@ test('sheets for sharing and capture, files and own presets @long', async ({ pag
   await page.getByRole('combobox', { name: 'Size' }).selectOption('640x360');
   await savesFile(page, 'Capture', /^lamp-0\.50s\.png$/);
   await expect(page.getByText(/^Saved lamp-0\.50s\.png/)).toBeVisible();
+  // Encoded in a worker.
+  await page.getByRole('combobox', { name: 'Format' }).selectOption('apng');
+  await page.getByRole('spinbutton', { name: 'Seconds' }).fill('0.1');
+  await savesFile(page, 'Capture', /^lamp-0\.50s\.apng$/);
 });
 
 async function open(page: Page, address: string): Promise<void> {
