@@ -126,7 +126,7 @@ for (const [name, hash, isLong] of [
   });
 }
 
-test('a looped film is the loop of the page, and its APNG and its WebP have the pixels of its frames', async ({
+test('a looped film is the loop of the page, its APNG has every byte of its frames, and its WebP their alpha', async ({
   load,
 }) => {
   const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');
