@@ -36,7 +36,8 @@ export async function buildDocs(folder, say, isWhole) {
   if (status !== 0) throw new UserError(`The documentation could not be built:\n${output}`);
   writeScriptLicenses(out, 'site');
   for (const name of filesIn(out, '.map')) rmSync(join(out, name));
-  const texts = filesIn(out, '').filter((name) => /\.(html|js|css)$/.test(name));
+  // What a page without a network needs. Pages of the API are many, so they have no HTML of their own there.
+  const texts = filesIn(out, '').filter((name) => /\.(html|js|css)$/.test(name) && !/^api\b|\bapi_.*\.lean/.test(name));
   writeFileSync(join(out, 'files.json'), JSON.stringify(texts.map((name) => name.replaceAll('\\', '/'))));
   const broken = brokenLinks(out);
   if (broken.length > 0) throw new UserError(`The documentation has broken links:\n${broken.join('\n')}`);

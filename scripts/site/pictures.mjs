@@ -1,6 +1,6 @@
 /**
  * Pictures of the parameters: a low, the default and a high value of each that changes what one sees. They are kept
- * under a hash of everything that they depend on, so a picture on the site is never of another version.
+ * under hashes of everything that they depend on, so a picture on the site is never of another version.
  */
 
 import { createHash } from 'node:crypto';
@@ -12,7 +12,6 @@ import { digestOf } from '../setup/sources.mjs';
 import { PAGES, write } from './documents.mjs';
 
 const CACHE = '.cache/docs/pictures';
-const DONE = 'done.txt';
 const MODULE = 'tests/visual/demo/parameterPictures.cases.ts';
 const SOURCES = [MODULE, 'shaders', 'src/parameters', 'src/renderer', 'src/scenes', 'src/simulator'];
 const SIZE = { width: 192, height: 128 };
@@ -41,6 +40,12 @@ const NEEDED = [
   [/^wind\./, { 'forces.wind.x': 1.5 }],
 ];
 
+/**
+ * High values where those of the slider are more than a picture shows.
+ * @type {Readonly<Record<string, number>>}
+ */
+const HIGHEST = { 'emission.rate': 120 };
+
 /** Colours that differ from every default. */
 const COLORS = ['#2f6fde', '#d9573a'];
 
@@ -57,14 +62,15 @@ const COLORS = ['#2f6fde', '#d9573a'];
 export async function writePictures(draws, say) {
   const { shown, groups } = await parameters();
   const pictures = shown.flatMap(picturesOf);
-  const folder = inRoot(`${CACHE}/${keyOf(pictures)}`);
-  if (!existsSync(`${folder}/${DONE}`)) {
+  const folder = inRoot(`${CACHE}/${digestOf(SOURCES).slice(0, 16)}`);
+  const missing = pictures.filter((picture) => !existsSync(`${folder}/${fileOf(picture)}`));
+  if (missing.length > 0) {
     if (!draws) return false;
     if (!(await findBrowser())) {
       say('There is no Chromium, so the documentation has no pictures of parameters.');
       return false;
     }
-    await drawAll(pictures, folder, say);
+    await draw(missing, folder, say);
   }
   mkdirSync(inRoot(`${PAGES}/parameters`), { recursive: true });
   const sections = groups.map(({ key, label }) => {
@@ -85,15 +91,6 @@ outline: 2
 
 The lamp after four seconds, with one parameter changed: a low value, the default and a high one, or each choice. Parameters that
 need another have it in all of their pictures. [Parameters](parameters.md) lists all, with their ranges.`;
-
-/** A hash of everything that the pictures depend on. */
-function keyOf(/** @type {Picture[]} */ pictures) {
-  const values = JSON.stringify(pictures.map((picture) => picture.values));
-  return createHash('sha256')
-    .update(`${digestOf(SOURCES)} ${values}`)
-    .digest('hex')
-    .slice(0, 16);
-}
 
 async function parameters() {
   /** @type {{ table: Parameter[], groups: { key: string, label: string }[] }} */
@@ -117,13 +114,14 @@ function picturesOf(/** @type {Parameter} */ parameter) {
 
 /** @returns {[label: string, value: number | string][]} */
 function valuesOf(/** @type {Parameter} */ parameter) {
+  const { key } = parameter;
   switch (parameter.kind) {
     case 'number':
     case 'integer': {
       const { min, max, unit, default: initial } = parameter;
       const reach = (/** @type {number} */ share) => at(parameter, share);
       const low = reach(LOW) < initial ? reach(LOW) : min;
-      const high = reach(HIGH) > initial ? reach(HIGH) : max;
+      const high = HIGHEST[key] ?? (reach(HIGH) > initial ? reach(HIGH) : max);
       const values = [...new Set([low, initial, high])];
       return values.map((value) => [
         `${value} ${unit}${value === initial ? ', default' : ''}`.replace(' ,', ','),
@@ -155,21 +153,21 @@ function at(
 }
 
 /** @param {Picture[]} pictures @param {string} folder @param {(line: string) => void} say */
-async function drawAll(pictures, folder, say) {
+async function draw(pictures, folder, say) {
   const { evaluateInPage } = await import('../../tests/bench/support/page.mjs');
-  rmSync(inRoot(CACHE), { recursive: true, force: true });
+  // Pictures of other versions.
+  if (!existsSync(folder)) rmSync(inRoot(CACHE), { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   const expression = `import('/${MODULE}').then(({ draw }) => draw(${JSON.stringify(pictures)}, sayProgress))`;
   const drawn = /** @type {string[]} */ (await evaluateInPage(expression, (line) => say(`picture ${line}`)));
   for (const [index, text] of drawn.entries()) {
-    writeFileSync(`${folder}/${fileOf(pictures[index], index)}`, Buffer.from(text, 'base64'));
+    writeFileSync(`${folder}/${fileOf(pictures[index])}`, Buffer.from(text, 'base64'));
   }
-  // Written last, so that an interrupted run leaves nothing that counts as done.
-  writeFileSync(`${folder}/${DONE}`, '');
 }
 
-function fileOf(/** @type {Picture} */ { key }, /** @type {number} */ index) {
-  return `${key}-${index}.webp`;
+/** @returns {string} name of a file with these values */
+function fileOf(/** @type {Picture} */ { values }) {
+  return `${createHash('sha256').update(JSON.stringify(values)).digest('hex').slice(0, 16)}.webp`;
 }
 
 /**
@@ -181,9 +179,9 @@ function fileOf(/** @type {Picture} */ { key }, /** @type {number} */ index) {
  * @returns {string[]}
  */
 function entry({ key, label, text }, pictures, folder) {
-  const own = pictures.flatMap((picture, index) =>
-    picture.key === key ? [{ label: picture.label, file: fileOf(picture, index) }] : [],
-  );
+  const own = pictures
+    .filter((picture) => picture.key === key)
+    .map((picture) => ({ label: picture.label, file: fileOf(picture) }));
   const contents = own.map(({ file }) => readFileSync(`${folder}/${file}`));
   if (new Set(contents.map((bytes) => bytes.toString('base64'))).size < 2) return [];
   const figures = own.map(({ label: value, file }, index) => {

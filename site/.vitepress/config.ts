@@ -19,6 +19,10 @@ const { repository, groups }: { repository: string; groups: DefaultTheme.Sidebar
 /** Classes in place of style attributes, which a Content Security Policy with `style-src 'self'` forbids. */
 const classesForColors: ShikiTransformer = {
   name: 'classes-for-colors',
+  preprocess(_, options) {
+    // Otherwise a slow machine would leave the ends of lines without colours.
+    options.tokenizeTimeLimit = 0;
+  },
   pre(node) {
     delete node.properties.style;
   },
