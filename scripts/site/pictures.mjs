@@ -37,14 +37,28 @@ const NEEDED = [
   [/^style\.rampBlend$/, { 'style.ramp': '0:3b2a6b,.4:d9577a,1:fff0c2' }],
   [/^style\.inkLight$/, { 'light.color': '#ff9a50', 'light.intensity': 2 }],
   [/^light\.distance$/, { 'light.kind': 'lamp' }],
-  [/^wind\./, { 'forces.wind.x': 1.5 }],
+  [/^wind\./, { 'forces.wind.x': 0.6 }],
 ];
 
 /**
- * High values where those of the slider are more than a picture shows.
- * @type {Readonly<Record<string, number>>}
+ * Low and high values where those of the slider are more than a picture shows.
+ * @type {Readonly<Record<string, readonly [low: number, high: number]>>}
  */
-const HIGHEST = { 'emission.rate': 120 };
+const ENDS = {
+  'emission.rate': [8, 120],
+  'emission.lifetime': [2, 13],
+  'puff.size': [0.4, 2],
+  'forces.wind.x': [-1.2, 1.2],
+  'forces.wind.y': [-1.2, 1.2],
+  'forces.wind.z': [-1.2, 1.2],
+  'turbulence.speed': [0, 0.6],
+  'buoyancy.acceleration': [0.3, 5],
+  'buoyancy.coolingTime': [0.5, 20],
+  'drag.rate': [0.4, 10],
+  'drag.quadratic': [0, 20],
+  'wind.gusts': [0, 1],
+  'wind.shear': [-0.5, 0.5],
+};
 
 /** Colours that differ from every default. */
 const COLORS = ['#2f6fde', '#d9573a'];
@@ -120,8 +134,10 @@ function valuesOf(/** @type {Parameter} */ parameter) {
     case 'integer': {
       const { min, max, unit, default: initial } = parameter;
       const reach = (/** @type {number} */ share) => at(parameter, share);
-      const low = reach(LOW) < initial ? reach(LOW) : min;
-      const high = HIGHEST[key] ?? (reach(HIGH) > initial ? reach(HIGH) : max);
+      const [low, high] = ENDS[key] ?? [
+        reach(LOW) < initial ? reach(LOW) : min,
+        reach(HIGH) > initial ? reach(HIGH) : max,
+      ];
       const values = [...new Set([low, initial, high])];
       return values.map((value) => [
         `${value} ${unit}${value === initial ? ', default' : ''}`.replace(' ,', ','),
