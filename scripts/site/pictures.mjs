@@ -149,7 +149,7 @@ function valuesOf(/** @type {Parameter} */ parameter) {
     case 'choice':
       return parameter.options.map(({ value, label }) => [
         `${label}${value === parameter.default ? ', default' : ''}`,
-        /** @type {number | string} */ (value),
+        value,
       ]);
     case 'color':
       return [parameter.default, ...COLORS].map((value, index) => [`${value}${index === 0 ? ', default' : ''}`, value]);
