@@ -44,16 +44,18 @@ export function piecesOf(file: ModelFile, poses: Poses, colorOf: (primitive: Pri
   return { pieces, rows };
 }
 
+const sum = new Float64Array(16);
+const product = new Float64Array(16);
+
 /** The matrix of a row from the first pose to that of `poses`, and, without `fromFirst`, from the file. */
 export function writeRow({ weights, fromFirst }: Row, { matrices }: Poses, into: Float32Array, to: number): void {
-  const sum = new Float64Array(16);
-  const one = new Float64Array(16);
+  sum.fill(0);
   for (const { share, node, inverse } of weights) {
-    multiplyMatrices(matrices.subarray(16 * node, 16 * node + 16), inverse, one);
-    for (let part = 0; part < 16; part++) sum[part] += share * one[part];
+    multiplyMatrices(matrices.subarray(16 * node, 16 * node + 16), inverse, product);
+    for (let part = 0; part < 16; part++) sum[part] += share * product[part];
   }
-  if (fromFirst) multiplyMatrices(sum, fromFirst, one);
-  into.set(fromFirst ? one : sum, to);
+  if (fromFirst) multiplyMatrices(sum, fromFirst, product);
+  into.set(fromFirst ? product : sum, to);
 }
 
 /** The row of each vertex of a skin. */
@@ -135,44 +137,57 @@ function pieceOf(
     ? Uint16Array.from({ length: count }, (_, vertex) => rowsOf(node, primitive, vertex))
     : undefined;
   // The first pose of each row that has an inverse; the others start in the space of the file.
-  const firsts = vertexRows && rows.map((row) => (row.fromFirst ? firstMatrix(row, poses) : IDENTITY));
-  const matrixOf = (vertex: number) => (firsts ? firsts[vertexRows![vertex]] : own);
-  const movers = Uint16Array.from({ length: count }, (_, vertex) =>
-    vertexRows ? rows[vertexRows[vertex]].weights[0].node : node,
-  );
+  const firsts = vertexRows
+    ? rows.map((row) => transformOf(row.fromFirst ? firstMatrix(row, poses) : IDENTITY))
+    : [transformOf(own)];
+  const movers = new Uint16Array(count).fill(node);
   const positions = new Float32Array(3 * count);
   const given = primitive.normals;
   const normals = new Float32Array(3 * count);
   for (let vertex = 0; vertex < count; vertex++) {
-    const m = matrixOf(vertex);
-    const [x, y, z] = primitive.positions.subarray(3 * vertex, 3 * vertex + 3);
-    for (let axis = 0; axis < 3; axis++)
-      positions[3 * vertex + axis] = m[axis] * x + m[4 + axis] * y + m[8 + axis] * z + m[12 + axis];
-    if (given) setNormal(m, given, normals, 3 * vertex);
+    const row = vertexRows ? vertexRows[vertex] : 0;
+    if (vertexRows) movers[vertex] = rows[row].weights[0].node;
+    move(firsts[row].matrix, primitive.positions, positions, 3 * vertex);
+    if (!given) continue;
+    move(firsts[row].normals, given, normals, 3 * vertex);
+    setLength(normals, 3 * vertex);
   }
   if (positions.some((value) => !Number.isFinite(value))) refuse('a vertex has no finite position.');
-  const isMirrored = determinant(firsts ? firsts[vertexRows![0]] : own) < 0;
+  const isMirrored = determinant(firsts[vertexRows ? vertexRows[0] : 0].matrix) < 0;
   const indices = isMirrored ? mirrored(primitive.indices) : primitive.indices;
   const piece = { node, color, positions, normals, indices, movers, rows: vertexRows, isSkinned };
   return given ? piece : withFlatNormals(piece);
 }
 
-/** The normal of a matrix with any scale, which its cofactors transform. */
-function setNormal(m: ArrayLike<number>, from: Float32Array, into: Float32Array, at: number): void {
-  const [x, y, z] = from.subarray(at, at + 3);
+/** A matrix, and that of its normals, which its cofactors transform. */
+function transformOf(m: Float64Array): { matrix: Float64Array; normals: Float64Array } {
+  const normals = new Float64Array(16);
   const sign = determinant(m) < 0 ? -1 : 1;
-  const cofactor = (row: number, column: number) => {
-    const [r, s] = [(row + 1) % 3, (row + 2) % 3];
-    const [c, d] = [4 * ((column + 1) % 3), 4 * ((column + 2) % 3)];
-    return sign * (m[c + r] * m[d + s] - m[d + r] * m[c + s]);
-  };
-  let square = 0;
-  for (let row = 0; row < 3; row++) {
-    into[at + row] = cofactor(row, 0) * x + cofactor(row, 1) * y + cofactor(row, 2) * z;
-    square += into[at + row] * into[at + row];
+  for (let column = 0; column < 3; column++) {
+    for (let row = 0; row < 3; row++) {
+      const [r, s] = [(row + 1) % 3, (row + 2) % 3];
+      const [c, d] = [4 * ((column + 1) % 3), 4 * ((column + 2) % 3)];
+      normals[4 * column + row] = sign * (m[c + r] * m[d + s] - m[d + r] * m[c + s]);
+    }
   }
-  const length = Math.sqrt(square);
-  for (let row = 0; row < 3; row++) into[at + row] = length > 0 ? into[at + row] / length : row === 1 ? 1 : 0;
+  return { matrix: m, normals };
+}
+
+/** Writes a point that a matrix moves. */
+function move(m: Float64Array, from: Float32Array, into: Float32Array, at: number): void {
+  const x = from[at];
+  const y = from[at + 1];
+  const z = from[at + 2];
+  for (let row = 0; row < 3; row++) into[at + row] = m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row];
+}
+
+/** Scales a vector to the length 1; +y if it has no length. */
+function setLength(vectors: Float32Array, at: number): void {
+  const length = Math.sqrt(
+    vectors[at] * vectors[at] + vectors[at + 1] * vectors[at + 1] + vectors[at + 2] * vectors[at + 2],
+  );
+  for (let part = 0; part < 3; part++)
+    vectors[at + part] = length > 0 ? vectors[at + part] / length : part === 1 ? 1 : 0;
 }
 
 function determinant(m: ArrayLike<number>): number {

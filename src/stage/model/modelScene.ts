@@ -13,7 +13,7 @@ import type { Model, ModelNode, ModelOptions, ModelPoint } from '../contract.ts'
 import { piecesOf, normalized, normalOf, writeRow, type Piece, type Row } from './geometry.ts';
 import { refuse } from './glb.ts';
 import type { ModelFile, Primitive } from './modelFile.ts';
-import { inSpaceOf, inverted, movedBy, Poser, type Place } from './pose.ts';
+import { inSpaceOf, inverted, matrixOf, movedBy, Poser, type Place } from './pose.ts';
 import { areaOf, coveringBalls, fittedCapsule, insideOut, partsOf, type Capsule } from './solids.ts';
 
 /** Parts and emission surfaces of a scene, as the simulator accepts. */
@@ -344,8 +344,8 @@ class Build {
         inked,
         ...group,
         ...(carrier !== undefined && { part: this.firstPart + carrier }),
-        ...(first.rows && { skin: inOneRow(pieces) }),
-        carriers: Uint16Array.from(pieces.flatMap(({ movers }) => [...movers].map((node) => this.carrierOf[node]))),
+        ...(first.rows && { skin: inOneArray(pieces.map(({ rows }) => rows!)) }),
+        carriers: inOneArray(pieces.map(({ movers }) => movers.map((node) => this.carrierOf[node]))),
         carrier,
       };
     });
@@ -354,21 +354,18 @@ class Build {
   /** Closed parts cast by volumes, tangled ones by balls, and skins by capsules along their bones. */
   casters(): SurfaceDescription[] {
     const found: { mesh: TriangleMesh; carrier: number; isMoving: boolean; area: number }[] = [];
-    for (const [node, pieces] of groupedBy(
-      this.drawn.filter(({ isSkinned }) => !isSkinned),
-      (piece) => piece.node,
-    )) {
-      const mesh = joinedPieces(pieces);
-      const { closed, bordered, tangled } = partsOf(mesh);
-      const verticesOf = (corners: readonly number[]) => Uint32Array.from(corners, (corner) => mesh.indices[corner]);
+    const drawn = groupedBy(this.drawn, ({ node }) => node);
+    for (const [node, pieces] of groupedBy(this.rigidPieces, (piece) => piece.node)) {
+      const [mesh, thick] = [joinedPieces(pieces), joinedPieces(drawn.get(node)!)];
       const own = {
         carrier: this.carrierOf[node],
         isMoving: this.poser.isMoving[node],
         area: areaOf(mesh, mesh.indices),
       };
-      if (closed.length > 0) found.push({ ...own, mesh: { ...mesh, indices: verticesOf(closed) } });
-      const balls = [...tangled, bordered]
-        .flatMap((corners) => coveringBalls(mesh, verticesOf(corners)))
+      const { closed } = partsOf(thick);
+      if (closed.length > 0) found.push({ ...own, mesh: { ...thick, indices: verticesOf(thick, closed) } });
+      const balls = partsOf(mesh)
+        .tangled.flatMap((corners) => coveringBalls(mesh, verticesOf(mesh, corners)))
         .filter(({ radius }) => radius > SMALLEST_BALL);
       if (balls.length > 0) found.push({ ...own, mesh: insideOut(balls) });
     }
@@ -432,14 +429,15 @@ class Build {
     const byCarrier = new Map<number, { piece: Piece; indices: number[] }[]>();
     for (const piece of this.pieces) {
       const own = new Map<number, number[]>();
-      for (let first = 0; first < piece.indices.length; first += 3) {
-        const carrier = carrierOf[piece.movers[piece.indices[first]]];
+      const { indices, movers } = piece;
+      for (let first = 0; first < indices.length; first += 3) {
+        const carrier = carrierOf[movers[indices[first]]];
         const into = own.get(carrier) ?? [];
-        own.set(carrier, into);
-        into.push(...piece.indices.subarray(first, first + 3));
+        if (into.length === 0) own.set(carrier, into);
+        into.push(indices[first], indices[first + 1], indices[first + 2]);
       }
-      for (const [carrier, indices] of own)
-        byCarrier.set(carrier, [...(byCarrier.get(carrier) ?? []), { piece, indices }]);
+      for (const [carrier, some] of own)
+        byCarrier.set(carrier, [...(byCarrier.get(carrier) ?? []), { piece, indices: some }]);
     }
     const triangles = (parts: readonly { indices: number[] }[]) =>
       parts.reduce((sum, { indices }) => sum + indices.length, 0);
@@ -461,13 +459,13 @@ class Build {
     const points = new Map<number, number[]>();
     for (const { movers, positions, isSkinned } of this.pieces) {
       if (!isSkinned) continue;
-      movers.forEach((mover, vertex) => {
-        const carrier = this.carrierOf[mover];
+      for (let vertex = 0; vertex < movers.length; vertex++) {
+        const carrier = this.carrierOf[movers[vertex]];
         const into = points.get(carrier) ?? [];
-        points.set(carrier, into);
-        const [x, y, z] = positions.subarray(3 * vertex, 3 * vertex + 3);
-        into.push(...inSpaceOf(this.firsts[carrier], [x, y, z]));
-      });
+        if (into.length === 0) points.set(carrier, into);
+        const place = [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]] as const;
+        into.push(...inSpaceOf(this.firsts[carrier], place));
+      }
     }
     const isEnough = ([, numbers]: [number, number[]]) => numbers.length >= 12;
     return new Map(
@@ -522,15 +520,21 @@ function rigidRow(node: number, poser: Poser): Row {
   return { weights: [{ share: 1, node, inverse }], fromFirst: undefined };
 }
 
+/** The vertices of corners. */
+function verticesOf({ indices }: TriangleMesh, corners: readonly number[]): Uint32Array {
+  return Uint32Array.from(corners, (corner) => indices[corner]);
+}
+
 /**
- * The pieces of a node, with a second layer behind triangles that have borders, and walls between both: they are seen from
- * both sides, have outlines, and cast as closed meshes do.
+ * The pieces of a node, with a second layer behind triangles that enclose nothing, and walls at their borders: they are seen
+ * from both sides and have outlines, and without tangles they cast as closed meshes do.
  * @param thickness metres
  */
 function thickened(pieces: readonly Piece[], thickness: number): Piece[] {
   const joined = joinedPieces(pieces);
-  const { bordered, borders } = partsOf(joined);
-  if (bordered.length === 0) return [...pieces];
+  const { bordered, borders, tangled } = partsOf(joined);
+  const open = [...bordered, ...tangled.flat()];
+  if (open.length === 0) return [...pieces];
   const outward = hullNormals(joined);
   let [firstVertex, firstCorner] = [0, 0];
   return pieces.map((piece) => {
@@ -540,7 +544,7 @@ function thickened(pieces: readonly Piece[], thickness: number): Piece[] {
     const isOwn = (at: number) => at >= corner && at < endCorner;
     const own = outward.subarray(3 * vertex, 3 * vertex + piece.positions.length);
     const at = (corners: readonly number[]) => corners.filter(isOwn).map((each) => each - corner);
-    return doubled(piece, at(bordered), at(borders), own, thickness);
+    return doubled(piece, at(open), at(borders), own, thickness);
   });
 }
 
@@ -565,12 +569,13 @@ function doubled(
     }
     return count + sources.push(vertex) - 1;
   };
-  const behind = new Map<number, number>();
+  const behind = new Int32Array(count).fill(-1);
   const back = (corner: number) => {
     const vertex = piece.indices[corner];
-    const normal = [0, 1, 2].map((axis) => -piece.normals[3 * vertex + axis]);
-    if (!behind.has(vertex)) behind.set(vertex, add(vertex, thickness, normal));
-    return behind.get(vertex)!;
+    const at = 3 * vertex;
+    if (behind[vertex] < 0)
+      behind[vertex] = add(vertex, thickness, [-piece.normals[at], -piece.normals[at + 1], -piece.normals[at + 2]]);
+    return behind[vertex];
   };
   for (let at = 0; at < corners.length; at += 3)
     indices.push(back(corners[at]), back(corners[at + 2]), back(corners[at + 1]));
@@ -613,37 +618,46 @@ function joinedPieces(pieces: readonly Piece[]): TriangleMesh {
 
 /** A piece with the vertices of its triangles only. */
 function only(piece: Piece): Piece {
-  const numbers = new Map<number, number>();
+  const numbers = new Int32Array(piece.movers.length).fill(-1);
+  const kept: number[] = [];
   const indices = piece.indices.map((vertex) => {
-    if (!numbers.has(vertex)) numbers.set(vertex, numbers.size);
-    return numbers.get(vertex)!;
+    if (numbers[vertex] < 0) numbers[vertex] = kept.push(vertex) - 1;
+    return numbers[vertex];
   });
-  const kept = [...numbers.keys()];
-  const each = (values: Float32Array) =>
-    Float32Array.from({ length: 3 * kept.length }, (_, at) => values[3 * kept[Math.floor(at / 3)] + (at % 3)]);
+  const each = (values: Float32Array) => {
+    const some = new Float32Array(3 * kept.length);
+    for (let at = 0; at < some.length; at++) some[at] = values[3 * kept[Math.floor(at / 3)] + (at % 3)];
+    return some;
+  };
   return { ...piece, indices, positions: each(piece.positions), normals: each(piece.normals) };
 }
 
-function inOneRow(pieces: readonly Piece[]): Uint16Array {
-  const all = new Uint16Array(pieces.reduce((sum, { rows }) => sum + rows!.length, 0));
+function inOneArray(arrays: readonly Uint16Array[]): Uint16Array {
+  const all = new Uint16Array(arrays.reduce((sum, { length }) => sum + length, 0));
   let at = 0;
-  for (const { rows } of pieces) {
-    all.set(rows!, at);
-    at += rows!.length;
+  for (const array of arrays) {
+    all.set(array, at);
+    at += array.length;
   }
   return all;
 }
 
 /** A mesh of world space in the space of a placement. */
-function inSpace({ positions, normals, indices }: TriangleMesh, placement: Placement): TriangleMesh {
-  const turned = { ...placement, position: [0, 0, 0] as const };
-  const each = (values: Float32Array, space: Placement) => {
+function inSpace({ positions, normals, indices }: TriangleMesh, { position, rotation }: Placement): TriangleMesh {
+  const [x, y, z, w] = rotation;
+  const turn = matrixOf([0, 0, 0, -x, -y, -z, w, 1, 1, 1]);
+  const each = (values: Float32Array, from: Vector) => {
     const moved = new Float32Array(values.length);
-    for (let first = 0; first < values.length; first += 3)
-      moved.set(inSpaceOf(space, [values[first], values[first + 1], values[first + 2]]), first);
+    for (let first = 0; first < values.length; first += 3) {
+      const a = values[first] - from[0];
+      const b = values[first + 1] - from[1];
+      const c = values[first + 2] - from[2];
+      for (let axis = 0; axis < 3; axis++)
+        moved[first + axis] = turn[axis] * a + turn[4 + axis] * b + turn[8 + axis] * c;
+    }
     return moved;
   };
-  return { positions: each(positions, placement), normals: each(normals, turned), indices };
+  return { positions: each(positions, position), normals: each(normals, [0, 0, 0]), indices };
 }
 
 function placedPositions(

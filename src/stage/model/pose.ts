@@ -208,12 +208,13 @@ export function matrixOf(transform: ArrayLike<number>): number[] {
 /** The product a * b of affine matrices. */
 export function multiplyMatrices(a: ArrayLike<number>, b: ArrayLike<number>, into: Float64Array, to = 0): void {
   for (let column = 0; column < 4; column++) {
-    const [x, y, z] = [b[4 * column], b[4 * column + 1], b[4 * column + 2]];
-    for (let row = 0; row < 3; row++) {
-      const own = a[row] * x + a[4 + row] * y + a[8 + row] * z;
-      into[to + 4 * column + row] = column === 3 ? own + a[12 + row] : own;
-    }
-    into[to + 4 * column + 3] = column === 3 ? 1 : 0;
+    const x = b[4 * column];
+    const y = b[4 * column + 1];
+    const z = b[4 * column + 2];
+    const isPlace = column === 3 ? 1 : 0;
+    for (let row = 0; row < 3; row++)
+      into[to + 4 * column + row] = a[row] * x + a[4 + row] * y + a[8 + row] * z + isPlace * a[12 + row];
+    into[to + 4 * column + 3] = isPlace;
   }
 }
 

@@ -6,6 +6,7 @@ import type { Vector } from '../../scenes/scene.ts';
 import type { Quaternion } from '../../simulator/exact/rotation.ts';
 import { rotate } from '../../simulator/exact/rotation.ts';
 import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { EdgeTable } from '../../renderer/passes/edges/edgeTable.ts';
 import { weld } from '../../renderer/passes/extrusion.ts';
 import { crossOf } from './geometry.ts';
 
@@ -181,44 +182,43 @@ export function partsOf({ positions, indices }: Pick<TriangleMesh, 'positions' |
     while (roots[at] !== at) at = roots[at] = roots[roots[at]];
     return at;
   };
-  const edge = (from: number, to: number) => from * places.length + to;
   const endOf = (corner: number) => corners[corner % 3 < 2 ? corner + 1 : corner - 2];
-  const triangles: number[] = [];
+  const isTriangle = (first: number) => {
+    const [a, b, c] = [corners[first], corners[first + 1], corners[first + 2]];
+    return a !== b && b !== c && c !== a;
+  };
+  const table = new EdgeTable(corners.length);
+  const tangled = new Uint8Array(places.length);
+  const bordered = new Uint8Array(places.length);
+  const twice: number[] = [];
   for (let first = 0; first < corners.length; first += 3) {
-    const [a, b, c] = corners.subarray(first, first + 3);
-    if (a === b || b === c || c === a) continue;
-    triangles.push(first);
-    roots[root(a)] = root(b);
-    roots[root(b)] = root(c);
-  }
-  const counts = new Map<number, number>();
-  const sides = triangles.flatMap((first) => [first, first + 1, first + 2]);
-  for (const corner of sides) {
-    const key = edge(corners[corner], endOf(corner));
-    counts.set(key, (counts.get(key) ?? 0) + 1);
-  }
-  const [bordered, tangled] = [new Set<number>(), new Set<number>()];
-  const borders: number[] = [];
-  for (const corner of sides) {
-    const [start, end] = [corners[corner], endOf(corner)];
-    const [own, opposite] = [counts.get(edge(start, end))!, counts.get(edge(end, start)) ?? 0];
-    if (own > 1 || opposite > 1) tangled.add(root(start));
-    else if (opposite === 0) {
-      bordered.add(root(start));
-      borders.push(corner);
+    if (!isTriangle(first)) continue;
+    roots[root(corners[first])] = root(corners[first + 1]);
+    roots[root(corners[first + 1])] = root(corners[first + 2]);
+    for (let at = first; at < first + 3; at++) {
+      const { count } = table;
+      if (table.add(corners[at], endOf(at)) < count) twice.push(corners[at]);
     }
+  }
+  for (const vertex of twice) tangled[root(vertex)] = 1;
+  const borders: number[] = [];
+  for (let corner = 0; corner < corners.length; corner++) {
+    if (!isTriangle(corner - (corner % 3)) || table.find(endOf(corner), corners[corner]) >= 0) continue;
+    bordered[root(corners[corner])] = 1;
+    borders.push(corner);
   }
   const rest = new Map<number, number[]>();
   const found = { closed: [] as number[], bordered: [] as number[] };
-  for (const first of triangles) {
+  for (let first = 0; first < corners.length; first += 3) {
+    if (!isTriangle(first)) continue;
     const part = root(corners[first]);
-    if (tangled.has(part) && !rest.has(part)) rest.set(part, []);
-    const into = rest.get(part) ?? (bordered.has(part) ? found.bordered : found.closed);
+    if (tangled[part] && !rest.has(part)) rest.set(part, []);
+    const into = rest.get(part) ?? (bordered[part] ? found.bordered : found.closed);
     into.push(first, first + 1, first + 2);
   }
   return {
     ...found,
-    borders: borders.filter((corner) => !tangled.has(root(corners[corner]))),
+    borders: borders.filter((corner) => !tangled[root(corners[corner])]),
     tangled: [...rest.values()],
   };
 }
