@@ -222,3 +222,38 @@ export function bendingColumn(): GlbFile {
   file.animate('Bend', upper, 'rotation', [0, 1, 2], [0, 0, 0, 1, 0, 0, Q, Q, 0, 0, 0, 1]);
   return file;
 }
+
+/** A house with a chimney without a top, and a vane that turns. Its nodes are House, Roof, Chimney and Vane. */
+export function house(): GlbFile {
+  const file = new GlbFile();
+  const colors = [
+    [0.9, 0.75, 0.5],
+    [0.55, 0.08, 0.06],
+    [0.35, 0.2, 0.15],
+    [0.95, 0.6, 0.05],
+    [0.2, 0.1, 0.06],
+  ];
+  file.json.materials = colors.map((color) => ({ pbrMetallicRoughness: { baseColorFactor: [...color, 1] } }));
+  const [w, h, d] = [1, 0.7, 1.1];
+  const positions = [-w, 0, d, w, 0, d, 0, h, d, -w, 0, -d, w, 0, -d, 0, h, -d];
+  const indices = [0, 1, 2, 5, 4, 3, 0, 3, 4, 0, 4, 1, 1, 4, 5, 1, 5, 2, 2, 5, 3, 2, 3, 0];
+  const roof = file.mesh({
+    attributes: { POSITION: file.accessor({ values: positions, type: 'VEC3' }) },
+    indices: file.accessor({ values: indices, type: 'SCALAR', component: 5123 }),
+    material: 1,
+  });
+  const children = [1, 2, 4];
+  file.json.scenes[0].nodes = [
+    file.node({ name: 'House', mesh: file.mesh(file.box([0.8, 0.6, 0.9], [], 0)), children }),
+  ];
+  file.node({ name: 'Roof', mesh: roof, translation: [0, 0.6, 0], children: [3] });
+  file.node({ name: 'Chimney', mesh: file.mesh(file.box([0.2, 0.4, 0.2], [2], 2)), translation: [0.5, 1.1, -0.4] });
+  const vane = file.node({
+    name: 'Vane',
+    mesh: file.mesh(file.box([0.3, 0.12, 0.02], [], 3)),
+    translation: [0, 0.95, 0.8],
+  });
+  file.node({ name: 'Door', mesh: file.mesh(file.box([0.22, 0.36, 0.03], [], 4)), translation: [0, -0.23, 0.9] });
+  file.animate('Wind', vane, 'rotation', [0, 1, 2], [0, 0, 0, 1, 0, Q, 0, Q, 0, 1, 0, 0]);
+  return file;
+}

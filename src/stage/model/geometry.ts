@@ -44,18 +44,19 @@ export function piecesOf(file: ModelFile, poses: Poses, colorOf: (primitive: Pri
   return { pieces, rows };
 }
 
-const sum = new Float64Array(16);
+/** Reused, because each frame writes every row. */
+const blended = new Float64Array(16);
 const product = new Float64Array(16);
 
 /** The matrix of a row from the first pose to that of `poses`, and, without `fromFirst`, from the file. */
 export function writeRow({ weights, fromFirst }: Row, { matrices }: Poses, into: Float32Array, to: number): void {
-  sum.fill(0);
+  blended.fill(0);
   for (const { share, node, inverse } of weights) {
     multiplyMatrices(matrices.subarray(16 * node, 16 * node + 16), inverse, product);
-    for (let part = 0; part < 16; part++) sum[part] += share * product[part];
+    for (let part = 0; part < 16; part++) blended[part] += share * product[part];
   }
-  if (fromFirst) multiplyMatrices(sum, fromFirst, product);
-  into.set(fromFirst ? product : sum, to);
+  if (fromFirst) multiplyMatrices(blended, fromFirst, product);
+  into.set(fromFirst ? product : blended, to);
 }
 
 /** The row of each vertex of a skin. */

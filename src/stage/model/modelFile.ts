@@ -176,8 +176,8 @@ function nodesOf(glb: Glb): FileNode[] {
               Array.from({ length: 16 }, () => 0),
               `the matrix of node ${index}`,
             ),
-      mesh: mesh as number | undefined,
-      skin: skin as number | undefined,
+      mesh,
+      skin,
     };
   });
   glb.list('nodes').forEach(({ children = [] }, index) => {
@@ -268,7 +268,7 @@ function primitiveOf(
     weights: hasSkin && summingToOne(floats(weights)),
     places: places && floats(places),
     colors: colors && floats(colors),
-    material: (material as number | undefined) ?? -1,
+    material: material ?? -1,
   };
 }
 

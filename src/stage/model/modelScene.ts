@@ -264,7 +264,7 @@ class Build {
     const joints = new Set(this.file.skins.flatMap(({ joints: all }) => all));
     const ever = movedBy(animations, nodes, order);
     const carries = nodes.map(({ mesh }, node) => mesh !== undefined || joints.has(node));
-    for (const node of [...order].reverse())
+    for (const node of order.toReversed())
       if (carries[node] && nodes[node].parent >= 0) carries[nodes[node].parent] = true;
     const rank = (node: number) => {
       if (own.has(node)) return carries[node] ? 0 : 1;

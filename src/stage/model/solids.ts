@@ -145,7 +145,7 @@ function addCapsule({ position, rotation, halfHeight, radius }: Capsule, positio
   const ringsOf = (side: number) =>
     angles.map((up) => [radius * Math.cos(up), side * (radius * Math.sin(up) + halfHeight)]);
   // The caps of a ball share their ring.
-  const rings = [...ringsOf(-1).reverse(), ...ringsOf(1).slice(halfHeight > 0 ? 0 : 1)];
+  const rings = [...ringsOf(-1).toReversed(), ...ringsOf(1).slice(halfHeight > 0 ? 0 : 1)];
   add(0, -radius - halfHeight, 0);
   for (const [across, y] of rings) for (let turn = 0; turn < AROUND; turn++) add(across, y, turn);
   add(0, radius + halfHeight, 0);

@@ -1,7 +1,7 @@
 /** Models of GLB files on a stage. Runs inside a page. */
 import type { ModelOptions } from '../../../src/stage/contract.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
-import { bendingColumn, GlbFile, turningBox } from '../../support/glb.ts';
+import { bendingColumn, GlbFile, house, turningBox } from '../../support/glb.ts';
 import { differing, pixelsOf } from './stage.cases.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];
@@ -52,10 +52,27 @@ async function picture(stage: Stage): Promise<Uint32Array> {
   return pixelsOf(await stage.picture());
 }
 
-/** The picture of a model after some seconds. */
-export async function modelPicture(name: FileName, seconds: number, options: ModelOptions = {}): Promise<Blob> {
-  const stage = await begin(name, options);
-  stage.step(Math.round(60 * seconds));
+/** A house among the trees of the campfire, with smoke from its chimney. */
+export async function housePicture(): Promise<Blob> {
+  const values = {
+    scene: 'campfire',
+    'camera.azimuth': 12,
+    'camera.elevation': 16,
+    'camera.distance': 9,
+    'camera.target.y': 1.7,
+    'puff.variations': 4,
+    'style.outlineWidth': 1.4,
+  } as const;
+  const stage = await createStage(new OffscreenCanvas(720, 405), { values });
+  const model = await stage.setModel(house().pack(), { position: { x: 1.1, y: 0, z: 1.1 }, size: 1.7, turn: -0.5 });
+  const { rigid } = model!.nodes.find(({ name }) => name === 'Chimney')!;
+  stage.set({
+    'emitters.0.rigid': rigid,
+    'emitters.0.position.x': 0,
+    'emitters.0.position.y': 0.3,
+    'emitters.0.position.z': 0,
+  });
+  stage.step(330);
   const blob = await stage.picture();
   stage.dispose();
   return blob;

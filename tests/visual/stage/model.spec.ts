@@ -1,5 +1,6 @@
 /** Models of GLB files: their surfaces, outlines and shadows, and files that cannot be used. */
 import { expect, test } from '../../support/fixtures.ts';
+import { bytesOf, expectGolden } from '../../support/goldens.ts';
 
 type Cases = typeof import('./model.cases.ts');
 const CASES = '/tests/visual/stage/model.cases.ts';
@@ -34,6 +35,13 @@ test.describe('draws', () => {
   test('the same after a lost context', async ({ load }) => {
     expect(await (await load<Cases>(CASES)).evaluate((module) => module.lostContext())).toBe(0);
   });
+});
+
+test('a house with smoke from its chimney is the picture of docs/models.md', async ({ load }, testInfo) => {
+  const cases = await load<Cases>(CASES);
+  const picture = await bytesOf(await cases.evaluateHandle((module) => module.housePicture()));
+  expect(picture.length).toBeLessThan(75_000);
+  await expectGolden(picture, { name: '../../../docs/images/model', tolerance: 8, outliers: 40 }, testInfo);
 });
 
 test('a model stays in copies and other scenes until it is removed', async ({ load }) => {
