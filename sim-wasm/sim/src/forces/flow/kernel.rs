@@ -14,7 +14,7 @@ use crate::particles::tile::{Columns, Tile};
 /// 25 sqrt(5) / 16: the inverse of the greatest value of x (1 - x^2)^2.
 const PEAK: f64 = 3.493_856;
 
-/// A flow in one step. Its path is in units of `scale` metres.
+/// A flow in one step. Its path is in units of `scale` metres: sides of its cells.
 #[derive(Clone, Debug)]
 pub struct Kernel {
     path: Arc<Path>,
@@ -47,21 +47,25 @@ impl Force for Flow {
         let frame = context.now.frame(&self.scope);
         let is_riding = context.now.ride(&self.scope, 0.5).is_some();
         let splat = |value: f64| f32x4::splat(value as f32);
+        let side = f64::from(path.side);
+        let (scale, radius) = (self.scale * side, self.radius / side);
+        let origin: [f32; 3] = path.origin.into();
+        let origin = std::array::from_fn(|axis| self.position[axis] + self.scale * f64::from(origin[axis]));
         // No more than half of the way to the stroke in a step.
-        let most = 0.5 * self.scale / context.now.dt;
-        let inflow = (PEAK * self.inflow / self.radius).clamp(-most, most);
+        let most = 0.5 * scale / context.now.dt;
+        let inflow = (PEAK * self.inflow / radius).clamp(-most, most);
         Some(Kernel {
             path,
-            origin: place_in(&frame, self.position),
+            origin: place_in(&frame, origin),
             axes: is_riding
                 .then(|| [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| vector_in(&frame, axis))),
-            per_scale: splat(1.0 / self.scale),
-            scale: splat(self.scale),
+            per_scale: splat(1.0 / scale),
+            scale: splat(scale),
             speed: splat(self.speed),
             swirl: splat(self.swirl),
             is_swirling: self.swirl != 0.0,
             inflow: splat(inflow),
-            inverse_radius_squared: splat(1.0 / (self.radius * self.radius)),
+            inverse_radius_squared: splat(1.0 / (radius * radius)),
             scope,
         })
     }
@@ -80,7 +84,7 @@ impl Force for Flow {
             for (((flow, place), ahead), weight) in flow.iter_mut().zip(&*place).zip(&*ahead).zip(&*weight) {
                 let middle = kernel.local(*ahead);
                 if let Some(near) = kernel.path.near(middle) {
-                    let way = kernel.local(*place) - middle;
+                    let way = || kernel.local(*place) - middle;
                     *flow += kernel.world(kernel.velocity(&near, way, *weight, dt));
                 }
             }
@@ -112,16 +116,20 @@ impl Kernel {
         }
     }
 
-    /// Velocity (m/s) in the path's frame. `way`: from the middle of a step of `dt` seconds back to its start.
+    /// Velocity (m/s) in the path's frame. `way`: returns that from the middle of a step of `dt` seconds back to its start.
     #[inline(always)]
-    fn velocity(&self, near: &Near, way: Vector4, weight: f32x4, dt: f32) -> Vector4 {
-        let Near { offset, direction } = *near;
+    fn velocity(&self, near: &Near, way: impl Fn() -> Vector4, weight: f32x4, dt: f32) -> Vector4 {
+        let Near {
+            offset,
+            across,
+            direction,
+        } = *near;
         let strength = fade(offset.dot(offset), self.inverse_radius_squared) * weight;
-        let across = offset - direction * direction.dot(offset);
         let along = (direction * self.speed - across * self.inflow) * strength;
         if !self.is_swirling {
             return along;
         }
+        let way = way();
         let start = across + way - direction * direction.dot(way);
         along + self.swirl(direction, start, strength, dt)
     }

@@ -11,14 +11,16 @@ use wide::{f32x4, u32x4};
 
 use crate::layout::parameters::field::{MAX_POINTS, POINT_RANGE};
 use crate::layout::parameters::forces::flow::Flow;
-use crate::math::simd::{CELL_ZERO, LANES, Vector4, larger, smaller};
+use crate::math::simd::{LANES, Vector4, larger, smaller};
 use crate::math::vector::Vector;
 
 /// Maximum number of samples: a cell has the number of one in a byte.
 const MAX_SAMPLES: usize = 254;
 /// The number of no sample.
 const FAR: u8 = 255;
-/// Maximum number of cells.
+/// Number of values of a byte: with them as an index, the code of a particle has no checks.
+const NUMBERS: usize = 256;
+/// Maximum number of cells, a power of two.
 const MAX_CELLS: usize = 32_768;
 /// Millimetres of a point's coordinate that stand for 0.
 const MIDDLE: f64 = POINT_RANGE / 2.0;
@@ -30,26 +32,30 @@ const INITIAL: [Vector; 2] = [Vector::ZERO, Vector::Y];
 pub(super) struct Near {
     /// From the path.
     pub offset: Vector4,
+    /// The part of it across the path. They differ beyond the ends.
+    pub across: Vector4,
     /// Unit vector along the path.
     pub direction: Vector4,
 }
 
-/// A stroke in its own frame.
+/// A stroke in its own frame, in which the centres of cells have whole coordinates.
 #[derive(Debug)]
 pub(crate) struct Path {
     of: Flow,
+    /// Centre of the first cell in the frame of the points.
+    pub(super) origin: Vector,
+    /// Side of a cell in the frame of the points.
+    pub(super) side: f32,
     /// Position and how far back along the path its parabola counts, direction and how far ahead, bend: the derivative of
-    /// the direction by the distance. The last one is far away from everything.
-    samples: Vec<[f32x4; 3]>,
+    /// the direction by the distance. The one of [`FAR`] is far away from everything.
+    samples: Box<[[f32x4; 3]; NUMBERS]>,
     cells: Cells,
 }
 
 /// The nearest sample of each cell of a box.
 #[derive(Debug)]
 struct Cells {
-    nearest: Vec<u8>,
-    origin: Vector4,
-    per_side: f32x4,
+    nearest: Box<[u8; MAX_CELLS]>,
     /// The last cell along each axis.
     last: Vector4,
     /// Distance in `nearest` between neighbours along y and z.
@@ -72,11 +78,13 @@ impl Path {
     pub fn new(flow: &Flow) -> Option<Self> {
         let radius = flow.radius as f32;
         let samples = samples_of(&points_of(flow)?, flow.closed == 1.0, radius);
-        let cells = Cells::new(&samples, radius);
-        let packed = packed(&samples, 1.0 / f32x4::as_array(&cells.per_side)[0]);
+        let (cells, low, side) = Cells::new(&samples, radius);
+        let origin = low + Vector::new(0.5, 0.5, 0.5) * side;
         Some(Self {
             of: *flow,
-            samples: packed,
+            origin,
+            side,
+            samples: packed(&samples, origin, side),
             cells,
         })
     }
@@ -91,11 +99,11 @@ impl Path {
     #[inline(always)]
     pub(super) fn near(&self, place: Vector4) -> Option<Near> {
         let nearest = self.cells.nearest(place);
-        if nearest == [FAR; LANES] {
+        // One comparison: a branch for each lane would be mispredicted.
+        if u32::from_ne_bytes(nearest) == u32::MAX {
             return None;
         }
-        let far = self.samples.len() - 1;
-        let rows = nearest.map(|sample| &self.samples[usize::from(sample).min(far)]);
+        let rows = nearest.map(|sample| &self.samples[usize::from(sample)]);
         let column = |row: usize| f32x4::transpose(rows.map(|sample| sample[row]));
         let [x, y, z, back] = column(0);
         let offset = place - Vector4 { x, y, z };
@@ -105,15 +113,18 @@ impl Path {
         let bend = Vector4 { x, y, z };
         // The foot of the perpendicular on the parabola, up to second order.
         let narrow = larger(f32x4::ONE - bend.dot(offset), f32x4::splat(0.25));
-        let along = larger(smaller(direction.dot(offset) / narrow, ahead), back);
+        let foot = direction.dot(offset) / narrow;
+        let along = larger(smaller(foot, ahead), back);
         let turn = bend * along;
         let offset = offset - (direction + turn * f32x4::HALF) * along;
         let direction = direction + turn;
         // The direction is longer than 1 by the square of the turn: a Newton step for the inverse root.
         let unit = f32x4::splat(1.5) - direction.dot(direction) * f32x4::HALF;
+        let direction = direction * unit;
         Some(Near {
             offset,
-            direction: direction * unit,
+            across: offset - direction * (foot - along),
+            direction,
         })
     }
 }
@@ -247,35 +258,34 @@ impl Span {
     }
 }
 
-/// Packs samples. `side`: of a cell, over which the parabola of a sample must reach.
-fn packed(samples: &[Sample], side: f32) -> Vec<[f32x4; 3]> {
+/// Packs samples into the frame of cells of this side, of which the first has its centre at `origin`. The parabola of a
+/// sample reaches over a cell.
+fn packed(samples: &[Sample], origin: Vector, side: f32) -> Box<[[f32x4; 3]; NUMBERS]> {
     let total: f32 = samples.iter().map(|sample| sample.gaps[1]).sum();
     let is_closed = samples[0].gaps[0] > 0.0;
     let mut length = 0.0;
-    let mut rows: Vec<[f32x4; 3]> = samples
-        .iter()
-        .map(|sample| {
-            let [before, after] = sample.gaps;
-            let within = |reach: f32, limit: f32| if is_closed { reach } else { reach.min(limit) };
-            let [back, ahead] = [
-                within(before.max(side), length),
-                within(after.max(side), (total - length).max(0.0)),
-            ];
-            length += after;
-            let row = |v: Vector, w: f32| f32x4::new([v.x, v.y, v.z, w]);
-            [
-                row(sample.position, 0.0 - back),
-                row(sample.direction, ahead),
-                row(sample.bend, 0.0),
-            ]
-        })
-        .collect();
-    rows.push([f32x4::splat(1e9), f32x4::ZERO, f32x4::ZERO]);
+    let mut rows = Box::new([[f32x4::splat(1e9), f32x4::ZERO, f32x4::ZERO]; NUMBERS]);
+    for (row_of, sample) in rows.iter_mut().zip(samples) {
+        let [before, after] = sample.gaps;
+        let within = |reach: f32, limit: f32| if is_closed { reach } else { reach.min(limit) };
+        let [back, ahead] = [
+            within(before.max(side), length),
+            within(after.max(side), (total - length).max(0.0)),
+        ];
+        length += after;
+        let row = |v: Vector, w: f32| f32x4::new([v.x, v.y, v.z, w]);
+        *row_of = [
+            row((sample.position - origin) * (1.0 / side), 0.0 - back / side),
+            row(sample.direction, ahead / side),
+            row(sample.bend * side, 0.0),
+        ];
+    }
     rows
 }
 
 impl Cells {
-    fn new(samples: &[Sample], radius: f32) -> Self {
+    /// The cells, the lowest corner of the first one, and their side.
+    fn new(samples: &[Sample], radius: f32) -> (Self, Vector, f32) {
         let (mut low, mut high) = (samples[0].position, samples[0].position);
         for sample in samples {
             // Between samples the path is no farther away than the gaps are long.
@@ -298,22 +308,20 @@ impl Cells {
             side *= 1.1;
         };
         let mut cells = Self {
-            nearest: vec![FAR; counts.iter().product()],
-            origin: Vector4::splat(low.into()),
-            per_side: f32x4::splat(1.0 / side),
+            nearest: Box::new([FAR; MAX_CELLS]),
             last: Vector4::splat(counts.map(|count| count as f32 - 1.0)),
             rows: f32x4::splat(counts[0] as f32),
             layers: f32x4::splat((counts[0] * counts[1]) as f32),
         };
         cells.stamp(samples, radius, side, low, counts);
-        cells
+        (cells, low, side)
     }
 
     /// Enters the nearest sample into all cells from which the path is in reach.
     fn stamp(&mut self, samples: &[Sample], radius: f32, side: f32, low: Vector, counts: [usize; 3]) {
         // Half of a cell's diagonal, and half of the distance between two of the points below.
         let reach = radius + 1.12 * side;
-        let mut distances = vec![reach * reach; self.nearest.len()];
+        let mut distances = vec![reach * reach; counts.iter().product()];
         for (number, sample) in samples.iter().enumerate() {
             let [before, after] = sample.gaps.map(|gap| libm::ceilf(gap / side) as i32);
             for part in -before..=after {
@@ -346,14 +354,13 @@ impl Cells {
     /// The numbers of the samples at four places.
     #[inline(always)]
     fn nearest(&self, place: Vector4) -> [u8; LANES] {
-        let offset = (place - self.origin) * self.per_side;
-        let cell = |place: f32x4, last: f32x4| smaller(larger(place, f32x4::ZERO), last).floor();
-        let row = cell(offset.x, self.last.x) + cell(offset.y, self.last.y) * self.rows;
-        let index = row + cell(offset.z, self.last.z) * self.layers;
-        // The low bits of a float next to 1.5 * 2^23 are its whole part.
-        let bits: u32x4 = cast(index + f32x4::splat(12_582_912.0));
-        let last = self.nearest.len() - 1;
-        bits.to_array()
-            .map(|bits| self.nearest[(bits.wrapping_sub(CELL_ZERO) as usize).min(last)])
+        // Adding 1.5 * 2^23 rounds to the nearest whole number, which is then in the low bits.
+        let magic = f32x4::splat(12_582_912.0);
+        // The sign of zero is lost, so that these are the same on every machine.
+        let cell = |place: f32x4, last: f32x4| place.fast_max(f32x4::ZERO).fast_min(last) + magic - magic;
+        let row = cell(place.x, self.last.x) + cell(place.y, self.last.y) * self.rows;
+        let index = row + cell(place.z, self.last.z) * self.layers;
+        let bits: u32x4 = cast(index + magic);
+        bits.to_array().map(|bits| self.nearest[bits as usize % MAX_CELLS])
     }
 }
