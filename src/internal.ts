@@ -10,6 +10,7 @@ export { FullScreen } from './renderer/gpu/fullScreen.ts';
 export { LONGEST_LINK } from './parameters/codec.ts';
 export { MAX_STOPS, MIN_STOPS, readCurve, writeCurve, type Stop } from './parameters/curve.ts';
 export { LONGEST_LEAD, readEnvironment, readTime, type Environment } from './parameters/environment.ts';
+export { MAX_POINTS, MIN_POINTS, readPath, writePath, type PathPoint } from './parameters/path.ts';
 export { MAX_NAME, nameOf } from './parameters/file.ts';
 export { LIST_LIMIT, listNames } from './parameters/lists.ts';
 export { notice } from './parameters/notice.ts';

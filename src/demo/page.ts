@@ -16,7 +16,7 @@ import type { Notices } from './ui/notices.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
 import { COLOR_TYPES, Palettes } from './palette/opener.ts';
-import { DRAW_EVENT, TIMELINE_EVENT } from './panel/control.ts';
+import { DRAW_EVENT, FLOW_EVENT, TIMELINE_EVENT } from './panel/control.ts';
 import { createPanel, PANEL_ID } from './panel/panel.ts';
 import { PALETTE_EVENT } from './panel/rampControl.ts';
 import { ROOMY } from './mediaQueries.ts';
@@ -115,7 +115,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     if (!matchMedia(ROOMY).matches) void timeline.close();
   });
   await nextTask();
-  const gizmos = new Gizmos(editor, stage);
+  const gizmos = new Gizmos(editor, stage, () => page.toggleGizmos());
   const gizmoToggle = iconButton('icon-button', strings.gizmos.title, icon('handles'), () => page.toggleGizmos());
   gizmoToggle.setAttribute('aria-pressed', 'false');
   statistics.toggle(parts.hasStatistics);
@@ -154,9 +154,15 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   const header = createHeader(page, captureButton.element, gizmoToggle, toggle);
   showPanel(matchMedia(ROOMY).matches);
   panel.addEventListener(TIMELINE_EVENT, () => void timeline.open());
+  panel.addEventListener(FLOW_EVENT, (event) => {
+    const isRoomy = matchMedia(ROOMY).matches;
+    // On a phone the panel would cover the picture.
+    if (!isRoomy) showPanel(false);
+    gizmos.drawFlow((event as CustomEvent<number>).detail, isRoomy ? (event.target as HTMLElement) : toggle);
+  });
   await nextTask();
   container.querySelector('.skeleton')?.remove();
-  container.append(gizmos.element, header, dock.element);
+  container.append(gizmos.element, header, dock.element, gizmos.brush);
   await nextTask();
   container.append(panel, palettes.element, help.element, sheet.element, views.element, statistics.element);
   const showParameters = (): void => showPanel(true);

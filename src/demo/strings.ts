@@ -111,6 +111,15 @@ export const strings = {
     addWhirl: 'Add a vortex',
     attachTo: (label: string) => `Attach ${label} to`,
   },
+  flow: {
+    draw: 'Draw a flow',
+    open: 'Draw in the picture\u2026',
+    remove: 'Straight up',
+    how: 'Draw a stroke over the picture. Enter draws a straight one.',
+    cancel: 'Cancel',
+    point: (label: string, point: number, count: number) =>
+      `${label}, point ${point} of ${count}. Enter adds one, Delete removes it`,
+  },
   transport: {
     title: 'Playback',
     play: 'Play',

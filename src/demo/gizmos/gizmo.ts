@@ -16,6 +16,8 @@ export interface Gizmo {
   place(values: Values): { x: number; y: number } | undefined;
   /** Changes for a move of the handle by CSS pixels to the right, up and towards the viewer. */
   move(from: Values, way: Direction): Changes;
+  /** Acts on another key. @returns whether it has a use for that key */
+  press?(key: string): boolean;
 }
 
 /** CSS pixels per press of an arrow key, without and with Shift. */
@@ -87,11 +89,13 @@ export class GizmoHandle {
   }
 
   private press(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
     const way = DIRECTIONS[event.key];
-    if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!way && !this.gizmo.press?.(event.key)) return;
     event.preventDefault();
     // The page uses the arrow keys to move the ball.
     event.stopPropagation();
+    if (!way) return;
     const pixels = event.shiftKey ? LEAP : NUDGE;
     this.apply(this.valuesNow(), [pixels * way[0], pixels * way[1], pixels * way[2]]);
   }

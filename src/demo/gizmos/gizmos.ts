@@ -3,6 +3,7 @@ import { LIST_LIMIT, startValues } from '../../internal.ts';
 import type { AnyValues, Values } from '../../preset.ts';
 import { create, createSvg, textButton } from '../ui/dom.ts';
 import type { Editor } from '../editor/editor.ts';
+import { FlowGizmos } from './flowGizmos.ts';
 import { GizmoHandle, type Gizmo } from './gizmo.ts';
 import { PlaceGizmo } from './placeGizmo.ts';
 import { strings } from '../strings.ts';
@@ -12,7 +13,7 @@ import { areSame, carrierChoices, type CarrierChoice } from '../panel/items.ts';
 
 const INDICES = Array.from({ length: LIST_LIMIT }, (_, index) => index);
 
-/** Handles over the smoke: sun, wind, emitters and vortices. */
+/** Handles over the smoke: sun, wind, emitters, vortices and the points of flows. */
 export class Gizmos {
   readonly element: HTMLElement;
   private readonly editor: Editor;
@@ -27,8 +28,12 @@ export class Gizmos {
   private readonly places: readonly PlaceGizmo[];
   private readonly handles: ReadonlyMap<Gizmo, GizmoHandle>;
   private readonly riding: Riding;
+  private readonly flows: FlowGizmos;
+  private readonly reveal: () => void;
 
-  constructor(editor: Editor, stage: Stage) {
+  /** @param reveal shows the handles */
+  constructor(editor: Editor, stage: Stage, reveal: () => void) {
+    this.reveal = reveal;
     this.editor = editor;
     this.stage = stage;
     this.places = (['emitters', 'vortices'] as const).flatMap((list) =>
@@ -37,11 +42,24 @@ export class Gizmos {
     const gizmos: readonly Gizmo[] = [this.sun, this.wind, ...this.places];
     this.handles = new Map(gizmos.map((gizmo) => [gizmo, new GizmoHandle(gizmo, editor, () => this.values)]));
     this.riding = new Riding(editor, stage, () => this.values);
-    const drawing = createSvg('svg', { class: 'gizmo-lines', 'aria-hidden': 'true' }, this.arc, this.arrow);
+    this.flows = new FlowGizmos({
+      editor,
+      stage,
+      values: () => this.values,
+      offset: () => this.offset(),
+      reveal: () => this.element.hidden && this.reveal(),
+    });
+    const lines = [this.flows.line, this.arc, this.arrow];
+    const drawing = createSvg('svg', { class: 'gizmo-lines', 'aria-hidden': 'true' }, ...lines);
     const addWhirl = textButton('quiet', strings.gizmos.addWhirl, () => this.addWhirl());
-    const tools = create('div', { class: 'gizmo-tools card' }, addWhirl, this.riding.element);
+    const tools = create('div', { class: 'gizmo-tools card' }, addWhirl, this.flows.button, this.riding.element);
     this.element = create('div', { class: 'gizmos', role: 'group', 'aria-label': strings.gizmos.title, hidden: true });
-    this.element.append(drawing, ...[...this.handles.values()].map(({ element }) => element), tools);
+    this.element.append(
+      drawing,
+      ...[...this.handles.values()].map(({ element }) => element),
+      this.flows.element,
+      tools,
+    );
     this.listen();
   }
 
@@ -50,6 +68,16 @@ export class Gizmos {
     this.element.hidden = !this.element.hidden;
     this.show();
     return !this.element.hidden;
+  }
+
+  /** Lies over the picture while a flow is drawn. */
+  get brush(): HTMLElement {
+    return this.flows.brush.element;
+  }
+
+  /** Lets the user draw the stroke of a flow. @param opener gets the focus if nothing is drawn */
+  drawFlow(index: number, opener: HTMLElement): void {
+    this.flows.draw(index, opener);
   }
 
   private listen(): void {
@@ -71,6 +99,7 @@ export class Gizmos {
     const [from, to] = [this.wind.begin, this.wind.place(values)];
     this.arrow.setAttribute('d', `M${from.x} ${from.y}L${to.x} ${to.y}`);
     this.riding.show();
+    this.flows.show();
   }
 
   private get values(): Values {
@@ -82,13 +111,19 @@ export class Gizmos {
   }
 
   private placeOf(list: 'emitters' | 'vortices', index: number): PlaceGizmo {
-    const offset = () => {
-      const [picture, overlay] = [this.stage.canvas as HTMLCanvasElement, this.element].map((element) =>
-        element.getBoundingClientRect(),
-      );
-      return { x: picture.left - overlay.left, y: picture.top - overlay.top };
-    };
-    return new PlaceGizmo(list, index, () => this.stage.sight, offset);
+    return new PlaceGizmo(
+      list,
+      index,
+      () => this.stage.sight,
+      () => this.offset(),
+    );
+  }
+
+  private offset(): { x: number; y: number } {
+    const [picture, overlay] = [this.stage.canvas as HTMLCanvasElement, this.element].map((element) =>
+      element.getBoundingClientRect(),
+    );
+    return { x: picture.left - overlay.left, y: picture.top - overlay.top };
   }
 
   /** Adds a vortex at the camera's target, with its axis along the line of sight. */

@@ -29,7 +29,7 @@ export function createControl(
     case 'ramp':
       return createRamp(parameter, describedBy, listener, current);
     case 'path':
-      return createText(parameter, describedBy, listener);
+      return createOpened(describedBy, listener, strings.flow, FLOW_EVENT, Number(parameter.key.split('.')[1]));
     case 'drawing':
       return createOpened(describedBy, listener, strings.drawing, DRAW_EVENT);
     case 'timeline':
@@ -63,6 +63,8 @@ function createChoice({ options }: ChoiceParameter, describedBy: string, listene
 
 /** Bubbles from the panel when the user wants to draw puffs. */
 export const DRAW_EVENT = 'drawpuffs';
+/** Bubbles from the panel when the user wants to draw a flow; its detail is the index of the flow. */
+export const FLOW_EVENT = 'drawflow';
 /** Bubbles from the panel when the user wants to open the timeline. */
 export const TIMELINE_EVENT = 'opentimeline';
 
@@ -72,8 +74,11 @@ function createOpened(
   listener: ControlListener,
   words: { readonly open: string; readonly remove: string },
   event: string,
+  detail?: number,
 ): Control {
-  const open = textButton('quiet', words.open, () => open.dispatchEvent(new CustomEvent(event, { bubbles: true })));
+  const open = textButton('quiet', words.open, () =>
+    open.dispatchEvent(new CustomEvent(event, { bubbles: true, detail })),
+  );
   open.id = uniqueId();
   open.setAttribute('aria-describedby', describedBy);
   // The label of the row would replace the text of the button.
@@ -92,28 +97,6 @@ function createColor(describedBy: string, listener: ControlListener): Control {
   input.addEventListener('input', () => listener.change(input.value));
   input.addEventListener('change', () => listener.settle());
   return { elements: [input], id, show: (value) => void (input.value = String(value)) };
-}
-
-/** A text as links have it. Invalid text restores the previous value. */
-function createText(parameter: Parameter, describedBy: string, listener: ControlListener): Control {
-  const id = uniqueId();
-  const input = create('input', { id, type: 'text', spellcheck: 'false', 'aria-describedby': describedBy });
-  let shown = '';
-  const show = (value: Value) => {
-    shown = String(value);
-    input.value = shown;
-    input.removeAttribute('aria-invalid');
-  };
-  input.addEventListener('input', () => {
-    const isValid = isAccepted(parameter, input.value);
-    input.setAttribute('aria-invalid', String(!isValid));
-    if (isValid) listener.change(input.value);
-  });
-  input.addEventListener('change', () => {
-    show(shown);
-    listener.settle();
-  });
-  return { elements: [input], id, show };
 }
 
 function createNumber(parameter: NumberParameter, describedBy: string, listener: ControlListener): Control {
