@@ -4,7 +4,7 @@
  */
 export { decode, encode, type Decoded, type State } from './parameters/codec.ts';
 export { FileError, ParameterError, SmokeError } from './base/errors.ts';
-export { readFile, writeFile, type SmokeFile } from './parameters/file.ts';
+export { readFile, writeFile, type ModelFile, type SmokeFile } from './parameters/file.ts';
 export type { Notice } from './parameters/notice.ts';
 export type {
   ItemIndex,

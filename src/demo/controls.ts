@@ -5,7 +5,7 @@ import type { Decoded } from '../preset.ts';
 import { followAddress } from './share/address.ts';
 import { BallKeys } from './input/ball.ts';
 import { Editor } from './editor/editor.ts';
-import { enterScene, showSlowProgress } from './ui/progress.ts';
+import { enterScene, showSlowProgress, standModel } from './ui/progress.ts';
 import { toggleFullScreen, stepOnce, togglePlaying } from './playback/transport.ts';
 import { GestureEnd, Pointers } from './input/pointer.ts';
 import { Flag } from './ui/flag.ts';
@@ -37,6 +37,9 @@ export async function addControls(controlled: Controlled): Promise<void> {
   const editor = new Editor(stage, decoded.state.preset, {
     nextFrame: () => new Promise(requestAnimationFrame),
     enter: (values) => enterScene(stage, values, container),
+    setModel: async (model) => {
+      for (const message of await standModel(stage, model, container)) notices.notify(message);
+    },
     notify: (message) => notices.notify(message),
   });
   followAddress(editor, async (read, isNewest) => {

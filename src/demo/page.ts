@@ -13,6 +13,7 @@ import type { Flag } from './ui/flag.ts';
 import { Help } from './ui/help.ts';
 import { icon } from './ui/icons.ts';
 import type { Notices } from './ui/notices.ts';
+import { isModel, Models } from './model/models.ts';
 import { OwnPresets } from './gallery/ownPresets.ts';
 import { OwnShape } from './gallery/ownShape.ts';
 import { COLOR_TYPES, Palettes } from './palette/opener.ts';
@@ -67,6 +68,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
   const toggle = iconButton('icon-button', strings.panel.open, icon('sliders'), () => page.togglePanel());
   toggle.setAttribute('aria-controls', PANEL_ID);
   const ownShape = new OwnShape(editor, stage, notices, container);
+  const models = new Models(parts);
   const files = new SmokeFiles(parts, container);
   const sheet = new ShareSheet(editor, stage, files);
   let hadPanel = false;
@@ -86,15 +88,21 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     const openColors = (): void => void palettes.open(file);
     if (await palettes.takes(file)) openColors();
     else if (isJson(file)) void files.open(file);
+    else if (isModel(file)) void models.open(file);
     else if (opened.every(isPicture)) drawing.ask(opened, openShape, openColors);
     else openShape();
   };
   acceptDrops(document.body, (dropped) => void openFiles(dropped));
   await nextTask();
-  const opener = createOpener(COLOR_TYPES, (chosen) => void openFiles(chosen));
+  const opener = createOpener(`${COLOR_TYPES},.glb`, (chosen) => void openFiles(chosen));
   const own = new OwnPresets(editor, stage, notices, opener);
   const statistics = createStatistics(stage);
-  const feet = { presets: own.element, puff: ownShape.element, end: createDebugPanel(stage, statistics) };
+  const feet = {
+    presets: own.element,
+    puff: ownShape.element,
+    model: models.element,
+    end: createDebugPanel(stage, statistics),
+  };
   const panel = await createPanel(editor, stage, feet, () => {
     page.togglePanel();
     toggle.focus();
@@ -126,7 +134,7 @@ export async function buildPage(container: HTMLElement, parts: PageParts): Promi
     document.body.classList.toggle('has-panel', isOpen);
   };
   const page: Page = {
-    share: () => void sheet.open(ownShape.name),
+    share: () => void sheet.open(ownShape.name, models.name),
     capture: () => captureButton.press(),
     help: () => help.toggle(),
     nextView: () => views.next(),

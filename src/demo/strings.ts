@@ -43,6 +43,11 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 
+/** A number with its noun. */
+function counted(count: number, noun: string): string {
+  return `${count.toLocaleString('en')} ${noun}${count === 1 ? '' : 's'}`;
+}
+
 /** All texts of the page, in one place for translation. Labels of parameters are in the table. */
 /** Size of a file. */
 function sizeOf(bytes: number): string {
@@ -303,10 +308,39 @@ export const strings = {
     open: 'From a palette or a picture\u2026',
     reading: (file: string) => `Reading the colours of ${file}\u2026`,
   },
+  model: {
+    title: 'Model',
+    text: 'A GLB file of at most 32 MB, 200,000 triangles and 64 materials that stands in the scene. Drop it on the page. Smoke comes from what you click.',
+    choose: 'Choose a GLB file\u2026',
+    remove: 'Remove the model',
+    none: 'Drop a GLB file on the page to make it stand in the scene.',
+    reading: (name: string) => `Reading ${name}\u2026`,
+    stands: (name: string) => `${name} stands in the scene. Click it to add smoke.`,
+    shown: (name: string, triangles: number, materials: number, box: readonly number[]) =>
+      `${name}: ${counted(triangles, 'triangle')}, ${counted(materials, 'material')}, ${box.map((side) => side.toPrecision(2)).join(' \u00d7 ')} m`,
+    tooLarge: (megabytes: number, most: number) => `It has ${megabytes} MB. The limit is ${most} MB.`,
+    unshared: (name: string) => `A link cannot contain the model ${name}. Save it as a file instead, which contains the model.`,
+    notKept: (name: string) => `A preset in the browser cannot contain the model ${name}. Save it as a file instead.`,
+    rows: {
+      x: ['Position x', 'Moves the model to the right.', 'm'],
+      y: ['Position y', 'Height of the underside of the model.', 'm'],
+      z: ['Position z', 'Moves the model towards you.', 'm'],
+      turn: ['Turn', 'Turns the model about its vertical axis.', '\u00b0'],
+      size: ['Size', 'Longest side of the model.', 'm'],
+      animation: ['Animation', 'The animation that plays. It repeats.', ''],
+      speed: ['Speed of the animation', 'Seconds of the animation per simulated second.', '\u00d7'],
+    },
+    noAnimation: 'None',
+    clicks: 'Click the model to add smoke',
+    node: 'Part that smokes',
+    add: 'Add smoke',
+    added: (node: string, emitter: string) => `${emitter} smokes from ${node}.`,
+    full: (most: number) => `There are ${most} emitters already. Remove one of them first.`,
+  },
   ownShape: {
     choose: 'Use your own mesh or puff sheet\u2026',
     back: 'Use the default puffs',
-    text: 'Makes puffs from a closed mesh or a puff sheet. Drop a .glb, .gltf or .obj file on the page, or one or two PNG images. They replace the shape controls above.',
+    text: 'Makes puffs from a closed mesh or a puff sheet. Choose a .glb, .gltf or .obj file or one or two PNG images, or drop a .gltf or .obj file or a PNG image on the page. They replace the shape controls above.',
     fitting: (name: string) => `Fitting a puff to ${name}\u2026`,
     shown: (name: string, overlap: number) => `${name}, ${Math.round(100 * overlap)} % match`,
     reading: 'Reading the puff sheet\u2026',

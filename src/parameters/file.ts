@@ -15,6 +15,18 @@ export const FORMAT = 'cartoon-smoke';
 export const MAX_NAME = 60;
 /** Maximum decompressed size of a take in bytes: a saved state of a million particles and a full input log. */
 const MAX_TAKE_BYTES = 128 * 1024 * 1024;
+/** Maximum size of the file of a model in bytes. */
+const MAX_MODEL_BYTES = 32 * 1024 * 1024;
+
+/** A model that stands in the scene. Links cannot contain it. */
+export interface ModelFile {
+  /** Name of its file, 1 to 60 characters. */
+  readonly name: string;
+  /** Content of its GLB file, at most 32 MB. Only a stage can validate it. */
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Where it stands and what it does, as `ModelOptions`. Only a stage can validate them. */
+  readonly options: Readonly<Record<string, unknown>>;
+}
 
 /** Content of a file. */
 export interface SmokeFile {
@@ -23,10 +35,11 @@ export interface SmokeFile {
   readonly state: State;
   /** A recorded moment, in simulated seconds, and the take that leads to it. A file without it is a preset. */
   readonly moment?: { readonly take: Uint8Array<ArrayBuffer>; readonly seconds: number };
+  readonly model?: ModelFile;
 }
 
 /** @param schema URL of the JSON schema, for validation in editors */
-export async function writeFile({ name, state, moment }: SmokeFile, schema: string): Promise<string> {
+export async function writeFile({ name, state, moment, model }: SmokeFile, schema: string): Promise<string> {
   const content = {
     $schema: schema,
     format: FORMAT,
@@ -35,6 +48,7 @@ export async function writeFile({ name, state, moment }: SmokeFile, schema: stri
     preset: state.preset,
     values: Object.fromEntries(ownValues(state).map(([{ key }, value]) => [key, value])),
     ...(moment && { moment: { seconds: moment.seconds, take: await packBytes(moment.take) } }),
+    ...(model && { model: { name: model.name, options: model.options, glb: await packBytes(model.bytes) } }),
   };
   return `${JSON.stringify(content, null, 2)}\n`;
 }
@@ -48,7 +62,9 @@ export async function readFile(text: string): Promise<SmokeFile & { notices: rea
   const notices: Notice[] = [];
   const state = readState(pairsOf(content, notices), notices, 'file');
   const moment = content.moment === undefined ? undefined : await readMoment(content.moment);
-  return { name: nameOf(content.name), state, ...(moment && { moment }), notices: summarise(notices) };
+  const model = content.model === undefined ? undefined : await readModel(content.model);
+  const parts = { ...(moment && { moment }), ...(model && { model }) };
+  return { name: nameOf(content.name), state, ...parts, notices: summarise(notices) };
 }
 
 async function parse(text: string): Promise<Record<string, unknown>> {
@@ -103,6 +119,14 @@ async function readMoment(value: unknown): Promise<NonNullable<SmokeFile['moment
   const inflated = await unpackBytes(take, MAX_TAKE_BYTES).catch(() => undefined);
   if (!inflated || inflated.isCut) throw new FileError('"take" of "moment" is damaged or too large.');
   return { take: inflated.bytes, seconds };
+}
+
+async function readModel(value: unknown): Promise<ModelFile> {
+  const { name, options, glb } = recordOf(value, '"model"');
+  if (typeof glb !== 'string') throw new FileError(`"glb" of "model" must be a string, not ${describe(glb)}.`);
+  const inflated = await unpackBytes(glb, MAX_MODEL_BYTES).catch(() => undefined);
+  if (!inflated || inflated.isCut) throw new FileError('"glb" of "model" is damaged or too large.');
+  return { name: nameOf(name), bytes: inflated.bytes, options: recordOf(options ?? {}, '"options" of "model"') };
 }
 
 /** Sanitises an untrusted name: at most 60 characters, 'Smoke' if it is empty or not a string. */

@@ -3,8 +3,11 @@
 /** Maximum decompressed size of a link, in bytes. */
 export const DECODED_LIMIT = 64 * 1024;
 
-// A chunk can expand a thousandfold before the stream can be cancelled, so input chunks are small.
+// A chunk can expand a thousandfold before the stream can be cancelled, so input chunks are small: at most this, in bytes,
+// or a 1024th of the limit.
 const PIECE = 256;
+/** Bytes that become text at once. */
+const SLICE = 8192;
 
 /** Decompressed bytes, and whether they were truncated at the limit. */
 export interface Inflated {
@@ -37,7 +40,9 @@ export async function unpack(packed: string): Promise<{ text: string; isCut: boo
  * @throws if the text is not base64url or not deflate data
  */
 export async function unpackBytes(packed: string, limit: number): Promise<Inflated> {
-  const reader = inPieces(fromBase64Url(packed)).pipeThrough(new DecompressionStream('deflate-raw')).getReader();
+  const reader = inPieces(fromBase64Url(packed), Math.max(PIECE, limit / 1024))
+    .pipeThrough(new DecompressionStream('deflate-raw'))
+    .getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let left = limit;
   for (;;) {
@@ -62,19 +67,21 @@ function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   return whole;
 }
 
-function inPieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<ArrayBuffer>> {
+function inPieces(bytes: Uint8Array<ArrayBuffer>, size: number): ReadableStream<Uint8Array<ArrayBuffer>> {
   let at = 0;
   return new ReadableStream({
     pull(controller) {
       if (at >= bytes.length) return controller.close();
-      controller.enqueue(bytes.subarray(at, (at += PIECE)));
+      controller.enqueue(bytes.subarray(at, (at += size)));
     },
   });
 }
 
 function toBase64Url(bytes: Uint8Array): string {
-  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  const slices = Array.from({ length: Math.ceil(bytes.length / SLICE) }, (_, index) =>
+    String.fromCharCode(...bytes.subarray(SLICE * index, SLICE * (index + 1))),
+  );
+  return btoa(slices.join('')).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
 function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {

@@ -29,6 +29,7 @@ export function fileSchema(): Schema {
       preset: { enum: presets.map(({ name }) => name), description: 'The base preset. The values override it.' },
       values: valuesSchema(),
       moment: MOMENT,
+      model: MODEL,
     },
     additionalProperties: false,
   };
@@ -41,6 +42,18 @@ const MOMENT: Schema = {
   properties: {
     seconds: { type: 'number', minimum: 0, description: 'Simulated seconds.' },
     take: { type: 'string', pattern: '^[\\w-]+$', description: 'Recorded input by step: base64url of deflate-raw.' },
+  },
+  additionalProperties: false,
+};
+
+const MODEL: Schema = {
+  type: 'object',
+  description: 'A model that stands in the scene.',
+  required: ['glb'],
+  properties: {
+    name: { type: 'string', minLength: 1, maxLength: MAX_NAME, description: 'The name of its file.' },
+    options: { type: 'object', description: 'Where it stands and what it does: the options of setModel.' },
+    glb: { type: 'string', pattern: '^[\\w-]+$', description: 'Its GLB file: base64url of deflate-raw.' },
   },
   additionalProperties: false,
 };

@@ -4,6 +4,7 @@ import {
   findParameter,
   findPreset,
   presetValues,
+  type ModelFile,
   type PresetName,
   type State,
   type AnyValues,
@@ -16,6 +17,11 @@ export const QUIET_MS = 300;
 
 /** Changed values; undefined for optional parameters that reverted to the scene's value. */
 export type Changes = Readonly<Record<string, Value | undefined>>;
+
+/** What the page shows: the state of links, and the model in the scene, which links cannot contain. */
+export interface PageState extends State {
+  readonly model: ModelFile | undefined;
+}
 
 /** Called after each change with the new state and the changed values. */
 export type EditListener = (state: State, changed: Changes) => void;
@@ -36,6 +42,8 @@ interface Surroundings {
   nextFrame(): Promise<unknown>;
   /** Makes the stage enter the scene of the values. */
   enter(values: Values): Promise<void>;
+  /** Makes a model stand in the scene of the stage, or removes it. */
+  setModel(model: ModelFile | undefined): Promise<void>;
   /** Reports what the stage rejected. */
   notify(message: string): void;
 }
@@ -48,13 +56,15 @@ interface Surroundings {
 export class Editor {
   private readonly stage: Pick<Stage, 'get' | 'replace' | 'on'>;
   private readonly surroundings: Surroundings;
-  private readonly history: History<State>;
+  private readonly history: History<PageState>;
   recorder: Recorder | undefined;
   private readonly listeners: EditListener[] = [];
   private readonly animationListeners: ((changed: Changes) => void)[] = [];
   private animated: AnyValues = {};
   /** The values that the stage had last, or was given. */
   private seen: Values;
+  /** The model that the stage had last. */
+  private seenModel: ModelFile | undefined;
   /** In progress while there are edits that the stage lacks. */
   private delivery: Promise<void> | undefined;
 
@@ -63,11 +73,11 @@ export class Editor {
     this.stage = stage;
     this.surroundings = surroundings;
     this.seen = stage.get();
-    this.history = new History<State>({ preset, values: this.seen });
+    this.history = new History<PageState>({ preset, values: this.seen, model: undefined });
     stage.on('statechange', () => this.updateAddress());
   }
 
-  get state(): State {
+  get state(): PageState {
     return this.history.present;
   }
 
@@ -135,7 +145,7 @@ export class Editor {
   settle(): void {
     const completing = this.recorder?.settle() ?? {};
     this.replace({ ...this.state, values: withChanges(this.state.values, completing) }, this.history.gesture);
-    this.history.settle((a, b) => a.preset === b.preset && isEmpty(differences(a.values, b.values)));
+    this.history.settle((a, b) => areSame(a, b));
     this.notify({});
   }
 
@@ -152,12 +162,23 @@ export class Editor {
     const found = findPreset(preset) ?? defaultPreset;
     const values = presetValues(found);
     const eye = values.scene === this.state.values.scene ? eyeOf(this.state.values) : {};
-    this.replace({ preset: found.name, values: { ...eye, ...values } }, gesture);
+    this.replace({ ...this.state, preset: found.name, values: { ...eye, ...values } }, gesture);
   }
 
-  /** Replaces the whole state, for example from a link. Can be undone. */
+  /** Replaces the state, for example by that of a link. The model stays. Can be undone. */
   load(state: State): void {
-    this.replace(state);
+    this.replace({ ...state, model: this.state.model });
+  }
+
+  /**
+   * Makes a model stand in the scene, or removes it, and replaces the state. Can be undone as one change.
+   * @throws what the stage rejects; nothing changes then
+   */
+  async stand(model: ModelFile | undefined, state?: State): Promise<void> {
+    await this.delivered();
+    await this.surroundings.setModel(model);
+    this.seenModel = model;
+    this.replace({ ...(state ?? this.state), model });
   }
 
   undo(): void {
@@ -168,8 +189,8 @@ export class Editor {
     this.go(() => this.history.redo());
   }
 
-  private replace(next: State, gesture?: string): void {
-    if (next.preset === this.state.preset && isEmpty(differences(this.state.values, next.values))) return;
+  private replace(next: PageState, gesture?: string): void {
+    if (areSame(this.state, next)) return;
     this.go(() => this.history.record(next, gesture));
   }
 
@@ -188,32 +209,36 @@ export class Editor {
     if (this.delivery && values.scene !== this.state.values.scene) return;
     const edits = differences(this.seen, this.state.values);
     this.seen = values;
-    this.adopt(withChanges(values, edits));
+    this.adopt({ values: withChanges(values, edits) });
   }
 
   /** Consecutive calls are undone together. */
-  private adopt(values: Values): void {
-    const changes = differences(this.state.values, values);
-    if (isEmpty(changes)) return;
-    this.recorder?.note(eyeOf(changes));
-    this.show(() => this.history.record({ ...this.state, values }, 'stage'));
+  private adopt(present: Partial<PageState>): void {
+    const next = { ...this.state, ...present };
+    if (areSame(this.state, next)) return;
+    this.recorder?.note(eyeOf(differences(this.state.values, next.values)));
+    this.show(() => this.history.record(next, 'stage'));
   }
 
   private async deliver(): Promise<void> {
     await this.surroundings.nextFrame();
-    const { values } = this.state;
-    const isTaken = await this.applyToStage(values);
+    const isTaken = await this.applyToStage(this.state);
     this.delivery = undefined;
     if (isTaken) this.updateAddress();
-    else this.adopt((this.seen = this.stage.get()));
-    if (!isEmpty(differences(this.seen, this.state.values))) this.delivery = this.deliver();
+    else this.adopt({ values: (this.seen = this.stage.get()), model: this.seenModel });
+    const { values, model } = this.state;
+    if (model !== this.seenModel || !isEmpty(differences(this.seen, values))) this.delivery = this.deliver();
   }
 
   /** @returns whether the stage took the values. It does not if it rejects them, or was sent to another scene */
-  private async applyToStage(values: Values): Promise<boolean> {
+  private async applyToStage({ values, model }: PageState): Promise<boolean> {
     const isNew = !isEmpty(differences(this.seen, values));
     this.seen = values;
     try {
+      if (model !== this.seenModel) {
+        await this.surroundings.setModel(model);
+        this.seenModel = model;
+      }
       if (values.scene !== this.stage.get().scene) {
         await this.surroundings.enter(values);
         // The optional values of the scene itself are no change of the state.
@@ -237,6 +262,10 @@ export class Editor {
   private notify(changed: Changes): void {
     for (const listener of this.listeners) listener(this.state, changed);
   }
+}
+
+function areSame(a: PageState, b: PageState): boolean {
+  return a.preset === b.preset && a.model === b.model && isEmpty(differences(a.values, b.values));
 }
 
 /** Those of the values that belong to the camera. */

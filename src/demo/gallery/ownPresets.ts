@@ -49,6 +49,7 @@ export class OwnPresets {
     const picture = await shrink(await this.stage.picture());
     const kept = this.presetStorage.keep(name, await writeFile({ name, state }, ''), picture);
     this.notices.mention(words.kept(kept.name));
+    if (state.model) this.notices.notify(strings.model.notKept(state.model.name));
   }
 
   private createCard(kept: StoredPreset): HTMLElement {

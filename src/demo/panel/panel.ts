@@ -11,7 +11,7 @@ import { strings } from '../strings.ts';
 
 export const PANEL_ID = 'parameters';
 
-/** Elements below the rows of a group, by group key, at the top (`presets`) or at the `end`. */
+/** Elements below the rows of a group, by group key, at the top (`presets`), above the items (`model`) or at the `end`. */
 type Feet = Readonly<Record<string, HTMLElement>>;
 
 /** The parameter panel, created from the table in short tasks. */
@@ -27,7 +27,7 @@ export async function createPanel(
   const caption = create('p', { class: 'caption', 'aria-hidden': 'true' }, strings.panel.caption);
   const items = createItems(editor, scene);
   const scroll = create('div', { class: 'scroll' }, ...(feet.presets ? [feet.presets] : []));
-  scroll.append(...createGroups(rows, feet), items.element, ...(feet.end ? [feet.end] : []));
+  scroll.append(...createGroups(rows, feet), feet.model, items.element, feet.end);
   const panel = create('section', { id: PANEL_ID, class: 'panel card', 'aria-label': strings.panel.title });
   const search = createSearch(() => [...rows, ...items.rows()], scroll);
   panel.append(new SheetGrip(panel, close).element, head.element, search, scroll, caption);

@@ -9,8 +9,8 @@ import type { Notices } from '../ui/notices.ts';
 import type { ShareKind } from './shareKind.ts';
 import { strings } from '../strings.ts';
 
-/** Maximum file size in bytes. A take that starts with 100,000 particles is smaller. */
-const MAX_BYTES = 32 * 1024 * 1024;
+/** Maximum file size in bytes. A take that starts with 100,000 particles and a model of 32 MB are smaller together. */
+const MAX_BYTES = 64 * 1024 * 1024;
 const SCHEMA = 'smoke-file.schema.json';
 
 /** Dependencies of SmokeFiles. */
@@ -39,7 +39,8 @@ export class SmokeFiles {
   async save(what: ShareKind): Promise<string> {
     const name = findPreset(this.editor.state.preset)?.label ?? strings.title;
     const moment = { take: this.stage.take().toBytes(), seconds: this.stage.stats.time };
-    const file = { name, state: this.editor.state, ...(what === 'moment' && { moment }) };
+    const { state } = this.editor;
+    const file = { name, state, model: state.model, ...(what === 'moment' && { moment }) };
     return saveFile(file, what === 'moment' ? 'take' : 'preset');
   }
 
@@ -47,9 +48,10 @@ export class SmokeFiles {
   async open(file: File): Promise<void> {
     try {
       if (file.size > MAX_BYTES) throw new FileError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
-      const { state, moment, notices, name } = await readFile(await file.text());
+      const { state, moment, model, notices, name } = await readFile(await file.text());
       for (const { message } of notices) this.notices.notify(message);
-      this.editor.load(state);
+      if (model !== this.editor.state.model) await this.editor.stand(model, state);
+      else this.editor.load(state);
       if (moment) await this.goTo(moment, state);
       else this.notices.mention(strings.files.opened(name));
     } catch (error) {

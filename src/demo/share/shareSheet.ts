@@ -28,6 +28,8 @@ export class ShareSheet {
   private readonly embed = create('details', { class: 'group share-embed' }, create('summary', {}, words.embed));
   private builder: EmbedBuilder | undefined;
   private links: Record<ShareKind, string> = { look: '', moment: '' };
+  /** What links cannot contain, as sentences. */
+  private missing = '';
 
   constructor(editor: Editor, stage: Stage, files: SmokeFiles) {
     this.editor = editor;
@@ -46,9 +48,17 @@ export class ShareSheet {
     this.send.hidden = !('share' in navigator);
   }
 
-  /** Opens the dialog with the current smoke. @param mesh name of the current mesh, which links cannot contain */
-  async open(mesh?: string): Promise<void> {
+  /**
+   * Opens the dialog with the current smoke.
+   * @param mesh name of the current mesh, which links cannot contain
+   * @param model name of the model in the scene, which links cannot contain
+   */
+  async open(mesh?: string, model?: string): Promise<void> {
     if (this.element.open) return;
+    this.missing = [
+      ...(mesh === undefined ? [] : [strings.ownShape.unshared(mesh)]),
+      ...(model === undefined ? [] : [strings.model.unshared(model)]),
+    ].join(' ');
     // Clear the previous links until the new ones are encoded.
     this.links = { look: '', moment: '' };
     this.show(this.kind.chosen);
@@ -56,7 +66,6 @@ export class ShareSheet {
     const moment = linkToMoment(this.editor.state, this.stage);
     this.links = { look: await linkTo(this.editor), moment: await moment };
     this.show(this.kind.chosen);
-    if (mesh !== undefined) this.notify(strings.ownShape.unshared(mesh));
     this.copy.focus();
   }
 
@@ -72,7 +81,7 @@ export class ShareSheet {
     this.field.disabled = this.copy.disabled = this.send.disabled = sent === '';
     this.embed.hidden = sent === '';
     this.builder?.show(sent);
-    this.notify(isTooLong ? words.tooLong(link.length, LONGEST_LINK) : '');
+    this.notify(isTooLong ? words.tooLong(link.length, LONGEST_LINK) : this.missing);
     void this.showCode(link);
   }
 

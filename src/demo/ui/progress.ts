@@ -1,4 +1,4 @@
-import type { Values } from '../../preset.ts';
+import type { ModelFile, Values } from '../../preset.ts';
 import type { LoadProgress, Stage } from '../../index.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
@@ -107,6 +107,21 @@ export function showSlowProgress(scrubber: Scrubber, container: HTMLElement): vo
     }
     progress.show(seek.share);
   });
+}
+
+/**
+ * Makes a model stand in the scene, or removes it, and shows progress over the scene if that is slow.
+ * @returns what the model lacks, as sentences
+ * @throws the errors of `Stage.setModel`
+ */
+export async function standModel(
+  stage: Stage,
+  model: ModelFile | undefined,
+  container: HTMLElement,
+): Promise<readonly string[]> {
+  const work = () => stage.setModel(model?.bytes ?? null, model?.options);
+  const shown = model ? await withProgress(strings.model.reading(model.name), container, work) : await work();
+  return shown?.notices ?? [];
 }
 
 /**

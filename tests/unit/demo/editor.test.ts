@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { Editor, type Changes } from '../../../src/demo/editor/editor.ts';
 import { lowestPlace, placeOf, PLACES, stepBy, valueAt } from '../../../src/demo/panel/control.ts';
 import { defaultState } from '../../../src/parameters/codec.ts';
+import type { ModelFile } from '../../../src/parameters/file.ts';
 import type { Value, Values } from '../../../src/parameters/parameter.ts';
 import { isAccepted } from '../../../src/parameters/values.ts';
 import { findParameter, table } from '../../../src/parameters/words/table.ts';
@@ -10,6 +11,7 @@ import type { NumberParameter } from '../../../src/parameters/words/words.ts';
 
 const numbers = table.filter((row): row is NumberParameter => row.kind === 'number' || row.kind === 'integer');
 const RATE = 'emission.rate';
+const DUCK: ModelFile = { name: 'duck.glb', bytes: new Uint8Array(4), options: {} };
 
 /** The part of a stage that an editor uses. */
 class FakeStage {
@@ -51,8 +53,13 @@ function editing() {
     );
   };
   const nextFrame = () => Promise.resolve();
+  const models: (ModelFile | undefined)[] = [];
+  const setModel = async (model: ModelFile | undefined) => {
+    if (stage.rejects) throw new Error('damaged');
+    models.push(model);
+  };
   const notify = (message: string) => notices.push(message);
-  const editor = new Editor(stage, defaultState().preset, { nextFrame, enter, notify });
+  const editor = new Editor(stage, defaultState().preset, { nextFrame, enter, setModel, notify });
   editor.listen((_state, changed) => notified.push(changed));
   return {
     editor,
@@ -60,6 +67,7 @@ function editing() {
     notices,
     notified,
     entered,
+    models,
     rate: () => editor.state.values[RATE],
     arrive: async (error?: Error) => {
       arrive(error);
@@ -204,6 +212,51 @@ describe('Editor and stage', () => {
     await editor.delivered();
     expect(notices).toEqual(['too many']);
     expect(rate()).toBe(stage.values[RATE]);
+  });
+
+  it('a model stands, is removed and stands again by undo and redo, and stays with other presets and links', async () => {
+    const { editor, models, stage } = editing();
+    await editor.stand(DUCK);
+    expect(models).toEqual([DUCK]);
+    editor.choose('lamp-noir');
+    editor.load(defaultState());
+    await editor.delivered();
+    expect([editor.state.model, models]).toEqual([DUCK, [DUCK]]);
+    editor.change(RATE, 200);
+    for (let undone = 0; undone < 3; undone++) editor.undo();
+    await editor.delivered();
+    expect([models.length, stage.values[RATE]]).toEqual([1, defaultState().values[RATE]]);
+    editor.undo();
+    await editor.delivered();
+    expect([editor.state.model, editor.canUndo, models]).toEqual([undefined, false, [DUCK, undefined]]);
+    editor.redo();
+    await editor.delivered();
+    expect(models).toEqual([DUCK, undefined, DUCK]);
+  });
+
+  it('a model and the values of its file are one change', async () => {
+    const { editor, rate } = editing();
+    const before = rate();
+    const { preset, values } = defaultState();
+    await editor.stand(DUCK, { preset, values: { ...values, [RATE]: 77 } });
+    expect([editor.state.model, rate()]).toEqual([DUCK, 77]);
+    editor.undo();
+    expect([editor.state.model, rate(), editor.canUndo]).toEqual([undefined, before, false]);
+  });
+
+  it('a model that the stage rejects changes nothing, also by redo', async () => {
+    const { editor, stage, notices } = editing();
+    stage.rejects = true;
+    await expect(editor.stand(DUCK)).rejects.toThrow('damaged');
+    expect([editor.state.model, editor.canUndo]).toEqual([undefined, false]);
+    stage.rejects = false;
+    await editor.stand(DUCK);
+    editor.undo();
+    await editor.delivered();
+    stage.rejects = true;
+    editor.redo();
+    await editor.delivered();
+    expect([editor.state.model, notices]).toEqual([undefined, ['damaged']]);
   });
 
   it('what is edited while a scene is entered reaches the stage when it has arrived', async () => {

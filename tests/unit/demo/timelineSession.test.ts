@@ -72,6 +72,7 @@ function editing(timeline = '') {
   const editor = new Editor(stage as never, defaultState().preset, {
     nextFrame: () => Promise.resolve(),
     enter: () => Promise.resolve(),
+    setModel: () => Promise.resolve(),
     notify: (message) => said.push(message),
   });
   const session = new Session({

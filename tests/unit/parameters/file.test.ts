@@ -16,12 +16,17 @@ const codes = async (text: string) => (await readFile(text)).notices.map(({ code
 describe('a file', () => {
   it('restores every state and take, also above the particle limit of links', async () => {
     const bytes = fc.uint8Array({ maxLength: 300 });
-    const anyFile = fc.record({ state: anyState, take: fc.option(bytes, { nil: undefined }), seconds: fc.nat(1e6) });
+    const anyModel = fc.record({ bytes, size: fc.double({ min: 0.01, max: 100, noNaN: true }) });
+    const optional = { take: fc.option(bytes, { nil: undefined }), model: fc.option(anyModel, { nil: undefined }) };
+    const anyFile = fc.record({ state: anyState, ...optional, seconds: fc.nat(1e6) });
     await fc.assert(
-      fc.asyncProperty(anyFile, async ({ state, take, seconds }) => {
+      fc.asyncProperty(anyFile, async ({ state, take, model: given, seconds }) => {
         const values = { ...state.values, 'simulation.maxParticles': 200_000 };
         const moment = take && { take: Uint8Array.from(take), seconds };
-        const file = { name: 'Thunder', state: { ...state, values }, ...(moment && { moment }) };
+        const options = { size: given?.size, position: { x: 1, y: 0, z: -2 }, animation: 'Fly' };
+        const model = given && { name: 'duck.glb', bytes: Uint8Array.from(given.bytes), options };
+        const parts = { ...(moment && { moment }), ...(model && { model }) };
+        const file = { name: 'Thunder', state: { ...state, values }, ...parts };
         expect(await readFile(await writeFile(file, './schema.json'))).toEqual({ ...file, notices: [] });
       }),
       { numRuns: 200 },
@@ -76,10 +81,28 @@ describe('a file', () => {
     [`{${head}, "moment": {"take": "AAAA"}}`, '"seconds" of "moment" must be a number from 0, not undefined'],
     [`{${head}, "moment": {"seconds": 1}}`, '"take" of "moment" must be a string, not undefined'],
     [`{${head}, "moment": {"seconds": 1, "take": "A!"}}`, '"take" of "moment" is damaged'],
+    [`{${head}, "model": "duck.glb"}`, '"model" must be an object, not a string'],
+    [`{${head}, "model": {"name": "duck.glb"}}`, '"glb" of "model" must be a string, not undefined'],
+    [`{${head}, "model": {"glb": "A!"}}`, '"glb" of "model" is damaged or too large'],
+    [`{${head}, "model": {"glb": "AwA", "options": 3}}`, '"options" of "model" must be an object, not a number'],
   ])('that is invalid is rejected: %s', async (text, message) => {
     await expect(readFile(text)).rejects.toThrow(FileError);
     await expect(readFile(text)).rejects.toThrow(message);
   });
+});
+
+it('a model of 32 MB is read, a larger one is rejected', async () => {
+  const sizes = [32 * 1024 * 1024, 32 * 1024 * 1024 + 1];
+  const [text, larger] = await Promise.all(
+    sizes.map((size) =>
+      writeFile(
+        { name: 'A', state: defaultState(), model: { name: 'a.glb', bytes: new Uint8Array(size), options: {} } },
+        '',
+      ),
+    ),
+  );
+  expect((await readFile(text)).model!.bytes.length).toBe(sizes[0]);
+  await expect(readFile(larger)).rejects.toThrow('"glb" of "model" is damaged or too large');
 });
 
 describe('the position of a fault', () => {
