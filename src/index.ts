@@ -53,6 +53,8 @@ export {
 export { presets, type Preset } from './parameters/words/presets.ts';
 export type { DebugView, Quality } from './parameters/quality.ts';
 export type { PlainMesh } from './renderer/puffs/fit/closedMesh.ts';
+export type { ShapeSource } from './page/outline/trace.ts';
+export { traceShape } from './page/outline/traceShape.ts';
 export { drawPuff } from './renderer/puffs/drawing/drawPuff.ts';
 export type { DrawnArea, Line, Point, PuffDrawing } from './renderer/puffs/drawing/drawing.ts';
 export { fitPuff, type FitOptions, type FittedPuff } from './renderer/puffs/fit/fitPuff.ts';

@@ -38,6 +38,7 @@ export type {
   ColorParameter,
   CurveParameter,
   DrawingParameter,
+  OutlineParameter,
   NumberParameter,
   Parameter,
   ParameterDescription,

@@ -40,6 +40,7 @@ const scenes: Readonly<Record<string, SceneWords>> = {
   firework: { loading: 'Lighting the fuse\u2026', picture: 'Coloured shells that burst over an island at night.' },
   title: { loading: 'Raising the curtain\u2026', picture: 'Four letters that burst out of a stage: puff.' },
   dragon: { loading: 'Waking the dragon\u2026', picture: 'A small dragon on its gold that breathes fire and smoke.' },
+  teapot: { loading: 'Putting the kettle on\u2026', picture: 'A teapot whose steam writes the word TEA.' },
   air: { loading: 'Taking a breath\u2026', picture: 'Nothing but smoke.' },
 };
 
@@ -296,6 +297,11 @@ export const strings = {
     title: 'Timeline',
     open: 'Open the timeline',
     remove: 'Remove the timeline',
+  },
+  outline: {
+    word: 'Type a word',
+    picture: 'Picture\u2026',
+    remove: 'Remove the outline',
   },
   purpose: {
     title: (file: string) => `What is ${file} for?`,

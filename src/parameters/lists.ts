@@ -7,7 +7,14 @@
  */
 import source from './lists.json' with { type: 'json' };
 import { MAX_STOPS } from './curve.ts';
-import type { ChoiceParameter, CurveParameter, NumberParameter, PathParameter, RampParameter } from './parameter.ts';
+import type {
+  ChoiceParameter,
+  CurveParameter,
+  NumberParameter,
+  OutlineParameter,
+  PathParameter,
+  RampParameter,
+} from './parameter.ts';
 import { choice, fixed, ofScene, quantity, unitOf } from './rows/row.ts';
 
 /** Maximum number of items per list, as in the simulator. */
@@ -19,7 +26,7 @@ export interface Field {
   readonly unit: string;
   readonly min: number;
   readonly max: number;
-  /** One number, three for a vector, or one for each stop of a curve or point of a path. */
+  /** One number, three for a vector, one for each stop of a curve or point of a path, or none for an outline. */
   readonly default: readonly number[];
   readonly whole: boolean;
   /** Names of the values 0, 1, ...; empty for a quantity. */
@@ -38,7 +45,8 @@ export const listNames: readonly string[] = Object.keys(lists);
 /** The number of an emitter that stands for the colours and the ink of its look. */
 export const LOOK_STYLE = 'look.style';
 
-type ItemParameter = NumberParameter | ChoiceParameter | CurveParameter | PathParameter | RampParameter;
+type ItemParameter =
+  NumberParameter | ChoiceParameter | CurveParameter | PathParameter | OutlineParameter | RampParameter;
 
 /** All rows of all items of all lists. */
 export function listParameters(): ItemParameter[] {
@@ -57,6 +65,8 @@ function itemParameters(list: string, index: number): ItemParameter[] {
 function fieldParameters(field: Field, item: string): ItemParameter[] {
   const key = `${item}.${field.key}`;
   if (field.key === LOOK_STYLE) return lookStyle(`${item}.look`);
+  if (field.default.length === 0)
+    return [ofScene({ kind: 'outline', key, reader: 'simulator', fixed: 'simulation', default: '' } as const)];
   if (isText(field)) return [ofScene({ kind: kindOf(field), key, reader: 'simulator', default: '' } as const)];
   return endsOf(field).map((end, part) =>
     field.names.length > 0 ? choiceOf(field, key + end) : numberOf(field, part, key + end),
@@ -83,7 +93,7 @@ function kindOf(field: Field): 'curve' | 'path' {
 /** The ends of the keys of a field: one, one for each axis of a vector, or one for each stop or point of a text. */
 export function endsOf(field: Field): readonly string[] {
   if (isText(field)) return field.default.map((_, stop) => `.${stop}`);
-  return field.default.length === 1 ? [''] : ['.x', '.y', '.z'];
+  return field.default.length < 3 ? [''] : ['.x', '.y', '.z'];
 }
 
 function choiceOf({ names, default: [initial] }: Field, key: string): ChoiceParameter {

@@ -5,11 +5,12 @@
 
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { DRAWING_LIMIT, MAX_DRAWINGS } from '../base/drawingText.ts';
+import { OUTLINE_LIMIT } from '../base/outlineText.ts';
 import { MIN_POINTS, MAX_POINTS } from './path.ts';
 import { MIN_COLORS, MAX_COLORS } from './ramp.ts';
 import type { ItemValues, SingleValues, PresetName } from './valueTypes.ts';
 
-/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve, ramp, path or drawing. */
+/** A parameter value: a number, the name of a choice, a colour `#rrggbb`, or the text of a curve, ramp, path, drawing or outline. */
 export type Value = number | string;
 
 /** Values by flat dotted key, of any type: for code that goes through the table. */
@@ -90,6 +91,12 @@ export interface DrawingParameter extends ParameterDescription {
   readonly default: string;
 }
 
+/** The outline of a shape, as text; empty for none. */
+export interface OutlineParameter extends ParameterDescription {
+  readonly kind: 'outline';
+  readonly default: string;
+}
+
 /** A timeline as text, which `timeline.ts` describes and reads; empty for none. */
 export interface TimelineParameter extends ParameterDescription {
   readonly kind: 'timeline';
@@ -105,6 +112,7 @@ export type Parameter =
   | RampParameter
   | PathParameter
   | DrawingParameter
+  | OutlineParameter
   | NumberParameter
   | ToggleParameter
   | ChoiceParameter
@@ -125,6 +133,8 @@ export function accepted(parameter: Parameter): string {
       return `nothing, or ${MIN_POINTS} to ${MAX_POINTS} points such as -.8:0:.1,.2:.35:0, below 100`;
     case 'drawing':
       return `nothing, or 1 to ${MAX_DRAWINGS} drawings of at most ${DRAWING_LIMIT} characters, as the drawing sheet writes them`;
+    case 'outline':
+      return `nothing, or an outline of at most ${OUTLINE_LIMIT} characters, as traceShape writes it`;
     case 'timeline':
       return `nothing, or a timeline of at most ${TIMELINE_LIMIT} characters`;
     case 'choice':

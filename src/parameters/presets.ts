@@ -10,6 +10,7 @@ import { presets as firework } from './byScene/firework.ts';
 import { presets as genie } from './byScene/genie.ts';
 import { presets as lamp } from './byScene/lamp.ts';
 import { presets as rocket } from './byScene/rocket.ts';
+import { presets as teapot } from './byScene/teapot.ts';
 import { presets as title } from './byScene/title.ts';
 import { presets as train } from './byScene/train.ts';
 import { presets as wisp } from './byScene/wisp.ts';
@@ -33,6 +34,7 @@ export const presets: readonly Preset[] = [
   ...firework,
   ...title,
   ...dragon,
+  ...teapot,
   ...air,
 ];
 

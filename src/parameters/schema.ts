@@ -1,6 +1,7 @@
 /** JSON Schema (2020-12) of the files that `file.ts` reads and writes, generated from the parameter table. */
 import { MIN_STOPS, MAX_STOPS } from './curve.ts';
 import { DRAWING_LIMIT, MAX_DRAWINGS } from '../base/drawingText.ts';
+import { OUTLINE_LIMIT } from '../base/outlineText.ts';
 import { FORMAT, MAX_NAME } from './file.ts';
 import { LIST_LIMIT } from './lists.ts';
 import { VERSION } from './migrations.ts';
@@ -94,6 +95,8 @@ function valueSchema(parameter: Parameter): Schema {
       return { type: 'string', pattern: PATH.source };
     case 'drawing':
       return { type: 'string', maxLength: MAX_DRAWINGS * (DRAWING_LIMIT + 1) - 1, pattern: '^[-;,*.\\w]*$' };
+    case 'outline':
+      return { type: 'string', maxLength: OUTLINE_LIMIT, pattern: '^[-;.\\w]*$' };
     case 'timeline':
       return { type: 'string', maxLength: TIMELINE_LIMIT, pattern: TIMELINE.source };
     default:

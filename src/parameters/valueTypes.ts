@@ -51,6 +51,7 @@ export type PresetName =
   | 'title'
   | 'dragon'
   | 'dragon-night'
+  | 'teapot'
   | 'air'
   | 'air-comic-explosion'
   | 'air-leaves'
@@ -71,6 +72,7 @@ export type SingleValues = {
     | 'firework'
     | 'title'
     | 'dragon'
+    | 'teapot'
     | 'air';
   /** Seed: Seed of the random numbers. The same seed makes the same smoke. A change restarts the smoke. */ seed: number;
   /** Rate: Number of new puffs per second. */ 'emission.rate': number;
@@ -407,6 +409,19 @@ export type ListValues = {
     /** Position y: Origin of the points. */ 'position.y': number;
     /** Position z: Origin of the points. */ 'position.z': number;
     /** Scale: Factor on the distances of the points from the origin, and on the radius. */ scale: number;
+  };
+  shapes: ScopeValues & {
+    /** Outline: The shape that smoke fills, as traced from a text, a picture or a mesh. */ outline: string;
+    /** Speed: Greatest speed at which smoke goes to where the shape lacks it; 0 disables the shape. */ speed: number;
+    /** Hold: How strongly smoke within the shape is slowed down, so that it does not rise or fall out of it. */ hold: number;
+    /** Size: Longer side of the shape. */ size: number;
+    /** Depth: Thickness of the shape. */ depth: number;
+    /** Position x: Centre of the shape. */ 'position.x': number;
+    /** Position y: Centre of the shape. */ 'position.y': number;
+    /** Position z: Centre of the shape. */ 'position.z': number;
+    /** Facing x: Direction from which the shape is read. */ 'facing.x': number;
+    /** Facing y: Direction from which the shape is read. */ 'facing.y': number;
+    /** Facing z: Direction from which the shape is read. */ 'facing.z': number;
   };
 };
 

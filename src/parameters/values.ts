@@ -1,6 +1,7 @@
 /** Values of the parameter table: defaults, validation, parsing and formatting. */
 import { readCurve } from './curve.ts';
 import { isDrawing } from '../base/drawingText.ts';
+import { isOutline } from '../base/outlineText.ts';
 import { ParameterError } from '../base/errors.ts';
 import {
   type Preset,
@@ -93,6 +94,8 @@ export function isAccepted(parameter: Parameter, value: unknown): boolean {
       return typeof value === 'string' && PATH.test(value);
     case 'drawing':
       return typeof value === 'string' && isDrawing(value);
+    case 'outline':
+      return typeof value === 'string' && isOutline(value);
     case 'timeline':
       // What it cannot read, `readTimeline` leaves out.
       return typeof value === 'string' && value.length <= TIMELINE_LIMIT;

@@ -22,6 +22,7 @@ export const sceneEntries: Readonly<Record<string, SceneEntry>> = {
   firework: { hasRigids: false, load: async () => (await import('./firework.ts')).firework() },
   title: { hasRigids: false, load: async () => (await import('./title.ts')).title() },
   dragon: { hasRigids: false, load: async () => (await import('./dragon.ts')).dragon() },
+  teapot: { hasRigids: false, load: async () => (await import('./teapot.ts')).teapot() },
   air: { hasRigids: false, load: async () => (await import('./air.ts')).air() },
 };
 

@@ -5,7 +5,7 @@
 import type { AnyValues } from '../parameters/parameter.ts';
 
 /** The lists of rare forces. */
-const KEY = /\bflows\.\d/;
+const KEY = /\b(flows|shapes)\.\d/;
 
 /** Whether values have rare forces, or their timeline has. */
 export function hasRareForces(values: AnyValues): boolean {

@@ -1,6 +1,15 @@
+import { isOutline, packedOutline, unpackedOutline } from '../base/outlineText.ts';
 import { MAX_STOPS, readCurve, writeCurve, type Stop } from '../parameters/curve.ts';
 import { LOOK_STYLE } from '../parameters/lists.ts';
-import type { AnyValues, CurveParameter, Parameter, PathParameter, Value, Values } from '../parameters/parameter.ts';
+import type {
+  AnyValues,
+  CurveParameter,
+  OutlineParameter,
+  Parameter,
+  PathParameter,
+  Value,
+  Values,
+} from '../parameters/parameter.ts';
 import { MAX_POINTS, readPath, writePath, type PathPoint } from '../parameters/path.ts';
 import { findParameter, table } from '../parameters/table.ts';
 import { isOfLookStyle, NO_STYLE } from './lookStyles.ts';
@@ -33,14 +42,16 @@ function lookStyleOf(key: string, values: AnyValues): Record<string, number> {
 }
 
 /** A parameter that is one text here and several numbers in the simulator. */
-type TextParameter = CurveParameter | PathParameter;
+type TextParameter = CurveParameter | PathParameter | OutlineParameter;
 
 function isText(parameter: Parameter): parameter is TextParameter {
-  return parameter.kind === 'curve' || parameter.kind === 'path';
+  return parameter.kind === 'curve' || parameter.kind === 'path' || parameter.kind === 'outline';
 }
 
 function numbersOf(parameter: TextParameter, text: string): Record<string, number> {
   if (parameter.kind === 'curve') return stopsOf(parameter, text);
+  if (parameter.kind === 'outline')
+    return Object.fromEntries(packedOutline(text).map(([end, number]) => [parameter.key + end, number]));
   const points = readPath(text);
   const entries = Array.from({ length: MAX_POINTS }, (_, index) => [
     `${parameter.key}.${index}`,
@@ -141,6 +152,10 @@ function textIn(numbers: ReadonlyMap<string, number>, parameter: TextParameter, 
     const packed = wanted.map(([key]) => numbers.get(key) ?? 0).filter((number) => number > 0);
     // Only a forged take has one point.
     return packed.length > 1 ? writePath(packed.map(unpackedPoint)) : '';
+  }
+  if (parameter.kind === 'outline') {
+    const outline = unpackedOutline(wanted.map(([key]) => numbers.get(key) ?? 0));
+    return isOutline(outline) ? outline : '';
   }
   const stops =
     parameter.default === ''

@@ -43,6 +43,8 @@ export function valueOf(parameter: Parameter, share: number): Value {
     }
     case 'drawing':
       return share < 0.5 ? '' : 'ff8800*GRk-gg-Cg;ffffff*GRk-gg-Cg.G5uqggqWg,3355aa*Hh4qggqWg,*G5uqv';
+    case 'outline':
+      return share < 0.5 ? '' : 'GRkgg-CgA.G5uqggqWg;;Hh4qggqWg';
     case 'timeline':
       return share < 0.5 ? '' : `600*loop;emission.rate/0*60/120*${share}*e;burst/60*0*24`;
     case 'ramp':

@@ -2,7 +2,7 @@ import { inkOf, readRamp, styleOf, type RampStop, type Style } from '../../inter
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 import { isSame, NOISE, PixelReader } from './pixels.ts';
-import { type Point, simplifyArc } from './simplify.ts';
+import { simplifyArc, type Point } from '../../internal.ts';
 import type { Studio } from './studio.ts';
 import { bandsOf, hasMarks, patternOf, styleOfAmounts, WITHOUT_MARKS } from './svgMarks.ts';
 

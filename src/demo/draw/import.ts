@@ -1,19 +1,12 @@
 /** Turns pictures, SVG files and letters into sketches. */
 import { ShapeError } from '../../index.ts';
-import { MAX_DRAWINGS, SIDE } from '../../internal.ts';
+import { MAX_DRAWINGS, pictureOfSvg, SIDE, type Picture } from '../../internal.ts';
 import { strings } from '../strings.ts';
 import { COLORS, emptySketch, isOnPaper, PAPER, withoutSpecks, type Sketch } from './sketch.ts';
-import { readSvg, type SvgPicture } from './svg.ts';
 
 export const PICTURE_TYPES = '.png,.svg';
 const MAX_BYTES = 32 * 1024 * 1024;
 const MAX_PIXELS = 8192;
-
-/** Draws a picture in its own units. */
-export interface Picture {
-  readonly box: readonly [x: number, y: number, width: number, height: number];
-  draw(context: OffscreenCanvasRenderingContext2D): void;
-}
 
 /** @throws ShapeError if the file is no picture, too large or empty */
 export async function sketchOfFile(file: File): Promise<Sketch> {
@@ -42,7 +35,7 @@ async function naming<Result>(file: File, read: () => Promise<Result>): Promise<
 /** @throws ShapeError if the file is too large or no picture that the browser reads */
 export async function pictureOfFile(file: File): Promise<Picture> {
   if (file.size > MAX_BYTES) throw new ShapeError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
-  return /\.svg$/i.test(file.name) ? svgPicture(readSvg(await file.text())) : bitmapOf(file);
+  return /\.svg$/i.test(file.name) ? pictureOfSvg(await file.text()) : bitmapOf(file);
 }
 
 async function bitmapOf(file: File): Promise<Picture> {
@@ -64,32 +57,6 @@ async function bitmapOf(file: File): Promise<Picture> {
 function requireSize(width: number, height: number): void {
   if (Math.max(width, height) > MAX_PIXELS) throw new ShapeError(strings.drawing.tooManyPixels(MAX_PIXELS));
 }
-
-function svgPicture({ box, shapes }: SvgPicture): Picture {
-  const paths = shapes.map((shape) => ({ ...shape, path: new Path2D(shape.path) }));
-  return {
-    box,
-    draw(context) {
-      for (const { path, matrix, fill, stroke, strokeWidth, rule } of paths) {
-        context.save();
-        context.transform(...(matrix as DOMMatrix2DTuple));
-        context.fillStyle = context.strokeStyle = '#000000';
-        if (fill !== undefined) {
-          context.fillStyle = fill;
-          context.fill(path, rule);
-        }
-        if (stroke !== undefined) {
-          context.strokeStyle = stroke;
-          context.lineWidth = strokeWidth;
-          context.stroke(path);
-        }
-        context.restore();
-      }
-    },
-  };
-}
-
-type DOMMatrix2DTuple = [number, number, number, number, number, number];
 
 function letter(text: string): Picture {
   return {

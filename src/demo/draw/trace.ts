@@ -2,13 +2,14 @@
 import {
   DRAWING_LIMIT,
   drawingText,
+  ringsOf,
   SIDE,
+  simplified,
+  areaOf,
   type DrawnArea,
   type Line,
-  type Point,
   type PuffDrawing,
 } from '../../internal.ts';
-import { simplifyArc } from '../capture/simplify.ts';
 import { withoutSpecks, type Sketch } from './sketch.ts';
 
 /** Deviation in units with which tracing begins, and its growth while the text is too long, or several times so. */
@@ -106,77 +107,17 @@ function dilated(mask: Uint8Array, step: number): Uint8Array {
   return wide;
 }
 
-const STEPS = [
-  [1, 0],
-  [0, 1],
-  [-1, 0],
-  [0, -1],
-];
-
-/** The outlines of a mask along the edges of its pixels. The mask is empty at the border. */
-function ringsOf(mask: Uint8Array): Line[] {
-  // Edges that leave each corner, one bit a direction, with the mask on their right.
-  const edges = new Uint8Array(SIDE * SIDE);
-  mask.forEach((isIn, at) => {
-    if (!isIn) return;
-    if (!mask[at - SIDE]) edges[at] |= 1;
-    if (!mask[at + 1]) edges[at + 1] |= 2;
-    if (!mask[at + SIDE]) edges[at + SIDE + 1] |= 4;
-    if (!mask[at - 1]) edges[at + SIDE] |= 8;
-  });
-  const rings: Line[] = [];
-  for (let corner = 0; corner < edges.length; corner++) while (edges[corner]) rings.push(ringFrom(corner, edges));
-  return rings;
-}
-
-/** Follows edges from a corner back to it, and removes them. */
-function ringFrom(start: number, edges: Uint8Array): Line {
-  const ring: Point[] = [];
-  let corner = start;
-  let heading = 31 - Math.clz32(edges[start]);
-  do {
-    // Where pixels meet at a corner, they stay apart.
-    const next = [heading + 1, heading, heading + 3].map((way) => way & 3).find((way) => edges[corner] & (1 << way));
-    heading = next ?? heading;
-    edges[corner] &= ~(1 << heading);
-    ring.push([corner % SIDE, Math.floor(corner / SIDE)]);
-    corner += STEPS[heading][0] + SIDE * STEPS[heading][1];
-  } while (corner !== start);
-  return [...ring, ring[0]];
-}
-
 function areasOf(layers: readonly Layer[], colors: readonly string[], tolerance: number): DrawnArea[] {
-  const largest = Math.max(...layers.flatMap(({ rings }) => rings.map(sizeOf)));
+  const largest = Math.max(...layers.flatMap(({ rings }) => rings.map(areaOf)));
   const least = Math.min(2 * tolerance ** 2, largest);
   return layers.flatMap(({ value, rings }) => {
-    const lines = rings.filter((ring) => sizeOf(ring) >= least).map((ring) => simplified(ring, tolerance));
+    const lines = rings.filter((ring) => areaOf(ring) >= least).map((ring) => simplified(ring, tolerance));
     // Outlines close themselves.
     const outlines = lines.map((line) => line.slice(0, -1)).filter((line) => line.length > 2);
     return outlines.length > 0 ? [{ color: colors[value - 1], outlines }] : [];
   });
 }
 
-/** The area inside a ring. */
-function sizeOf(ring: Line): number {
-  const twice = ring.reduce((sum, [x, y], at) => {
-    const [nextX, nextY] = ring[at + 1] ?? ring[0];
-    return sum + x * nextY - y * nextX;
-  }, 0);
-  return Math.abs(twice) / 2;
-}
-
 function lengthOf(line: Line): number {
   return line.slice(1).reduce((sum, [x, y], at) => sum + Math.hypot(x - line[at][0], y - line[at][1]), 0);
-}
-
-/** The line with fewer points, in whole units. */
-function simplified(line: Line, tolerance: number): Line {
-  const points = simplifyArc(line, tolerance).map(([x, y]): Point => [rounded(x), rounded(y)]);
-  return points.filter(([x, y], at) => at === 0 || x !== points[at - 1][0] || y !== points[at - 1][1]);
-}
-
-/** Rounds halves away from the middle, so that symmetric drawings stay symmetric. */
-function rounded(place: number): number {
-  const away = place - SIDE / 2;
-  return SIDE / 2 + Math.sign(away) * Math.min(SIDE / 2 - 1, Math.round(Math.abs(away)));
 }

@@ -1,6 +1,7 @@
 /** Finds the colours of a picture. */
 import { inPieces, unlessAborted, type Work } from '../../internal.ts';
-import { pictureOfFile, type Picture } from '../draw/import.ts';
+import type { Picture } from '../../internal.ts';
+import { pictureOfFile } from '../draw/import.ts';
 import { chromaOf, distance, hexOf, labOfRgb, type Lab } from './color.ts';
 
 /** A colour and the part of the picture that it covers, 0 to 1. */

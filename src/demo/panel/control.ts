@@ -2,6 +2,7 @@ import { isAccepted } from '../../internal.ts';
 import type { AnyValues, ChoiceParameter, NumberParameter, Parameter, Value } from '../../preset.ts';
 import { createCurve } from './curveControl.ts';
 import { create, textButton, uniqueId } from '../ui/dom.ts';
+import { createOutline } from './outlineControl.ts';
 import { createRamp } from './rampControl.ts';
 import { strings } from '../strings.ts';
 import type { Control, ControlListener } from './controlTypes.ts';
@@ -32,6 +33,8 @@ export function createControl(
       return createOpened(describedBy, listener, strings.flow, FLOW_EVENT, Number(parameter.key.split('.')[1]));
     case 'drawing':
       return createOpened(describedBy, listener, strings.drawing, DRAW_EVENT);
+    case 'outline':
+      return createOutline(parameter, describedBy, listener);
     case 'timeline':
       return createOpened(describedBy, listener, strings.timeline, TIMELINE_EVENT);
     default:

@@ -15,6 +15,7 @@ const byScene: Readonly<Record<string, () => Promise<{ presets: readonly Preset[
   firework: () => import('./firework.ts'),
   title: () => import('./title.ts'),
   dragon: () => import('./dragon.ts'),
+  teapot: () => import('./teapot.ts'),
   air: () => import('./air.ts'),
 };
 

@@ -14,6 +14,7 @@ const SCENES = [
   'firework',
   'title',
   'dragon',
+  'teapot',
   'air',
 ] as const;
 

@@ -1,5 +1,5 @@
 /** What the panel says of the simulator's lists. The simulator generates lists.json, as the one in the parent folder. */
-import { endsOf, LIST_LIMIT, listNames, lists } from '../lists.ts';
+import { endsOf, LIST_LIMIT, listNames, lists, type Field } from '../lists.ts';
 import type { Parameter } from '../parameter.ts';
 import source from './lists.json' with { type: 'json' };
 import type { AnyWords } from './words.ts';
@@ -52,13 +52,24 @@ export const itemGroups: readonly { readonly key: string; readonly list: string;
     })),
   );
 
+/** Whether a field is the outline of a shape. */
+function isOutline({ default: { length } }: Field): boolean {
+  return length === 0;
+}
+
+/** The outline of a newly added shape: a heart. */
+const FIRST_OUTLINE = 'IBKiYqM3Owewd_uz8gxgxXxWxB-QuQuJ4WyeneZWOJIQSQSBCXPWPgPgPzE_Swjwi3yq0';
+
 /** Values by flat key that create item `index` of a list with a visible effect. */
-export function startValues(list: string, index: number): Record<string, number> {
+export function startValues(list: string, index: number): Record<string, number | string> {
   const startOf = (key: string) => words[list].fields[key].start;
-  const starting = lists[list].filter(({ key }) => startOf(key) !== undefined);
+  const starting = lists[list].filter((field) => startOf(field.key) !== undefined || isOutline(field));
   const chosen = starting.length > 0 ? starting : lists[list].filter((field) => field.names.length === 0).slice(0, 1);
   return Object.fromEntries(
-    chosen.map((field) => [`${list}.${index}.${field.key}${endsOf(field)[0]}`, startOf(field.key) ?? field.default[0]]),
+    chosen.map((field) => [
+      `${list}.${index}.${field.key}${endsOf(field)[0]}`,
+      startOf(field.key) ?? field.default[0] ?? FIRST_OUTLINE,
+    ]),
   );
 }
 

@@ -78,6 +78,7 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   title: { label: 'Title', text: 'Twelve seconds of film: four letters burst out of the stage in clouds of colour.' },
   dragon: { label: 'Dragon', text: 'A small dragon that breathes fire and smoke on the beat.' },
   'dragon-night': { label: 'Night', text: 'The fire lights the dragon, its gold and its smoke.' },
+  teapot: { label: 'Teapot', text: 'Steam that writes a word, again every twelve seconds.' },
   air: { label: 'Open air', text: 'Only smoke, to flow over pages and around their elements.' },
   'air-comic-explosion': {
     label: 'Comic explosion',

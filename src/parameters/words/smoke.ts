@@ -22,6 +22,7 @@ export const smokeWords: WordsOf<Rows> = {
       firework: 'Firework',
       title: 'Title',
       dragon: 'Dragon',
+      teapot: 'Teapot',
       air: 'Open air',
     },
   },

@@ -45,6 +45,9 @@ export interface PathParameter extends bare.PathParameter, ParameterDescription 
 /** Drawn puffs, as text; empty for none. */
 export interface DrawingParameter extends bare.DrawingParameter, ParameterDescription {}
 
+/** The outline of a shape, as text; empty for none. */
+export interface OutlineParameter extends bare.OutlineParameter, ParameterDescription {}
+
 /** A timeline as text; empty for none. */
 export interface TimelineParameter extends bare.TimelineParameter, ParameterDescription {}
 
@@ -54,6 +57,7 @@ export type Parameter =
   | RampParameter
   | PathParameter
   | DrawingParameter
+  | OutlineParameter
   | NumberParameter
   | ToggleParameter
   | ChoiceParameter

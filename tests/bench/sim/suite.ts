@@ -3,6 +3,7 @@ import type { Figure } from '../support/figures.ts';
 import { measureCollisions } from './collide/collisions.ts';
 import { measureLooks } from './looks.ts';
 import { measureParts } from './parts.ts';
+import { measureShapes } from './shapes.ts';
 import { measureSizes } from './sizes.ts';
 import { measureTimeline } from './timeline.ts';
 import { measureAgainstCompat } from './collide/versusCompat.ts';
@@ -16,6 +17,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureParts(quick)),
     ...(await measureLooks(quick)),
     ...(await measureSizes(quick)),
+    ...(await measureShapes(quick)),
     ...(await measureTimeline(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),

@@ -8,7 +8,9 @@ import { timelineHashes, timelineValues } from '../../support/sim/timelineHashes
 
 /** @param moments simulated seconds, ascending @returns the hashes by seconds */
 export function hashesInPage(name: string, moments: readonly number[]): Promise<Record<string, string>> {
-  return hashesOf(name, moments, (physics) => loadSimulators({ physics }));
+  return hashesOf(name, moments, (variant) =>
+    loadSimulators({ physics: variant === 'meshes' ? MESHES : variant === 'physics' }),
+  );
 }
 
 export async function hashOfMeshes(fixture: string): Promise<string> {

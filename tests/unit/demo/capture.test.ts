@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { indexFrame } from '../../../src/demo/capture/clips/gif.ts';
 import { labelColors, type Labels } from '../../../src/demo/capture/labels.ts';
-import type { Point } from '../../../src/demo/capture/simplify.ts';
+import type { Point } from '../../../src/page/outline/simplify.ts';
 import { traceRegion } from '../../../src/demo/capture/svg.ts';
 
 const [RED, GREEN, BLUE] = [0xff2030c0, 0xff30c020, 0xffc03020];

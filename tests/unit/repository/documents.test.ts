@@ -37,6 +37,7 @@ function range(parameter: Parameter): string {
     case 'path':
     case 'ramp':
     case 'drawing':
+    case 'outline':
     case 'timeline':
       return parameter.kind;
     case 'choice':

@@ -13,6 +13,7 @@ import { coarserSurfaces } from '../../../src/renderer/sceneSurfaces.ts';
 import { Drag } from '../../../src/stage/drag.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
 import { finished } from '../../../src/base/work.ts';
+import { variantOf } from '../../support/sim/presetHashes.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
 const NAMES = Object.keys(sceneEntries);
@@ -43,7 +44,7 @@ describe.each(NAMES)('%s', (name) => {
 
   beforeAll(async () => {
     await fetchTimelineText(presetValues(findPreset(name)!));
-    [scene, factory] = await Promise.all([load(), loadVariant(hasRigids ? 'physics' : 'core')]);
+    [scene, factory] = await Promise.all([load(), loadVariant(variantOf(hasRigids, presetValues(findPreset(name)!)))]);
   });
 
   test('matches its entry of the list', () => {

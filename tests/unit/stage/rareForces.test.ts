@@ -1,4 +1,4 @@
-/** Smoke that gets its first flow in a core simulator is the same as that of a larger simulator from the start. */
+/** Smoke that gets its first flow or shape in a core simulator is the same as that of a larger simulator from the start. */
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import { defaults } from '../../../src/parameters/values.ts';
@@ -11,6 +11,10 @@ import { loadVariant } from '../../support/sim/simWasm.ts';
 
 const VALUES: Values = { ...defaults(), scene: 'wisp', 'simulation.maxParticles': 500 };
 const FLOW: Values = { 'flows.0.speed': 2, 'flows.0.swirl': 3, 'flows.0.points': '0:.2:0,.4:.9:.1,-.3:1.6:-.2' };
+const SHAPE: Values = {
+  'shapes.0.outline': 'IBKiYqM3Owewd_uz8gxgxXxWxB-QuQuJ4WyeneZWOJIQSQSBCXPWPgPgPzE_Swjwi3yq0',
+  'shapes.0.speed': 2,
+};
 const LANE = '120;flows.0.speed/0*0/60*3/100*1;burst/0*0*20';
 
 const extras = loaded as { rareForces?: SimulatorFactory };
@@ -47,6 +51,7 @@ const CASES: Record<string, { readonly start?: Values; readonly act: (simulation
       simulation.set({ 'flows.0.points': '0:.2:0,.4:.9:.1,-.3:1.6:-.25', 'emission.rate': 90 });
     },
   },
+  'a shape': { act: (simulation) => simulation.set(SHAPE) },
   'a timeline': { act: (simulation) => simulation.play(LANE) },
   'a timeline from the start': { start: { ...VALUES, timeline: LANE }, act: () => undefined },
   'a saved state': {

@@ -22,6 +22,7 @@ const OTHERS = [
   'demo/film/film',
   'demo/gallery/ownShape',
   'demo/palette/picture',
+  'page/outline/trace',
 ];
 
 test('no other file decides by pixels that it reads', () => {

@@ -21,6 +21,7 @@ import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer
 import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
 import { UnrealBloomPass } from 'three/examples/jsm/postprocessing/UnrealBloomPass.js';
+import { traceShape } from '../../../src/page/outline/traceShape.ts';
 import { driveByScroll } from '../../../src/page/drivers/scroll.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
@@ -39,7 +40,7 @@ const LOOK: Values = {
   'style.outlineWidth': 1.5,
 };
 
-export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline' | 'drivers';
+export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline' | 'drivers' | 'shapes';
 /** Gap between the shots of a picture, pixels. */
 const GAP = 2;
 
@@ -194,6 +195,34 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => unknown]>> = {
     });
     const { smoke } = setting;
     const shots = [60, 130, 200].map((step) => () => smoke.step(step - smoke.stats.steps));
+    return [setting, () => (smoke.restart(), drawShots(setting, shots))];
+  },
+
+  async shapes() {
+    const heart = 'M0 -25C-15 -75 -90 -65 -85 -5C-80 45 -25 65 0 95C25 65 80 45 85 -5C90 -65 15 -75 0 -25Z';
+    const setting = await chimneySmoke({
+      'emission.rate': 260,
+      'emission.lifetime': 6,
+      'emission.growthTime': 0.4,
+      'emission.density': '0:1,.9:.95,1:0',
+      'simulation.maxParticles': 1600,
+      'emitters.0.envelope.duration': 2.4,
+      'emitters.0.lifetimeVariation': 0.1,
+      'shapes.0.outline': await traceShape({ path: heart }),
+      'shapes.0.speed': 2,
+      'shapes.0.size': 1.5,
+      'shapes.0.depth': 0.2,
+      'shapes.0.position.x': 0.15,
+      'shapes.0.position.y': 2.95,
+      'shapes.0.envelope.duration': 4.6,
+      'shapes.0.envelope.fade': 0.4,
+      'style.simplify': 3,
+    });
+    const { smoke, camera } = setting;
+    smoke.set({ 'emitters.0.size': 0.13 });
+    camera.position.set(0.25, 2.2, 6.6);
+    camera.lookAt(0.15, 2.1, 0);
+    const shots = [70, 255, 330].map((step) => () => smoke.step(step - smoke.stats.steps));
     return [setting, () => (smoke.restart(), drawShots(setting, shots))];
   },
 

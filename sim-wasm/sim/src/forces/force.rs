@@ -27,7 +27,7 @@ pub enum Phase {
 }
 
 /// The inputs of all forces in a step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct ForceContext<'s> {
     pub parameters: &'s Parameters,
     pub now: StepTime<'s>,

@@ -141,6 +141,8 @@ impl Simulator {
         let before = self.integrator();
         self.parameters = *changed;
         if self.integrator() != before {
+            self.prepared.follow(&self.parameters);
+            self.measure_smoke();
             let vortex_particles = self.vortex_particles.as_deref();
             self.motion().take_over(&mut self.particles, vortex_particles);
         }
@@ -277,6 +279,7 @@ impl Simulator {
         self.colliders.advance();
         ended(StepPart::Follow);
         self.begin_parts();
+        self.measure_smoke();
         let motion = self.motion();
         self.spawn(&motion);
         let ageing = Ageing::new(&self.parameters, STEP);
@@ -531,17 +534,28 @@ impl Simulator {
     fn context(&self) -> ForceContext<'_> {
         ForceContext {
             parameters: &self.parameters,
-            now: StepTime {
-                time: (self.steps as f64 + 0.5) * STEP,
-                dt: STEP,
-                poses: self.rigid_poses(),
-                parts: &self.parts,
-            },
+            now: self.now(),
             seed: self.seed,
             turbulence: &self.turbulence,
             gusts: self.active_inputs.gusts(),
             prepared: &self.prepared,
         }
+    }
+
+    fn now(&self) -> StepTime<'_> {
+        StepTime {
+            time: (self.steps as f64 + 0.5) * STEP,
+            dt: STEP,
+            poses: self.rigid_poses(),
+            parts: &self.parts,
+        }
+    }
+
+    /// Computes what rare forces derive from the places of particles.
+    fn measure_smoke(&mut self) {
+        let mut prepared = std::mem::take(&mut self.prepared);
+        prepared.measure(&self.parameters, &self.particles, &self.now());
+        self.prepared = prepared;
     }
 
     /// Returns true if particles can meet any obstacle.

@@ -10,6 +10,7 @@ mod orbits;
 #[cfg(feature = "rigids")]
 mod riding;
 mod scopes;
+mod shapes;
 mod spirals;
 mod turbulence;
 mod vortex;

@@ -43,7 +43,7 @@ fn assert_near(what: &str, ours: [f32; 3], expected: Vector, tolerance: f32) {
 }
 
 #[test]
-fn vortices_jets_spirals_and_flows_move_and_rotate_with_their_rigid() {
+fn vortices_jets_spirals_flows_and_shapes_move_and_rotate_with_their_rigid() {
     let own = [
         ("vortices.0.circulation", 3.0),
         ("vortices.0.position.y", 0.5),
@@ -56,6 +56,10 @@ fn vortices_jets_spirals_and_flows_move_and_rotate_with_their_rigid() {
         ("flows.0.speed", 1.0),
         ("flows.0.swirl", 2.0),
         ("flows.0.position.x", 0.2),
+        ("shapes.0.speed", 1.0),
+        ("shapes.0.outline.000", 17_955_998_253_921.0),
+        ("shapes.0.outline.001", 33.0),
+        ("shapes.0.facing.x", 0.5),
     ];
     let fixed = simulator(1, 1, &[STILL, &own]);
     let attached = [
@@ -63,6 +67,7 @@ fn vortices_jets_spirals_and_flows_move_and_rotate_with_their_rigid() {
         ("jets.0.rigid", 1.0),
         ("spirals.0.rigid", 1.0),
         ("flows.0.rigid", 1.0),
+        ("shapes.0.rigid", 1.0),
     ];
     let mut riding = rigged(&[own.as_slice(), &attached].concat());
     for _ in 0..45 {

@@ -87,7 +87,8 @@ function readDrawing(text: string): PuffDrawing {
   };
 }
 
-function writeLine(line: Line): string {
+/** The text of a line. */
+export function writeLine(line: Line): string {
   let [x, y] = line[0];
   const first = SIDE * x + y;
   let text = DIGITS[first >> 12] + DIGITS[(first >> 6) & 63] + DIGITS[first & 63];
@@ -104,8 +105,8 @@ function writeLine(line: Line): string {
   return text;
 }
 
-/** Points beyond the sheet move to its border. */
-function readLine(text: string): Line {
+/** The line of a text. Points beyond the sheet move to its border. */
+export function readLine(text: string): Line {
   const digits = Array.from(text, (digit) => DIGITS.indexOf(digit));
   const first = (digits[0] << 12) | (digits[1] << 6) | digits[2];
   let [x, y] = [onSheet(first >> 8), first & 255];

@@ -37,6 +37,7 @@ const ENDS: Record<Exclude<Parameter['kind'], 'number' | 'integer' | 'choice'>, 
   ramp: ['', '0:ff0000,.1:00ff00,.2:0000ff,.3:ff00ff,.4:00ffff,.5:ffff00,1:ffffff'],
   path: ['', '-.3:0:0,0:.4:.1,.3:.8:-.1'],
   drawing: ['', 'ff8800*GRk-gg-Cg'],
+  outline: ['', 'IBKiYqM3Owewd_uz8gxgxXxWxB-QuQuJ4WyeneZWOJIQSQSBCXPWPgPgPzE_Swjwi3yq0'],
   timeline: ['', '60;emission.rate/0*1'],
 };
 

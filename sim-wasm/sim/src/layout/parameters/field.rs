@@ -185,6 +185,44 @@ pub const fn points(key: &'static str, offset: usize) -> Field {
     Field::new(key, "1", range, [0.0; 3], &POINTS, offset).whole().rare()
 }
 
+/// Numbers of a packed outline.
+pub const OUTLINE_NUMBERS: usize = 128;
+/// Characters in one number of a packed outline.
+pub const OUTLINE_CHARACTERS: u32 = 8;
+/// Values of a character in a packed outline: 0 for none, 1 to 64 for the digits of base64url, 65 for `.`, 66 for `;`.
+pub const OUTLINE_RADIX: u64 = 67;
+
+/// Key suffixes of the numbers of an outline, `.000` to `.127`.
+static OUTLINE_NAMES: [[u8; 4]; OUTLINE_NUMBERS] = {
+    let mut names = [*b".000"; OUTLINE_NUMBERS];
+    let mut index = 0;
+    while index < OUTLINE_NUMBERS {
+        names[index][1] += (index / 100) as u8;
+        names[index][2] += (index / 10 % 10) as u8;
+        names[index][3] += (index % 10) as u8;
+        index += 1;
+    }
+    names
+};
+static OUTLINE: [&str; OUTLINE_NUMBERS] = {
+    let mut parts = [""; OUTLINE_NUMBERS];
+    let mut index = 0;
+    while index < OUTLINE_NUMBERS {
+        if let Ok(name) = std::str::from_utf8(&OUTLINE_NAMES[index]) {
+            parts[index] = name;
+        }
+        index += 1;
+    }
+    parts
+};
+
+/// The text of an outline, packed into numbers of [`OUTLINE_CHARACTERS`]. The first character is the lowest digit to the
+/// base [`OUTLINE_RADIX`].
+pub const fn outline(key: &'static str, offset: usize) -> Field {
+    let range = [0.0, (OUTLINE_RADIX.pow(OUTLINE_CHARACTERS) - 1) as f64];
+    Field::new(key, "1", range, [0.0; 3], &OUTLINE, offset).whole().rare()
+}
+
 /// Range of a world position (m), the same as for objects of a three.js scene.
 pub const PLACE: [f64; 2] = [-5000.0, 5000.0];
 /// Range of a component of a direction of any length.

@@ -15,9 +15,9 @@ pub mod shedder;
 pub mod table;
 
 use crate::layout::error::ParameterError;
-#[cfg(not(target_family = "wasm"))]
-use crate::layout::parameters::field::Field;
 use crate::layout::parameters::field::Meta;
+#[cfg(not(target_family = "wasm"))]
+use crate::layout::parameters::field::{Field, OUTLINE_NUMBERS};
 use crate::layout::parameters::table::{Section, sections};
 
 pub use item::LIST_LIMIT;
@@ -227,7 +227,9 @@ fn field_as_json(field: &Field) -> String {
         names,
         ..
     } = meta;
-    let default: Vec<f64> = (0..field.parts.len()).map(|part| meta.default(part)).collect();
+    // The characters of an outline are one text on the page, without a default.
+    let numbers = field.parts.len() % OUTLINE_NUMBERS;
+    let default: Vec<f64> = (0..numbers).map(|part| meta.default(part)).collect();
     format!(
         "{{ \"key\": \"{key}\", \"unit\": \"{unit}\", \"min\": {min}, \"max\": {max}, \"default\": {default:?}, \
          \"whole\": {whole}, \"names\": {names:?} }}"

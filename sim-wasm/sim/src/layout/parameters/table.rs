@@ -21,6 +21,7 @@ use crate::layout::parameters::forces::for_each_force_list;
 use crate::layout::parameters::forces::gravity::Gravity;
 use crate::layout::parameters::forces::jet::Jet;
 use crate::layout::parameters::forces::orbit::Orbit;
+use crate::layout::parameters::forces::shape::Shape;
 use crate::layout::parameters::forces::speed_limit::SpeedLimit;
 use crate::layout::parameters::forces::spiral::Spiral;
 use crate::layout::parameters::forces::turbulence::Turbulence;

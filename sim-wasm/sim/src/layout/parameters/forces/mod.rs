@@ -8,6 +8,7 @@ pub mod flow;
 pub mod gravity;
 pub mod jet;
 pub mod orbit;
+pub mod shape;
 pub mod speed_limit;
 pub mod spiral;
 pub mod turbulence;
@@ -24,6 +25,7 @@ use crate::layout::parameters::forces::flow::Flow;
 use crate::layout::parameters::forces::gravity::Gravity;
 use crate::layout::parameters::forces::jet::Jet;
 use crate::layout::parameters::forces::orbit::Orbit;
+use crate::layout::parameters::forces::shape::Shape;
 use crate::layout::parameters::forces::speed_limit::SpeedLimit;
 use crate::layout::parameters::forces::spiral::Spiral;
 use crate::layout::parameters::forces::turbulence::Turbulence;
@@ -61,6 +63,8 @@ macro_rules! for_each_force_list {
             speedLimits: SpeedLimit,
             /// `flows.#.*`
             flows: Flow,
+            /// `shapes.#.*`
+            shapes: Shape,
         }
     };
 }
@@ -82,6 +86,6 @@ for_each_force_list!(lists);
 impl Lists {
     /// Returns true if there are items of lists whose kernels only builds with the feature `rare` have.
     pub fn has_rare(&self) -> bool {
-        !self.flows.items().is_empty()
+        !self.flows.items().is_empty() || !self.shapes.items().is_empty()
     }
 }

@@ -2,7 +2,7 @@
  * Reads the shapes of an SVG file. Of the document, only the geometry and the plain colours of basic shapes are used: no
  * script runs, and nothing is requested.
  */
-import { ShapeError } from '../../index.ts';
+import { ShapeError } from '../../base/errors.ts';
 
 /** The matrix [a b c d e f] of SVG and of canvases. */
 type Matrix = readonly number[];
@@ -32,6 +32,40 @@ const MAX_DEPTH = 100;
 const GROUPS = ['svg', 'g', 'a', 'switch'];
 const IDENTITY: Matrix = [1, 0, 0, 1, 0, 0];
 const BLACK: Paint = { fill: '#000000', stroke: undefined, strokeWidth: 1, rule: 'nonzero' };
+
+/** Draws a picture in its own units. */
+export interface Picture {
+  readonly box: readonly [x: number, y: number, width: number, height: number];
+  draw(context: OffscreenCanvasRenderingContext2D): void;
+}
+
+/** @throws ShapeError if the text is no SVG or has no shapes */
+export function pictureOfSvg(text: string): Picture {
+  const { box, shapes } = readSvg(text);
+  const paths = shapes.map((shape) => ({ ...shape, path: new Path2D(shape.path) }));
+  return {
+    box,
+    draw(context) {
+      for (const { path, matrix, fill, stroke, strokeWidth, rule } of paths) {
+        context.save();
+        context.transform(...(matrix as DOMMatrix2DTuple));
+        context.fillStyle = context.strokeStyle = '#000000';
+        if (fill !== undefined) {
+          context.fillStyle = fill;
+          context.fill(path, rule);
+        }
+        if (stroke !== undefined) {
+          context.strokeStyle = stroke;
+          context.lineWidth = strokeWidth;
+          context.stroke(path);
+        }
+        context.restore();
+      }
+    },
+  };
+}
+
+type DOMMatrix2DTuple = [number, number, number, number, number, number];
 
 /** @throws ShapeError if the file is no SVG or has no shapes */
 export function readSvg(text: string): SvgPicture {
