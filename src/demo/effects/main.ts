@@ -14,6 +14,7 @@ const TEXTS: Readonly<Record<Effect, string>> = {
   boom: 'A ring along the ground and a cloud that climbs.',
   vanish: 'The target dissolves into smoke and stays hidden.',
   appear: 'Smoke gathers from both sides and leaves the target.',
+  form: 'Small puffs form the word of the target, or another text.',
 };
 
 const status = document.querySelector<HTMLElement>('#status')!;

@@ -1,6 +1,7 @@
 /** The effects: emitters in a vertical plane, in metres and seconds. One metre is 150 CSS pixels. */
 import { DRAG, type Emission } from './emission.ts';
 import { RANGES, type Effect, type PuffOptions } from './options.ts';
+import { HOLD, sizeOfWord } from './words.ts';
 
 /** Half sides of the target, metres; 0 for a point. */
 export interface Extent {
@@ -13,7 +14,8 @@ interface EffectDesign {
   readonly isAround: boolean;
   /** Default of the option, degrees. */
   readonly direction: number;
-  readonly emissions: (extent: Extent) => readonly Emission[];
+  /** @param text of the word that smoke forms */
+  readonly emissions: (extent: Extent, text: string) => readonly Emission[];
 }
 
 /** Half angle of a cone of all directions, degrees. */
@@ -235,9 +237,32 @@ const designs: Readonly<Record<Effect, EffectDesign>> = {
         }),
       ),
   },
+  /** Small puffs leave the target, form its word, and drift away. */
+  form: {
+    isAround: false,
+    direction: 90,
+    emissions: (extent, text) => {
+      const { height } = sizeOfWord(text, extent.halfWidth);
+      return [
+        made({
+          ...extent,
+          speed: 0.8,
+          // A stroke is as wide as three puffs.
+          size: 0.1 * height,
+          sizeVariation: 0.25,
+          // They shrink in the second half of their lives.
+          life: 1.9 * HOLD,
+          lifeVariation: 0.12,
+          temperature: 1.1,
+          duration: 0.4,
+          count: 80 + 50 * text.length,
+        }),
+      ];
+    },
+  },
 };
 
-export type Asked = Pick<PuffOptions, 'count' | 'size' | 'spread' | 'direction' | 'speed' | 'duration'>;
+export type Asked = Pick<PuffOptions, 'text' | 'count' | 'size' | 'spread' | 'direction' | 'speed' | 'duration'>;
 
 /** Whether the page's element is an obstacle for the smoke of an effect. */
 export function flowsAround(effect: Effect): boolean {
@@ -248,7 +273,7 @@ export function flowsAround(effect: Effect): boolean {
 export function emissionsOf(effect: Effect, extent: Extent, asked: Asked): Emission[] {
   const { emissions, direction: usual } = designs[effect];
   const { size = 1, spread, direction = usual, speed = 1, duration } = asked;
-  const all = emissions(extent).map((each) => lasting(each, duration));
+  const all = emissions(extent, asked.text ?? '').map((each) => lasting(each, duration));
   const total = all.reduce((sum, each) => sum + each.count, 0);
   const share = Math.min(asked.count ?? total, MAX_COUNT) / total;
   return all.map((each) => {

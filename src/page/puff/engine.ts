@@ -18,6 +18,7 @@ import { Overlay, OwnCanvas, type Sheet, topLayerOf } from './overlay.ts';
 import { Placement } from './placement.ts';
 import { Scrolling } from './scrolling.ts';
 import { sourceOf, type Source } from './target.ts';
+import { wordOf, Words, type Word } from './words.ts';
 
 /** Time until a waiting call tries again, milliseconds. */
 const RETRY_MS = 80;
@@ -46,6 +47,8 @@ interface Waiting {
   readonly call: PuffCall;
   readonly look: Values | undefined;
   readonly color: string | undefined;
+  /** Of the effect `form`. */
+  readonly word?: Word;
   readonly resolve: () => void;
   readonly reject: (error: Error) => void;
 }
@@ -103,6 +106,7 @@ export class Engine {
   private readonly onEnd: () => void;
   private readonly scrolling: Scrolling;
   private readonly obstacles = new Obstacles();
+  private readonly words = new Words();
   private readonly tints = new Tints();
   private waiting: Waiting[] = [];
   private starting: Starting[] = [];
@@ -165,12 +169,13 @@ export class Engine {
   /** Resolves when the last particle of the call is gone, or after `clear`. */
   async play(call: PuffCall): Promise<void> {
     clearTimeout(this.idle);
-    const look = call.preset === undefined ? undefined : await this.lookFor(call.preset);
+    const look = call.preset === undefined ? undefined : await this.orEnd(lookOf(call.preset));
     const color = call.color === undefined ? undefined : hexOf(call.color, call.source.inside);
+    const word = call.effect === 'form' ? await this.orEnd(wordOf(call.text, call.source)) : undefined;
     if (call.signal.aborted) return this.playing ? undefined : this.scheduleDisposal();
     if (this.hasEnded) throw new ContextError('The smoke has just ended. Call puff() again.');
     await new Promise<void>((resolve, reject) => {
-      this.waiting.push({ call, look, color, resolve, reject });
+      this.waiting.push({ call, look, color, word, resolve, reject });
       if (!this.isStarting) this.startAll().catch((error) => this.fail(error));
     });
   }
@@ -208,14 +213,15 @@ export class Engine {
     const each = { call, look: undefined, color: undefined, resolve: () => undefined, reject: () => undefined };
     const changes: Changes = {};
     this.place(true, [each], changes);
-    const placed = this.placed(each, changes);
+    const placed = this.placed(each, changes, 0);
     await Promise.all([this.set(changes), this.emit(placed), this.stage.seek(WARM_UP)]);
     await this.reset();
   }
 
-  private async lookFor(preset: string): Promise<Values> {
+  /** What a call needs; without it, the call ends. */
+  private async orEnd<Result>(needed: Promise<Result>): Promise<Result> {
     try {
-      return await lookOf(preset);
+      return await needed;
     } catch (error) {
       if (!this.playing) this.scheduleDisposal();
       throw error;
@@ -240,9 +246,11 @@ export class Engine {
     const isFirst = !this.playing;
     const taken = this.dequeue();
     if (taken.length === 0) return delay(RETRY_MS);
-    const changes: Changes = isFirst ? { ...this.obstacles.release() } : {};
+    const changes: Changes = isFirst ? this.release() : {};
+    const hasWords = taken.some(({ word }) => word);
+    const begun = isFirst || !hasWords ? 0 : (await this.stage.stats()).time;
     this.place(isFirst, taken, changes);
-    this.starting = taken.map((each) => this.placed(each, changes));
+    this.starting = taken.map((each) => this.placed(each, changes, begun));
     const sent = isFirst ? this.begin(taken[0].call, changes) : this.set(changes);
     const emitted = Promise.all(this.starting.map((each) => this.emit(each)));
     // Last, so that the first emissions are in step 0.
@@ -305,15 +313,20 @@ export class Engine {
     return this.stage.set(changes);
   }
 
-  /** @param changes receives the obstacle and the tint */
-  private placed(each: Waiting, changes: Changes): Starting {
-    const { call } = each;
+  /**
+   * @param changes receives the obstacle, the shape and the tint
+   * @param time simulated
+   */
+  private placed(each: Waiting, changes: Changes, time: number): Starting {
+    const { call, word } = each;
     const box = this.placement.clipped(call.source.box()!);
     const place = this.placement.rectangleOf(box);
     if (flowsAround(call.effect) && box.width > 0)
       Object.assign(changes, this.obstacles.claim(call, place, this.placement.plane));
+    if (word) Object.assign(changes, this.words.claim(call, word, place, this.placement.top, time));
     const tint = this.tints.acquireTint(each.color, changes);
-    return { ...each, place, tint, emissions: emissionsOf(call.effect, place, call) };
+    const emissions = emissionsOf(call.effect, place, { ...call, text: word?.text });
+    return { ...each, place, tint, emissions };
   }
 
   /** @returns the number of its first emission */
@@ -382,8 +395,7 @@ export class Engine {
 
   private end(each: Running): void {
     for (const stop of each.stopFollowing) stop();
-    const gone = this.obstacles.release(each.call);
-    this.set(gone).catch(() => undefined);
+    this.set(this.release(each.call)).catch(() => undefined);
     each.resolve();
   }
 
@@ -400,7 +412,12 @@ export class Engine {
 
   /** Empties the paused stage. */
   private async reset(): Promise<void> {
-    await Promise.all([this.set(this.obstacles.release()), this.stage.restart()]);
+    await Promise.all([this.set(this.release()), this.stage.restart()]);
+  }
+
+  /** Values without the obstacles and the shapes of a call; of all calls without one. */
+  private release(call?: PuffCall): Changes {
+    return { ...this.obstacles.release(call), ...this.words.release(call) };
   }
 
   private endPlay(): void {

@@ -4,13 +4,15 @@ import type { ShareLink } from '../../parameters/parameter.ts';
 import type { PresetName } from '../../parameters/valueTypes.ts';
 
 /** The effects, by name. */
-export const EFFECTS = ['poof', 'pop', 'dust', 'trail', 'burst', 'whoosh', 'boom', 'vanish', 'appear'] as const;
+export const EFFECTS = ['poof', 'pop', 'dust', 'trail', 'burst', 'whoosh', 'boom', 'vanish', 'appear', 'form'] as const;
 
 export type Effect = (typeof EFFECTS)[number];
 
 export interface PuffOptions {
   /** Default: 'poof'. */
   effect?: Effect;
+  /** The word that 'form' makes, 1 to 40 characters. Default: the text of the target. */
+  text?: string;
   /** Number of puffs, 1 to 500. Default: by effect and by the size of the target. */
   count?: number;
   /** Size of the puffs, relative to the effect's own, 0.25 to 4. Default: 1. */
@@ -51,6 +53,8 @@ export interface WipeOptions extends Pick<PuffOptions, 'color' | 'seed' | 'zInde
   /** Name of a preset, or a share link or its hash, whose colours, ink and light the smoke gets. */
   preset?: PuffOptions['preset'];
 }
+/** Maximum length of a word. */
+export const MAX_TEXT = 40;
 
 /** Range of each number. */
 export const RANGES: Readonly<Record<string, readonly [min: number, max: number, isWhole?: true]>> = {
@@ -71,6 +75,8 @@ const CHOICES: Readonly<Record<string, readonly string[]>> = {
 };
 
 const isColor = (color: unknown) => typeof color === 'string' && CSS.supports('color', color);
+
+const isText = (text: unknown) => typeof text === 'string' && text.trim() !== '' && text.length <= MAX_TEXT;
 
 /** @throws ParameterError for an unknown option or a value that is out of range */
 export function requirePuffOptions(options: PuffOptions): void {
@@ -114,8 +120,9 @@ function acceptedBy(name: string, value: unknown): string | undefined {
     return `a ${isWhole ? 'whole ' : ''}number from ${min} to ${max}`;
   }
   if (name === 'color') return isColor(value) ? undefined : 'a CSS colour, such as #f08a5d';
+  if (name === 'text') return isText(value) ? undefined : `1 to ${MAX_TEXT} characters`;
   if (name === 'preset') return typeof value === 'string' ? undefined : 'the name of a preset, or a share link';
   return `no value, because there is no such option. The options are ${OPTIONS.join(', ')}`;
 }
 
-const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(RANGES), 'color', 'preset'];
+const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(RANGES), 'color', 'preset', 'text'];

@@ -84,6 +84,11 @@ export class Placement {
     return width > 0 && height > 0 ? { left, top, width, height } : box;
   }
 
+  /** Height of the upper edge of the canvas in the plane of the page. */
+  get top(): number {
+    return this.rectangleOf(this.sheet.rectangle()).top[1];
+  }
+
   /** The plane of the page. */
   get plane(): ScenePlane {
     const metres = 1 / PIXELS_PER_METRE;

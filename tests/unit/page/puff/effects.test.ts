@@ -4,6 +4,7 @@ import type { Emission } from '../../../../src/page/puff/emission.ts';
 import { EFFECTS } from '../../../../src/page/puff/options.ts';
 import { AIR, alongLine, emissionOptions } from '../../../../src/page/puff/emission.ts';
 import { Obstacles } from '../../../../src/page/puff/obstacles.ts';
+import { sizeOfWord, Words } from '../../../../src/page/puff/words.ts';
 import { defaults, validate } from '../../../../src/parameters/values.ts';
 import { changeNumbers, emissionNumbers } from '../../../../src/simulator/emitterOptions.ts';
 
@@ -70,5 +71,36 @@ describe('obstacles', () => {
     expect(() => validate(gone)).not.toThrow();
     expect(take({})).toMatch(/^colliders\.3\./);
     expect(Object.keys(obstacles.release())).toHaveLength(3 * 8);
+  });
+});
+
+describe('words', () => {
+  const WORD = { text: 'SAVE', outline: 'GRkgg-CgA' };
+
+  it('are above their target, or below it at the upper edge of the picture', () => {
+    for (const [top, sign] of [
+      [2, 1],
+      [0.3, -1],
+    ]) {
+      const values = new Words().claim({}, WORD, PLACE, top, 1.5);
+      expect(() => validate(values)).not.toThrow();
+      expect(sign * values['shapes.0.position.y']!).toBeGreaterThan(BUTTON.halfHeight + 0.2);
+      expect(values['shapes.0.envelope.start']).toBe(1.5);
+    }
+  });
+
+  it('are as wide as their letters or their target, and do not fill the page', () => {
+    expect(sizeOfWord('A', 0).width).toBe(sizeOfWord('ABC', 0).width);
+    expect(sizeOfWord('SAVE', 1).width).toBe(2);
+    expect(sizeOfWord('x'.repeat(40), 9).width).toBe(5);
+  });
+
+  it('go with their owner', () => {
+    const words = new Words();
+    const [first, second] = [{}, {}];
+    words.claim(first, WORD, PLACE, 2, 0);
+    words.claim(second, WORD, PLACE, 2, 0);
+    expect(words.release(second)).toEqual({ 'shapes.1.speed': 0 });
+    expect(words.release()).toEqual({ 'shapes.0.speed': 0 });
   });
 });

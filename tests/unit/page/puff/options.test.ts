@@ -27,6 +27,9 @@ describe('options', () => {
     [{ layer: 'beside' }, 'above, below'],
     [{ color: 'none' }, 'a CSS colour'],
     [{ preset: 4 }, 'the name of a preset'],
+    [{ text: ' ' }, '1 to 40 characters'],
+    [{ text: 'x'.repeat(41) }, '1 to 40 characters'],
+    [{ text: 4 }, '1 to 40 characters'],
     [{ colour: 'tomato' }, 'The options are effect, layer'],
     [{ count: 2.5 }, 'a whole number from 1 to 500'],
   ])('%o is rejected with what is accepted', (options, accepted) => {
