@@ -247,16 +247,26 @@ function workerAt(address) {
  * @returns {import('rolldown').Plugin}
  */
 function modelByUrl() {
-  const found = "import('./model/stageModel.ts')";
   const address = "servedUrl(new URL('./stageModel.js', import.meta.url).href)";
+  const imported = `import(/* @vite-ignore */ /* webpackIgnore: true */ /* turbopackIgnore: true */ ${address})`;
+  return modelBy(imported, "import { servedUrl } from '../base/assetUrls.ts';\n");
+}
+
+/**
+ * Gets the code of models in another way than by an import.
+ * @param {string} expression a promise of the module
+ * @param {string} [head] imports of the expression
+ * @returns {import('rolldown').Plugin}
+ */
+export function modelBy(expression, head = '') {
+  const found = "import('./model/stageModel.ts')";
   return {
-    name: 'model-by-url',
+    name: 'model-by',
     transform: {
       filter: { id: /src\/stage\/modelLoading\.ts$/ },
       handler(code) {
         if (!code.includes(found)) throw new Error(`modelLoading.ts lacks ${found}.`);
-        const imported = `import(/* @vite-ignore */ /* webpackIgnore: true */ /* turbopackIgnore: true */ ${address})`;
-        return `import { servedUrl } from '../base/assetUrls.ts';\n${code.replace(found, imported)}`;
+        return head + code.replace(found, expression);
       },
     },
   };

@@ -10,11 +10,14 @@ import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { rolldown } from 'rolldown';
 import { inRoot } from '../lib/paths.mjs';
-import { shrinking, SMALL } from '../package/bundle.mjs';
+import { modelBy, shrinking, SMALL } from '../package/bundle.mjs';
 
 /** @type {readonly ('meshes' | 'physics')[]} */
 const LARGER = ['meshes', 'physics'];
 const ENTRY = '<script type="module" src="./src/page/iframe/main.ts"></script>';
+
+/** A frame has no models: their code is rarely needed, and a sandbox could not load it by its URL. */
+const NO_MODELS = "Promise.reject(new Error('frames have no models.'))";
 
 /**
  * Writes the page and its scripts.
@@ -38,7 +41,7 @@ async function scriptOf(larger) {
   const build = await rolldown({
     ...SMALL,
     input: inRoot('src/page/iframe/main.ts'),
-    plugins: shrinking(),
+    plugins: [...shrinking(), modelBy(NO_MODELS)],
     transform: { ...SMALL.transform, define: { ...SMALL.transform?.define, ...define } },
     // This script contains everything it needs, so it does not use URLs relative to import.meta.
     checks: { ...SMALL.checks, emptyImportMeta: false },
