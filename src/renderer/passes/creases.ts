@@ -100,7 +100,11 @@ export function meetingBehind(surfaces: readonly SurfaceDescription[], index: nu
     .slice(index + 1)
     .filter(
       (other) =>
-        other.inked && !other.skin && other.rigid === rigid && other.part === part && (group === undefined || other.group !== group),
+        other.inked &&
+        !other.skin &&
+        other.rigid === rigid &&
+        other.part === part &&
+        (group === undefined || other.group !== group),
     );
 }
 
