@@ -325,7 +325,8 @@ export const strings = {
     shown: (name: string, triangles: number, materials: number, box: readonly number[]) =>
       `${name}: ${counted(triangles, 'triangle')}, ${counted(materials, 'material')}, ${box.map((side) => side.toPrecision(2)).join(' \u00d7 ')} m`,
     tooLarge: (megabytes: number, most: number) => `It has ${megabytes} MB. The limit is ${most} MB.`,
-    unshared: (name: string) => `A link cannot contain the model ${name}. Save it as a file instead, which contains the model.`,
+    unshared: (name: string) =>
+      `A link cannot contain the model ${name}. Save it as a file instead, which contains the model.`,
     notKept: (name: string) => `A preset in the browser cannot contain the model ${name}. Save it as a file instead.`,
     rows: {
       x: ['Position x', 'Moves the model to the right.', 'm'],
