@@ -1,11 +1,11 @@
 /** The pages of the API, which TypeDoc writes from the sources of the package. */
 
-import { cpSync, existsSync, rmSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, rmSync } from 'node:fs';
 import { runScript } from '../lib/command.mjs';
 import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { digestOf } from '../setup/sources.mjs';
-import { PAGES } from './documents.mjs';
+import { PAGES, write } from './documents.mjs';
 
 const CACHE = '.cache/docs/api';
 const SOURCES = ['site/package-lock.json', 'site/typedoc.json', 'site/typedoc.tsconfig.json', 'src'];
@@ -26,5 +26,12 @@ export async function writeApi(isMade, say) {
     if (status !== 0) throw new UserError(`TypeDoc could not write the pages of the API:\n${output}`);
   }
   cpSync(inRoot(folder), inRoot(`${PAGES}/api`), { recursive: true });
+  // TypeDoc names the entries after their files.
+  const index = readFileSync(inRoot(`${folder}/index.md`), 'utf8');
+  const named = index.replace(
+    /^- \[(\w+)\]/gm,
+    (_, file) => `- [\`cartoon-smoke${file === 'index' ? '' : `/${file}`}\`]`,
+  );
+  write('api/index.md', named);
   return true;
 }

@@ -1,6 +1,7 @@
 /** Checks without a test runner. Each counts as one test that passes or fails. */
 
 import { runScript } from '../lib/command.mjs';
+import { UserError } from '../lib/userError.mjs';
 import { packages as docsPackages } from '../setup/docs.mjs';
 import { cargo, cargoNative } from '../setup/toolchain.mjs';
 import { compileCodeBlocks } from './codeBlocks.mjs';
@@ -57,10 +58,7 @@ export const CHECKS = [
   check('types', 'Types (tsc)', (say) => tool(TSC, ['--noEmit'], say)),
   check('scripts', 'Types of scripts/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'scripts'], say)),
   check('examples', 'Types of examples/ (tsc)', (say) => tool(TSC, ['--noEmit', '-p', 'examples'], say)),
-  check('site', 'Types of site/ (tsc)', async (say) => {
-    if (!docsPackages.isFresh()) await docsPackages.bring(say);
-    return tool(TSC, ['--noEmit', '-p', 'site'], say);
-  }),
+  check('site', 'Types of site/ (tsc)', typesOfSite),
   check('documents', 'Code in the documents (tsc)', compileCodeBlocks),
   check('arrows', 'Import direction and cycles', (say) => runScript('scripts/lint/imports.mjs', [], { onLine: say })),
 ];
@@ -80,6 +78,17 @@ export const LONG_CHECKS = [
   check('fuzz', 'A minute of fuzzing', (say) => fuzz([], say)),
   check('fuzz-rigids', 'A minute of fuzzing with rigids', (say) => fuzz(['--rigids'], say)),
 ];
+
+/** Fails without the packages of the site, which other checks do not need. */
+async function typesOfSite(/** @type {Say} */ say) {
+  try {
+    if (!docsPackages.isFresh()) await docsPackages.bring(say);
+  } catch (error) {
+    if (error instanceof UserError) return { status: 1, output: error.message };
+    throw error;
+  }
+  return tool(TSC, ['--noEmit', '-p', 'site'], say);
+}
 
 /**
  * @param {string[]} choice
