@@ -13,6 +13,14 @@ const GIVEN = `
 import type * as smoke from 'cartoon-smoke';
 import type * as three from 'three';
 
+declare module 'react' {
+  namespace JSX {
+    interface IntrinsicElements {
+      'cartoon-smoke': Record<string, unknown>;
+    }
+  }
+}
+
 declare global {
   const smoke: smoke.CartoonSmoke;
   const fire: smoke.CartoonSmoke;
@@ -70,8 +78,8 @@ const IMPORTED = {
   ],
 };
 
-/** Packages of other projects, without types here. */
-const OTHERS = ['remotion'];
+/** Packages of other projects, and entries whose types only the package has: tests of the package compile with those. */
+const OTHERS = ['remotion', '@vitejs/plugin-vue', 'cartoon-smoke/react', 'cartoon-smoke/preact', 'cartoon-smoke/solid'];
 
 const CONFIG = {
   extends: '../../examples/tsconfig.json',
