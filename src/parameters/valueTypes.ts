@@ -46,6 +46,8 @@ export type PresetName =
   | 'wisp'
   | 'wisp-matcha'
   | 'wisp-hearts'
+  | 'wisp-flourish'
+  | 'wisp-valentine'
   | 'wisp-charcoal'
   | 'firework'
   | 'title'
@@ -53,6 +55,7 @@ export type PresetName =
   | 'dragon-night'
   | 'teapot'
   | 'air'
+  | 'air-ring'
   | 'air-comic-explosion'
   | 'air-leaves'
   | 'air-pow';

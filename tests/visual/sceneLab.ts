@@ -17,6 +17,8 @@ import { LivePuffs } from '../../src/renderer/livePuffs.ts';
 import { SmokeRenderer } from '../../src/renderer/smoke.ts';
 import type { SmokePasses } from '../../src/renderer/smokePasses.ts';
 import { styleOf, widestLineOf, type Style } from '../../src/renderer/style.ts';
+import { MESHES } from '../../src/simulator/meshes.ts';
+import { hasRareForces } from '../../src/simulator/rareForces.ts';
 import { Simulation } from '../../src/stage/simulation.ts';
 import { fitDevice, keepPrograms, pageDevice } from './pageDevice.ts';
 import { countsOf, rowsOf, type LabPicture } from './lab.ts';
@@ -105,7 +107,7 @@ export class SceneLab {
     const { load, hasRigids } = sceneNamed(values.scene as string);
     const [loaded, factory] = await Promise.all([
       load(),
-      loadSimulators({ physics: hasRigids }),
+      loadSimulators({ physics: hasRigids || (hasRareForces(values) && MESHES) }),
       choice.ownPuffs && fetchExtras(styleOf(values)),
       fetchTimelineText(values),
     ]);

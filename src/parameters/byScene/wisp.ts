@@ -30,6 +30,18 @@ const curl: Values = {
   'vortices.0.position.y': 2.1,
 };
 
+/** Smoke that follows flows closely. */
+const guided: Values = {
+  'emission.rate': 40,
+  'emission.lifetime': 5,
+  'emission.growthTime': 1,
+  'emission.density': '0:1,.8:.8,1:0',
+  'emission.dissolve': 'shrink',
+  'emitters.0.size': 0.22,
+  'forces.buoyancy': 0.1,
+  'forces.turbulence': 0.25,
+};
+
 export const presets: readonly Preset[] = [
   {
     name: 'wisp',
@@ -72,6 +84,40 @@ export const presets: readonly Preset[] = [
       'style.backdrop': '0:fff3ee,1:ffc4d2',
       'style.wash': 0.6,
       'style.washColor': '#fff0f2',
+    },
+  },
+  {
+    name: 'wisp-flourish',
+    values: {
+      ...smoke,
+      ...guided,
+      'flows.0.points': '0:.72:0,.62:.98:.1,.8:1.42:.1,.1:1.72:0,-.68:2.02:-.1,-.62:2.56:-.1,.1:2.86:0,.85:2.72:.1',
+      'flows.0.speed': 1.1,
+      'flows.0.radius': 0.5,
+      'flows.0.inflow': 1.2,
+      'style.smokeColor': '#fffaf0',
+      'style.backdrop': '0:f7d9a8,1:e08a5f',
+    },
+  },
+  {
+    name: 'wisp-valentine',
+    values: {
+      ...smoke,
+      ...guided,
+      'flows.0.points': '.02:.7:0,.5:1.2:0,1:1.75:0,1.12:2.3:0,.82:2.72:0,.36:2.7:0,.03:2.42:0',
+      'flows.0.speed': 1,
+      'flows.0.radius': 0.45,
+      'flows.0.inflow': 1.2,
+      'flows.1.points': '-.02:.7:0,-.5:1.2:0,-1:1.75:0,-1.12:2.3:0,-.82:2.72:0,-.36:2.7:0,-.03:2.42:0',
+      'flows.1.speed': 1,
+      'flows.1.radius': 0.45,
+      'flows.1.inflow': 1.2,
+      'emission.rate': 85,
+      'emission.lifetime': 3.6,
+      'style.ramp': '0:d8577c,.34:ff9db4,.7:ffe0e6',
+      'style.inkColor': '#6a1834',
+      'style.outlineWidth': 2.2,
+      'style.backdrop': '0:fff1ea,1:ffc9c4',
     },
   },
   {

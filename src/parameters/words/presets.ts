@@ -73,6 +73,8 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   wisp: { label: 'Cup of tea', text: 'Steam from a friendly cup of tea.' },
   'wisp-matcha': { label: 'Matcha', text: 'One green in three tones.' },
   'wisp-hearts': { label: 'Hearts', text: 'Drawn hearts that rise from a cup for two.' },
+  'wisp-flourish': { label: 'Flourish', text: 'Steam along an S that is drawn into the air.' },
+  'wisp-valentine': { label: 'Valentine', text: 'Steam along two strokes that are a heart.' },
   'wisp-charcoal': { label: 'Charcoal', text: 'Grain of charcoal on grey paper.' },
   firework: { label: 'Firework', text: 'Shells of six colours that rise, burst and fall over an island at night.' },
   title: { label: 'Title', text: 'Twelve seconds of film: four letters burst out of the stage in clouds of colour.' },
@@ -80,6 +82,7 @@ const words: Readonly<Record<PresetName, Pick<Preset, 'label' | 'text'>>> = {
   'dragon-night': { label: 'Night', text: 'The fire lights the dragon, its gold and its smoke.' },
   teapot: { label: 'Teapot', text: 'Steam that writes a word, again every twelve seconds.' },
   air: { label: 'Open air', text: 'Only smoke, to flow over pages and around their elements.' },
+  'air-ring': { label: 'Ring', text: 'Smoke runs in a closed stroke and turns about it.' },
   'air-comic-explosion': {
     label: 'Comic explosion',
     text: 'A burst from yellow to red in thick ink, again every two seconds.',

@@ -4,7 +4,7 @@
  */
 import { expect, test, vi } from 'vitest';
 import type { MovingSceneState, Placement, Scene } from '../../../src/scenes/scene.ts';
-import { motionOf } from '../../support/sim/presetHashes.ts';
+import { motionOf, variantOf } from '../../support/sim/presetHashes.ts';
 import { random } from '../../visual/random.ts';
 
 const STEPS = 120;
@@ -58,7 +58,7 @@ async function hashes(): Promise<Record<string, string>> {
     seen.add(motion);
     const values = presetValues(preset);
     const scene = byName.get(values.scene as string)!;
-    const factory = await loadVariant(scene.rigids.length > 0 ? 'physics' : 'core');
+    const factory = await loadVariant(variantOf(scene.rigids.length > 0, values));
     const simulation = new Simulation(factory, scene, values, 0);
     simulation.advance(STEPS / 4);
     for (const channel of [0, 1, 2]) simulation.input((simulator) => simulator.inputSteer(channel, 0.3 - channel / 2));

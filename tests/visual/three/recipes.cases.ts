@@ -4,6 +4,7 @@ import {
   Color,
   ConeGeometry,
   CylinderGeometry,
+  ExtrudeGeometry,
   Fog,
   HalfFloatType,
   HemisphereLight,
@@ -11,7 +12,9 @@ import {
   MeshBasicMaterial,
   MeshLambertMaterial,
   Object3D,
+  Path,
   PlaneGeometry,
+  Shape,
   SphereGeometry,
   Vector2,
   WebGLRenderTarget,
@@ -40,7 +43,7 @@ const LOOK: Values = {
   'style.outlineWidth': 1.5,
 };
 
-export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline' | 'drivers' | 'shapes';
+export type Recipe = 'composer' | 'mirror' | 'fog' | 'looks' | 'bursts' | 'timeline' | 'drivers' | 'flows' | 'shapes';
 /** Gap between the shots of a picture, pixels. */
 const GAP = 2;
 
@@ -257,6 +260,38 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => unknown]>> = {
     return [setting, () => drawShots(setting, shots)];
   },
 
+  async flows() {
+    const host = emptyHost(makeRenderer({ antialias: true }, [WIDTH, HEIGHT]));
+    const { scene, camera, keyLight, renderer } = host;
+    scene.background = new Color('#f0c890');
+    scene.add(new HemisphereLight('#fff0d8', '#7a5a48', 1.3));
+    keyLight.position.set(-3, 4.5, 4);
+    camera.aspect = WIDTH / HEIGHT;
+    camera.position.set(1.25, 1.5, 3);
+    camera.lookAt(0.35, 1.4, 0);
+    camera.updateProjectionMatrix();
+    const door = new Mesh(doorWithKeyhole(), new MeshLambertMaterial({ color: '#8a4a3a' }));
+    scene.add(door);
+    const values: Values = {
+      ...LOOK,
+      'emission.rate': 70,
+      'emission.lifetime': 4,
+      'buoyancy.acceleration': 0,
+      'emitters.0.position.y': 1.2,
+      'emitters.0.position.z': -1,
+      'emitters.0.radius': 0.1,
+      'emitters.0.size': 0.17,
+      'flows.0.points': '0:1.2:-1,0:1.35:-.3,0:1.35:.25,.5:1.15:.9,1.15:1.3:.8,1.3:1.85:.4,.85:2.2:.2',
+      'flows.0.speed': 1.2,
+      'flows.0.inflow': 1.2,
+      'flows.0.radius': 0.4,
+    };
+    const smoke = await CartoonSmoke.create({ renderer, keyLight, values });
+    scene.add(smoke);
+    smoke.step(200);
+    return [{ ...host, smoke, chimney: door }, () => renderer.render(scene, camera)];
+  },
+
   async bursts() {
     const setting = await houseWithSmoke({
       'emission.lifetime': 1.6,
@@ -284,6 +319,17 @@ const RECIPES: Record<Recipe, () => Promise<[Setting, () => unknown]>> = {
     return [setting, () => renderer.render(scene, camera)];
   },
 };
+
+/** A door, 2 m wide, with its keyhole at a height of 1.35 m. */
+function doorWithKeyhole(): ExtrudeGeometry {
+  const door = new Shape().moveTo(-1, 0).lineTo(1, 0).lineTo(1, 2.6).lineTo(-1, 2.6).lineTo(-1, 0);
+  const hole = new Path()
+    .absarc(0, 1.35, 0.26, -1.2, Math.PI + 1.2, false)
+    .lineTo(-0.2, 0.75)
+    .lineTo(0.2, 0.75);
+  door.holes.push(hole.closePath() as Path);
+  return new ExtrudeGeometry(door, { depth: 0.14, bevelEnabled: false });
+}
 
 /** A recipe as a PNG. */
 export async function pictureOf(recipe: Recipe): Promise<Blob> {

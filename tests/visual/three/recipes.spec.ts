@@ -6,9 +6,19 @@ type Recipes = typeof import('./recipes.cases.ts');
 /** Largest size of a picture, bytes. */
 const LARGEST = 75_000;
 /** Presets that timelines make, and the seconds of their moments. */
-const MOMENTS = { title: [5.8, 10.6], firework: [1.4, 3.8, 5.8] };
+const MOMENTS = { title: [5.8, 10.6], firework: [1.4, 3.8, 5.8], 'wisp-valentine': [1.6, 3, 6] };
 
-for (const recipe of ['composer', 'mirror', 'fog', 'looks', 'bursts', 'timeline', 'drivers', 'shapes'] as const) {
+for (const recipe of [
+  'composer',
+  'mirror',
+  'fog',
+  'looks',
+  'bursts',
+  'timeline',
+  'drivers',
+  'flows',
+  'shapes',
+] as const) {
   const tag = longIf(recipe !== 'composer');
   test(`the recipe ${recipe} shows the picture of the documentation${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Recipes>('/tests/visual/three/recipes.cases.ts');
