@@ -53,7 +53,7 @@ fn main() {
         "simple forces, all in a flow",
         &[STILL, SIMPLE, FLOW, &[("flows.0.radius", 9.0)]],
     );
-    println!("all in: {:.2}", (all - plain) / (vortex - plain));
+    println!("all of them in a flow: {:.2}", (all - plain) / (vortex - plain));
     let added = (flow - plain) / (vortex - plain);
     println!("a flow adds {added:.2} of what a vortex adds; particles are in no order, a third of them in the flow");
     report("six forces, one octave", &[STILL, SIMPLE, VORTEX, OCTAVE]);

@@ -6,7 +6,8 @@ type Place = readonly [x: number, y: number];
 
 const point = (index: number) => `[data-gizmo="flows.0.points.${index}"]`;
 const handles = (page: Page) => page.locator('[data-gizmo^="flows"]').filter({ visible: true });
-const pointsOf = async (page: Page) => String((await valueOf(page, 'flows.0.points')) ?? '').split(',');
+const pointsOf = async (page: Page) =>
+  (((await valueOf(page, 'flows.0.points')) as string | undefined) ?? '').split(',');
 
 /** Opens the page with the handles and the brush. */
 async function begin(page: Page): Promise<void> {
