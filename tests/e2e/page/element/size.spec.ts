@@ -20,7 +20,7 @@ const isThree = (file: string) => file.includes('node_modules/three');
 
 /** Files that a wisp on a page's main thread never needs. */
 const RARITIES =
-  'lamp train physics meshes worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage animation timeline portStage stageModel';
+  'lamp train physics meshes worker preset.js presets.js selle debugViews billboards countedVolumes strokes simplify link moment pointers onPage animation timeline portStage';
 
 function judge(figures: readonly Figure[]): void {
   for (const { name, kB, limit } of figures) {
@@ -37,8 +37,8 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 88.6 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 128.7 },
+    { name: 'embed.coreKb', kB: core, limit: 89.7 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 129.1 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
@@ -54,8 +54,8 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 23.7 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 248.6 },
+    { name: 'page', kB: fetched(server, own), limit: 24.1 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 251.2 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 287.9 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 290.6 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
@@ -87,8 +87,8 @@ test('of an app that collides with a mesh, a simulator without Rapier beside the
   await expect(page).toHaveTitle('loaded');
   const isMeshes = (file: string) => file.endsWith('meshes/bindings_bg.wasm');
   judge([
-    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 196.5 },
-    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 324.5 },
+    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 197.4 },
+    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 326.4 },
   ]);
 });
 
