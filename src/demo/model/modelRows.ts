@@ -1,11 +1,12 @@
-import type { Model, ModelNode, ModelOptions, ModelPoint } from '../../index.ts';
+import type { Model, ModelNode, ModelOptions, ModelPoint, Stage } from '../../index.ts';
 import { itemLabel, LIST_LIMIT } from '../../internal.ts';
 import type { ChoiceParameter, ModelFile, NumberParameter, Value } from '../../preset.ts';
+import type { Editor } from '../editor/editor.ts';
 import { createControl } from '../panel/control.ts';
 import { frameRow, type Row } from '../panel/row.ts';
 import { strings } from '../strings.ts';
 import { create, textButton, uniqueId } from '../ui/dom.ts';
-import type { ModelParts } from './models.ts';
+import type { Notices } from '../ui/notices.ts';
 
 const words = strings.model;
 type Name = keyof typeof words.rows;
@@ -25,6 +26,15 @@ const CLICK_PIXELS = 6;
 const [RADIUS, PUFF, PUFF_LIMITS] = [0.03, 0.12, [0.03, 0.6]] as const;
 /** Particles per second where the scene has none. */
 const RATE = 40;
+
+/** What the section of models acts on. */
+export interface ModelParts {
+  readonly editor: Editor;
+  readonly stage: Stage;
+  /** The stage's canvas. */
+  readonly canvas: HTMLCanvasElement;
+  readonly notices: Notices;
+}
 
 /** Where a model stands, what it does, and where it smokes: rows of the panel, and clicks on the picture. */
 export class ModelRows {

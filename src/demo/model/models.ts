@@ -1,25 +1,13 @@
-import type { Stage } from '../../index.ts';
 import { FileError, type ModelFile } from '../../preset.ts';
-import type { Editor } from '../editor/editor.ts';
 import { strings } from '../strings.ts';
 import { create, textButton } from '../ui/dom.ts';
-import type { Notices } from '../ui/notices.ts';
-import type { ModelRows } from './modelRows.ts';
+import type { ModelParts, ModelRows } from './modelRows.ts';
 
 /** Maximum file size in bytes, as of stages: larger files are not even read. */
 const MAX_BYTES = 32 * 1024 * 1024;
 /** Longest side of a model, as a share of the height of the picture. */
 const SHARE = 0.4;
 const words = strings.model;
-
-/** What the section of models acts on. */
-export interface ModelParts {
-  readonly editor: Editor;
-  readonly stage: Stage;
-  /** The stage's canvas. */
-  readonly canvas: HTMLCanvasElement;
-  readonly notices: Notices;
-}
 
 /** The section of the panel for a GLB model in the scene: chosen there or dropped onto the page, and removable. */
 export class Models {
