@@ -37,8 +37,8 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 89.7 },
-    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 129.1 },
+    { name: 'embed.coreKb', kB: core, limit: 90 },
+    { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 130 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
   for (const rarity of RARITIES.split(' ')) expect(names).not.toContain(rarity);
@@ -54,8 +54,8 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 24.1 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 251.2 },
+    { name: 'page', kB: fetched(server, own), limit: 24.4 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 252.4 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 290.6 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 296.6 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
@@ -87,14 +87,14 @@ test('of an app that collides with a mesh, a simulator without Rapier beside the
   await expect(page).toHaveTitle('loaded');
   const isMeshes = (file: string) => file.endsWith('meshes/bindings_bg.wasm');
   judge([
-    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 197.4 },
-    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 326.4 },
+    { name: 'collide.meshKb', kB: fetched(server, isMeshes), limit: 213 },
+    { name: 'simulators', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 342.6 },
   ]);
 });
 
 test('with rigids, with the physics simulator instead of the core', async ({ page, openPage, server }) => {
   await openPage('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
   await stands(page);
-  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 560 }]);
+  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 569 }]);
   expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');
 });
