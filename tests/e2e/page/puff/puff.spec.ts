@@ -107,13 +107,29 @@ test('draws smoke around a button, lets clicks through, and leaves nothing behin
   expect(lines).toEqual([]);
 });
 
+test('writes the text of an element, and needs one', async ({ page, host }) => {
+  await host();
+  const refused = await page.evaluate(async () => {
+    const [button, empty] = [document.createElement('button'), document.createElement('button')];
+    button.textContent = 'Save';
+    empty.style.cssText = 'width: 50px; height: 20px';
+    document.body.append(button, empty);
+    const written = puff(button, { effect: 'form', count: 20, duration: 0 });
+    const message = await puff(empty, { effect: 'form' }).catch((error: Error) => error.message);
+    await written;
+    return message;
+  });
+  expect(refused).toContain('text cannot be undefined: it takes 1 to 40 characters');
+});
+
 test('uses one canvas and one worker for many calls, and resolves each', async ({ page, host }) => {
   await host();
   const ended = await page.evaluate(async () => {
     const calls = puff.effects.flatMap((effect) => [
-      puff({ x: 100, y: 100 }, { effect, count: 4, duration: 0.2 }),
+      puff({ x: 100, y: 100 }, { effect, text: 'hm', count: 4, duration: 0.2 }),
       puff(undefined, {
         effect,
+        text: 'hm',
         count: 4,
         duration: 0.2,
         color: 'tomato',
@@ -129,7 +145,7 @@ test('uses one canvas and one worker for many calls, and resolves each', async (
     ]);
     return (await Promise.allSettled(calls)).map(({ status }) => status);
   });
-  expect(ended).toEqual(Array(18).fill('fulfilled'));
+  expect(ended).toEqual(Array(20).fill('fulfilled'));
   await expect(canvases(page)).toHaveCount(1);
   expect(page.workers()).toHaveLength(1);
 });
