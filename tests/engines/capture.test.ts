@@ -1,6 +1,6 @@
 /** Captures are files. Without an encoder for a video, capture fails with a VideoError. */
 import { describe, expect } from 'vitest';
-import { decodeApng } from '../support/apng.ts';
+import { decodeApng } from '../support/files/apng.ts';
 import { engine, test } from './fixtures.ts';
 import { colorsIn, pictureIn } from './pictures.ts';
 

@@ -1,6 +1,7 @@
 import { Vector3 } from 'three';
 import { encoded, linear as linearOf, rampOf, type FrameInput, type Style } from '../../internal.ts';
 import { linear } from './pixels.ts';
+import type { LightLayout } from './settings.ts';
 
 /** Directions of light in view space: +x is right, +y is up, +z is towards the viewer. */
 const DIRECTIONS = {
@@ -13,10 +14,7 @@ const DIRECTIONS = {
 } as const;
 type Direction = keyof typeof DIRECTIONS;
 
-/**
- * Content of the red, green and blue channels of two six-way light maps: as the six-way lighting of Unity reads them, and in
- * the order RLT, BBF of tools for Unreal Engine.
- */
+/** Content of the red, green and blue channels of the two maps. */
 export const LIGHT_LAYOUTS = {
   unity: [
     ['right', 'top', 'back'],
@@ -26,8 +24,7 @@ export const LIGHT_LAYOUTS = {
     ['right', 'left', 'top'],
     ['bottom', 'back', 'front'],
   ],
-} as const satisfies Record<string, readonly (readonly Direction[])[]>;
-export type LightLayout = keyof typeof LIGHT_LAYOUTS;
+} as const satisfies Record<LightLayout, readonly (readonly Direction[])[]>;
 
 export const LIGHT_FILES = ['lightA.png', 'lightB.png'] as const;
 

@@ -1,5 +1,3 @@
-import type { LightLayout } from './lightMaps.ts';
-
 /** Capture formats and settings. */
 export const FORMATS = {
   png: { isClip: false, hasAlpha: true },
@@ -32,6 +30,9 @@ export const RATES = [12, 24, 30, 60] as const;
 export const FASTEST_GIF = 30;
 /** Maximum length of a clip in seconds. */
 export const LONGEST = 60;
+
+/** Layout of six-way light maps: as Unity reads them, or in the order RLT, BBF of tools for Unreal Engine. */
+export type LightLayout = 'unity' | 'unreal';
 
 export interface CaptureSettings {
   readonly format: Format;

@@ -1,6 +1,5 @@
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
-import type { LightLayout } from './lightMaps.ts';
 import { hevcWithAlpha } from './clips/hevc.ts';
 import {
   FASTEST_GIF,
@@ -12,6 +11,7 @@ import {
   RATES,
   SCALES,
   type Format,
+  type LightLayout,
   type CaptureSettings,
 } from './settings.ts';
 

@@ -1,5 +1,5 @@
 /** What the film page and the command exchange. scripts/film/server.mjs is the other side. */
-import type { LightLayout } from '../capture/lightMaps.ts';
+import type { LightLayout } from '../capture/settings.ts';
 
 /** Camera values at a time, by parameter key. */
 export interface Keyframe {

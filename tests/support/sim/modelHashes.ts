@@ -4,7 +4,7 @@ import { air } from '../../../src/scenes/air.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
 import { openModel } from '../../../src/stage/model/stageModel.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
-import { bendingColumn, turningBox } from '../glb.ts';
+import { bendingColumn, turningBox } from '../files/glb.ts';
 
 const FILES = { turningBox, bendingColumn };
 const STEPS = 240;

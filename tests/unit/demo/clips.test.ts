@@ -4,7 +4,7 @@ import { Apng } from '../../../src/demo/capture/clips/apng.ts';
 import { changedArea, type ClipShape } from '../../../src/demo/capture/clips/clipFile.ts';
 import { Gif } from '../../../src/demo/capture/clips/gif.ts';
 import { Webp } from '../../../src/demo/capture/clips/webp.ts';
-import { decodeApng } from '../../support/apng.ts';
+import { decodeApng } from '../../support/files/apng.ts';
 
 const [WIDTH, HEIGHT] = [23, 17];
 type Pixels = Uint8ClampedArray<ArrayBuffer>;

@@ -365,6 +365,7 @@ describe('each row of the table', () => {
       'simulation.integrator',
       'simulation.maxParticles',
       'timeline',
+      ...Array.from({ length: 8 }, (_, item) => `shapes.${item}.outline`),
     ]);
   });
 

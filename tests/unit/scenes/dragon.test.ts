@@ -4,7 +4,7 @@ import { readTimeline } from '../../../src/parameters/timeline.ts';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { fetchTimelineText } from '../../../src/renderer/extraPasses.ts';
 import { dragon } from '../../../src/scenes/dragon.ts';
-import { LIPS } from '../../../src/scenes/models/dragonHead.ts';
+import { LIPS } from '../../../src/scenes/models/dragon/dragonHead.ts';
 import type { Placement, Vector } from '../../../src/scenes/scene.ts';
 import { multiply } from '../../../src/simulator/exact/quaternion.ts';
 import { rotate, type Quaternion } from '../../../src/simulator/exact/rotation.ts';

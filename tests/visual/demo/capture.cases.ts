@@ -8,7 +8,7 @@ import type { CaptureSettings, Format } from '../../../src/demo/capture/settings
 import { SettingsForm } from '../../../src/demo/capture/settingsForm.ts';
 import type { Values } from '../../../src/parameters/parameter.ts';
 import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
-import type { LightLayout } from '../../../src/demo/capture/lightMaps.ts';
+import type { LightLayout } from '../../../src/demo/capture/settings.ts';
 import { decodePng } from '../../../src/demo/gallery/straightPng.ts';
 import type { PixelImage } from '../../../src/index.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';

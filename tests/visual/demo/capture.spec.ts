@@ -1,5 +1,5 @@
 import { PNG } from 'pngjs';
-import { decodeApng } from '../../support/apng.ts';
+import { decodeApng } from '../../support/files/apng.ts';
 import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./capture.cases.ts');

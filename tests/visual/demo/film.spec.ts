@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import { PNG } from 'pngjs';
 import { FloatType } from 'three';
 import { EXRLoader } from 'three/examples/jsm/loaders/EXRLoader.js';
-import { decodeApng } from '../../support/apng.ts';
+import { decodeApng } from '../../support/files/apng.ts';
 import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./film.cases.ts');

@@ -1,7 +1,7 @@
 /** Models of GLB files on a stage. Runs inside a page. */
 import type { ModelOptions } from '../../../src/stage/contract.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
-import { bendingColumn, GlbFile, house, turningBox } from '../../support/glb.ts';
+import { bendingColumn, GlbFile, house, turningBox } from '../../support/files/glb.ts';
 import { differing, pixelsOf } from './stage.cases.ts';
 
 const [WIDTH, HEIGHT] = [320, 240];

@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { bendingColumn, turningBox, type GlbFile } from '../../../support/glb.ts';
+import { bendingColumn, turningBox, type GlbFile } from '../../../support/files/glb.ts';
 import { ask, drop, expectValue, messagesOf, open, valueOf } from '../page.ts';
 
 const BARE = '#v=1&preset=air&emission.rate=60&puff.variations=1&simulation.maxParticles=500';

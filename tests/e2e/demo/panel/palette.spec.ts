@@ -2,7 +2,7 @@
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
-import { aseOf } from '../../../support/ase.ts';
+import { aseOf } from '../../../support/files/ase.ts';
 import { expect, test } from '../../../support/fixtures.ts';
 import { ask, closeSheet, drop, expectValue, LIGHT, open, row, valueOf } from '../page.ts';
 

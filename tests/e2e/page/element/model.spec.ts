@@ -1,6 +1,6 @@
 /** Models in elements of the package: their code loads by its URL, on the page and in the worker. */
 import { expect, stands, test } from '../../../support/embed.ts';
-import { turningBox } from '../../../support/glb.ts';
+import { turningBox } from '../../../support/files/glb.ts';
 import type { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 
 /** After a second, on any thread. */

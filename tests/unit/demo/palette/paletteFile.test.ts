@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { FileError } from '../../../../src/base/errors.ts';
 import { MAX_BYTES, readPalette } from '../../../../src/demo/palette/paletteFile.ts';
-import { aseOf, type AseBlock } from '../../../support/ase.ts';
+import { aseOf, type AseBlock } from '../../../support/files/ase.ts';
 
 const read = (text: string) => readPalette(new TextEncoder().encode(text));
 

@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest';
 import { FileError } from '../../../../src/base/errors.ts';
 import { readModel } from '../../../../src/stage/model/modelFile.ts';
-import { bendingColumn, GlbFile, turningBox, type GltfJson } from '../../../support/glb.ts';
+import { bendingColumn, GlbFile, turningBox, type GltfJson } from '../../../support/files/glb.ts';
 
 const CUBE = [
   [-1, -1], [1, -1], [1, 1], [-1, 1],

@@ -13,7 +13,7 @@ import { coveringBalls, fittedCapsule, insideOut, partsOf } from '../../../../sr
 import { faultOf, openModel } from '../../../../src/stage/model/stageModel.ts';
 import { Simulation } from '../../../../src/stage/simulation.ts';
 import { ALL_PARTICLES } from '../../../../src/simulator/view.ts';
-import { bendingColumn, GlbFile, turningBox } from '../../../support/glb.ts';
+import { bendingColumn, GlbFile, turningBox } from '../../../support/files/glb.ts';
 import { MODEL_HASHES, modelHashes } from '../../../support/sim/modelHashes.ts';
 import { loadVariant } from '../../../support/sim/simWasm.ts';
 

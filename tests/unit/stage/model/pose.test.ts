@@ -2,7 +2,7 @@
 import { expect, test } from 'vitest';
 import { matrixOf, multiplyMatrices, inverted, Poser, rotationOf, sample } from '../../../../src/stage/model/pose.ts';
 import { readModel, type Channel } from '../../../../src/stage/model/modelFile.ts';
-import { bendingColumn, turningBox } from '../../../support/glb.ts';
+import { bendingColumn, turningBox } from '../../../support/files/glb.ts';
 
 const WORLD = { scale: 1, rotation: [0, 0, 0, 1], position: [0, 0, 0] } as const;
 

@@ -1,11 +1,11 @@
 /** The head of the dragon, about the top of its neck, facing +x. Metres. */
-import type { Color } from '../../renderer/gpu/ramps.ts';
-import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
-import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
-import type { Vector } from '../scene.ts';
+import type { Color } from '../../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../../renderer/passes/surface.ts';
+import type { Vector } from '../../scene.ts';
 import { ball, BELLY, both, FINS, HORN, NONE, SCALES, spike } from './dragon.ts';
-import { lathe, tube } from './lathe.ts';
-import { merged, placed } from './place.ts';
+import { lathe, tube } from '../lathe.ts';
+import { merged, placed } from '../place.ts';
 
 const MOUTH: Color = [142, 44, 66];
 const TONGUE: Color = [240, 120, 130];

@@ -1,12 +1,12 @@
 /** A small sitting dragon that faces +x, and the gold that it sits on. Metres; the ground is at height 0. */
-import type { Color } from '../../renderer/gpu/ramps.ts';
-import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
-import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
-import { cos, sin } from '../../simulator/exact/sine.ts';
-import type { Vector } from '../scene.ts';
-import { ballMesh } from './ball.ts';
-import { lathe, tube } from './lathe.ts';
-import { merged, placed } from './place.ts';
+import type { Color } from '../../../renderer/gpu/ramps.ts';
+import type { TriangleMesh } from '../../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../../renderer/passes/surface.ts';
+import { cos, sin } from '../../../simulator/exact/sine.ts';
+import type { Vector } from '../../scene.ts';
+import { ballMesh } from '../ball.ts';
+import { lathe, tube } from '../lathe.ts';
+import { merged, placed } from '../place.ts';
 
 export const SCALES: Color = [72, 176, 160];
 export const BELLY: Color = [255, 232, 176];

@@ -1,10 +1,10 @@
 /** Wings of the dragon: a membrane between fingers that fan out from an elbow. */
-import type { TriangleMesh } from '../../renderer/passes/extrusion.ts';
-import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
-import type { Vector } from '../scene.ts';
+import type { TriangleMesh } from '../../../renderer/passes/extrusion.ts';
+import type { SurfaceDescription } from '../../../renderer/passes/surface.ts';
+import type { Vector } from '../../scene.ts';
 import { FINS, SCALES } from './dragon.ts';
-import { tube } from './lathe.ts';
-import { merged } from './place.ts';
+import { tube } from '../lathe.ts';
+import { merged } from '../place.ts';
 
 const ELBOW = [0.3, 0.5] as const;
 /** Tips of the fingers, from the upper one down. */
