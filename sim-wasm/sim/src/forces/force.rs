@@ -2,15 +2,13 @@
 
 use wide::f32x4;
 
+pub(crate) use crate::forces::frames::{direction_in, place_in, vector_in};
 use crate::forces::prepared::Prepared;
 use crate::layout::gust::Gust;
 use crate::layout::parameters::item::{Item, LIST_LIMIT};
 use crate::layout::parameters::table::Parameters;
 use crate::layout::scope::StepTime;
-use crate::math::double::direction;
-use crate::math::pose::Frame;
 use crate::math::simd::{Vector4, positive_part};
-use crate::math::vector::Vector;
 use crate::particles::tile::Tile;
 
 /// The phase of a step in which a force acts.
@@ -74,22 +72,6 @@ pub struct TurbulenceState {
 /// The direction of the world's up in all lanes; none for y.
 pub(crate) fn up_in(context: &ForceContext) -> Option<Vector4> {
     context.now.parts.up.map(|up| Vector4::splat(up.into()))
-}
-
-/// Transforms a place (m) from `frame` to world space, in all lanes.
-pub(crate) fn place_in(frame: &Frame, place: [f64; 3]) -> Vector4 {
-    let local = Vector::from(place.map(|metres| metres as f32));
-    Vector4::splat(frame.world_from_local(local).into())
-}
-
-/// Rotates a vector from `frame` to world space, in all lanes.
-pub(crate) fn vector_in(frame: &Frame, vector: [f32; 3]) -> Vector4 {
-    Vector4::splat(frame.rotate(Vector::from(vector)).into())
-}
-
-/// The unit vector of a direction, rotated from `frame` to world space, in all lanes.
-pub(crate) fn direction_in(frame: &Frame, axis: [f64; 3]) -> Vector4 {
-    vector_in(frame, self::direction(axis))
 }
 
 /// The fade (1 - r^2 / R^2)^2 for the squared distance r^2 and the inverse of R^2; 0 where r >= R.

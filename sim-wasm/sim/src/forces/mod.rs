@@ -14,6 +14,7 @@ pub mod drag;
 pub mod explosion;
 pub(crate) mod flow;
 pub mod force;
+mod frames;
 pub mod gravity;
 pub mod jet;
 pub(crate) mod looks;

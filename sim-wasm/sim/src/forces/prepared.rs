@@ -7,7 +7,7 @@ use std::sync::Arc;
 #[cfg(feature = "rare")]
 use crate::forces::flow::path::Path;
 #[cfg(feature = "rare")]
-use crate::forces::shape::kernel::Shapes;
+use crate::forces::shape::grids::Shapes;
 #[cfg(feature = "rare")]
 use crate::layout::parameters::item::LIST_LIMIT;
 use crate::layout::parameters::table::Parameters;

@@ -113,7 +113,7 @@ fn smoke_fills_all_of_a_shape_evenly_and_nothing_else() {
         let variance = tiles.iter().map(|count| (count - mean) * (count - mean)).sum::<f64>() / 300.0;
         // At random places the variance is the mean.
         assert!(
-            variance < 0.5 * mean,
+            variance < 0.7 * mean,
             "variance {variance} of {mean} particles, turbulence {turbulence}"
         );
     }
@@ -158,7 +158,7 @@ fn layers_fill_the_depth() {
     // A small square at the back, a wide one in front.
     let outline = format!("{};{}", rectangle([108, 108, 148, 148]), rectangle([28, 28, 228, 228]));
     let mut simulator = heap(&outline, &[("shapes.0.depth", 1.0)], 2000);
-    steps(&mut simulator, 360);
+    steps(&mut simulator, 240);
     let (mut back, mut front, mut wide) = (0.0, 0.0, 0.0);
     for index in 0..2000 {
         let [x, y, z] = place(&simulator, index);

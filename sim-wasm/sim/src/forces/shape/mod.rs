@@ -12,7 +12,9 @@ mod cells;
 #[cfg(feature = "rare")]
 mod field;
 #[cfg(feature = "rare")]
-pub(crate) mod kernel;
+pub(crate) mod grids;
+#[cfg(feature = "rare")]
+mod kernel;
 #[cfg(feature = "rare")]
 mod outline;
 
