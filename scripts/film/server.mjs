@@ -3,10 +3,13 @@
 import { randomBytes } from 'node:crypto';
 import { createReadStream, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { extname, join, normalize } from 'node:path';
+import { createRequire } from 'node:module';
+import { dirname, extname, join, normalize } from 'node:path';
+import { UserError } from '../lib/userError.mjs';
 
 const TYPES = /** @type {Record<string, string>} */ ({ '.js': 'text/javascript', '.wasm': 'application/wasm' });
 const PAGE = `<!doctype html><meta charset="utf-8"><title>Film</title><link rel="icon" href="data:,">
+<script type="importmap">{ "imports": { "three": "./three/three.module.js" } }</script>
 <script type="module" src="page.js"></script>`;
 
 /**
@@ -24,6 +27,7 @@ const PAGE = `<!doctype html><meta charset="utf-8"><title>Film</title><link rel=
  * @param {Answerer} answer
  */
 export async function servePage(files, answer) {
+  const folders = { page: files.page, wasm: files.wasm, three: threeFolder() };
   // Pages that the user has open could otherwise call the server.
   const root = `/${randomBytes(16).toString('hex')}/`;
   const server = createServer((request, response) => {
@@ -31,7 +35,7 @@ export async function servePage(files, answer) {
     if (!pathname.startsWith(root)) return response.writeHead(404).end();
     const path = decodeURIComponent(pathname.slice(root.length));
     const method = request.method ?? 'GET';
-    const found = method === 'GET' ? fileAt(files, path) : undefined;
+    const found = method === 'GET' ? fileAt(folders, path) : undefined;
     if (found) return response.writeHead(200, { 'content-type': found.type }).end(found.body);
     answer({ method, path, body: request, headers: request.headers }).then(
       (given) => send(response, given),
@@ -68,14 +72,24 @@ function send(response, given) {
 }
 
 /**
- * @param {PageFiles} files
+ * @param {Record<string, string>} folders by the first part of a path; `page` has all others
  * @param {string} path
  */
-function fileAt(files, path) {
+function fileAt(folders, path) {
   if (path === '') return { type: 'text/html', body: PAGE };
   const type = TYPES[extname(path)];
   const name = normalize(path);
   if (!type || name.startsWith('..')) return undefined;
-  const place = name.startsWith('wasm') ? join(files.wasm, name.slice('wasm'.length)) : join(files.page, name);
+  const [first, ...rest] = name.split(/[/\\]/);
+  const place = Object.hasOwn(folders, first) ? join(folders[first], ...rest) : join(folders.page, name);
   return statSync(place, { throwIfNoEntry: false })?.isFile() ? { type, body: readFileSync(place) } : undefined;
+}
+
+/** The built modules of three.js, a peer dependency of the package. @throws {UserError} if it is not installed */
+function threeFolder() {
+  try {
+    return dirname(createRequire(import.meta.url).resolve('three'));
+  } catch {
+    throw new UserError('The command needs three.js. Install it beside cartoon-smoke: npm install three.');
+  }
 }

@@ -141,7 +141,8 @@ async function bundleScriptWarnings(folder) {
 }
 
 /**
- * Writes the page that renders films. Its simulator is beside the modules of the package, in the folder `wasm`.
+ * Writes the page that renders films. Its simulator is beside the modules of the package, in the folder `wasm`, and three.js
+ * comes from the package `three`, see `scripts/film/server.mjs`.
  *
  * @param {string} folder
  */
@@ -149,7 +150,7 @@ export async function bundleFilmPage(folder) {
   // The presets are loaded one by one elsewhere; here the link needs all of them.
   const checks = { ...SMALL.checks, ineffectiveDynamicImport: false };
   const input = entries({ page: 'src/demo/film/page.ts' });
-  await bundle({ input, plugins: shrinking(), checks }, folder);
+  await bundle({ input, external: 'three', plugins: shrinking(), checks }, folder);
 }
 
 /**

@@ -35,7 +35,8 @@ export function customElements() {
     superclass: { name: 'HTMLElement', package: 'global:' },
     attributes: all,
     members: [
-      ...all.map(({ fieldName, type, description }) => ({ kind: 'field', name: fieldName, type, description })),
+      // The attributes describe them: their descriptions are a quarter of the file.
+      ...all.map(({ name, fieldName, type }) => ({ kind: 'field', name: fieldName, type, attribute: name })),
       ...methods.map((method) => ({ kind: 'method', ...method })),
     ],
     events,
@@ -74,13 +75,13 @@ export function htmlCustomData(manifest) {
  * @param {string} version
  */
 export function webTypes(manifest, version) {
-  const [{ tagName, description, attributes: all, members, events: own }] = manifest.modules[0].declarations;
+  const [{ tagName, description, attributes: all, events: own }] = manifest.modules[0].declarations;
   const attributesOf = all.map((each) => {
     const values = choicesOf(each);
     const type = values.length > 0 ? values.map((value) => `'${value}'`).join(' | ') : each.type.text;
     return { ...named(each), default: each.default, value: { type } };
   });
-  const properties = members.filter(({ kind }) => kind === 'field').map(named);
+  const properties = all.map(({ fieldName, description: text }) => named({ name: fieldName, description: text }));
   const js = { events: own.map(({ name, description: text }) => ({ name, description: text })), properties };
   const elements = [{ name: tagName, description, attributes: attributesOf, js }];
   return {
