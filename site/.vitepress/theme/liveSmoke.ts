@@ -47,7 +47,7 @@ export default defineComponent({
       observer = new IntersectionObserver(([{ isIntersecting }]) => isIntersecting && whenIdle(() => void start()), {
         threshold: 0.6,
       });
-      observer.observe(frame.value!);
+      if (frame.value) observer.observe(frame.value);
     });
     onBeforeUnmount(() => {
       observer?.disconnect();

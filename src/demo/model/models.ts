@@ -14,7 +14,7 @@ export class Models {
   /** Element for the panel. */
   readonly element = create('details', { class: 'group', 'data-text': words.text });
   private readonly parts: ModelParts;
-  private readonly caption = create('p', { class: 'own-shape-name', role: 'status' });
+  private readonly caption = create('p', { class: 'own-model-name', role: 'status' });
   private readonly holder = create('div', {});
   private readonly removal = textButton('quiet', words.remove, () => void this.remove());
   private rows: Promise<ModelRows> | undefined;

@@ -23,6 +23,7 @@ const OTHERS = [
   'demo/gallery/ownShape',
   'demo/palette/picture',
   'page/outline/trace',
+  'stage/model/colors',
 ];
 
 test('no other file decides by pixels that it reads', () => {

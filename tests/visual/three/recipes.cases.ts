@@ -327,7 +327,7 @@ function doorWithKeyhole(): ExtrudeGeometry {
     .absarc(0, 1.35, 0.26, -1.2, Math.PI + 1.2, false)
     .lineTo(-0.2, 0.75)
     .lineTo(0.2, 0.75);
-  door.holes.push(hole.closePath() as Path);
+  door.holes.push(hole.closePath());
   return new ExtrudeGeometry(door, { depth: 0.14, bevelEnabled: false });
 }
 

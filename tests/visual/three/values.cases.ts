@@ -47,6 +47,8 @@ export async function ofSmoke(states: readonly State[]): Promise<Faults> {
     smoke.step(STEPS);
     const fault = await faultOf(smoke);
     other.set(smoke.get());
+    // The code of its first flow may still be on the way.
+    await other.complete();
     other.step(1);
     smoke.dispose();
     return fault || faultOf(other);

@@ -11,12 +11,12 @@ const PLACES: Readonly<Record<string, () => void>> = {
   'in a simulated DOM': () => vi.stubGlobal('document', { hidden: false }),
   'with reduced motion': () => {
     vi.stubGlobal('document', { hidden: false });
-    vi.stubGlobal('WebGL2RenderingContext', class {});
+    vi.stubGlobal('WebGL2RenderingContext', () => undefined);
     vi.stubGlobal('matchMedia', () => ({ matches: true }));
   },
   'in a hidden tab': () => {
     vi.stubGlobal('document', { hidden: true });
-    vi.stubGlobal('WebGL2RenderingContext', class {});
+    vi.stubGlobal('WebGL2RenderingContext', () => undefined);
     vi.stubGlobal('matchMedia', () => ({ matches: false }));
   },
 };
