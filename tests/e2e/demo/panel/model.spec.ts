@@ -32,6 +32,8 @@ function nodeNames(page: Page): Promise<string[] | undefined> {
 async function dropBox(page: Page, bytes = turningBox().pack()): Promise<void> {
   await drop(page, 'box.glb', bytes);
   await expect(caption(page)).toHaveText(/^box\.glb: 22 triangles, 2 materials/);
+  // The last of all changes.
+  await expect(section(page)).toHaveAttribute('open');
 }
 
 /** Where the picture shows a place of a node, in CSS pixels of the page. @param place in shares of the longest side of the model */
