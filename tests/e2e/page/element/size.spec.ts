@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 90 },
+    { name: 'embed.coreKb', kB: core, limit: 90.3 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 130 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -54,8 +54,8 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 24.4 },
-    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 252.4 },
+    { name: 'page', kB: fetched(server, own), limit: 24.5 },
+    { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 256 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);
 });
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 296.6 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 302.1 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 
