@@ -44,7 +44,7 @@ export class Cover {
 
   /** Moves the canvas to where the target is now. */
   place(): void {
-    const { left, top, width, height } = this.source?.box() ?? WINDOW();
+    const { left, top, width, height } = this.source?.box() ?? windowBox();
     const size = { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` };
     styled(this.frame, size);
   }
@@ -55,5 +55,7 @@ export class Cover {
   }
 }
 
-/** The window with its scroll bars: pictures of dialogs and of what is fixed cover them, too. */
-const WINDOW = (): Box => ({ left: 0, top: 0, width: innerWidth, height: innerHeight });
+/** The window with its scroll bars, which dialogs and fixed elements cover, too. */
+function windowBox(): Box {
+  return { left: 0, top: 0, width: innerWidth, height: innerHeight };
+}
