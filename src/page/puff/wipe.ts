@@ -26,9 +26,9 @@ const ROWS = 5;
 const MAX_PUFFS = 300;
 /**
  * Radius of puffs, relative to the distance between two of them. Balls of 0.71 would touch at the corners of the cells; lobes
- * leave gaps near the radius of a puff, and the air moves puffs.
+ * leave gaps near the radius of a puff, and puffs move slowly.
  */
-const RADIUS = 1.1;
+const RADIUS = 1.2;
 /** Offsets of neighbouring puffs towards the viewer, relative to the distance between two of them. */
 const DEPTHS = [0, 0.9, -0.9, 0.45, -0.45];
 /** The worker presents the empty picture before it ends, milliseconds. */
@@ -38,7 +38,7 @@ const FRAMES = 3;
 /** Interval in which the simulated time is read near the end of a wait, milliseconds. */
 const MIN_INTERVAL_MS = 30;
 
-/** The air is almost still, so that puffs stay where they cover. */
+/** The air is still, so that puffs stay where they cover, also small ones. */
 const STILL: Values = {
   'emission.growthTime': GROWTH,
   'emission.dissolve': 'erode',
@@ -48,7 +48,7 @@ const STILL: Values = {
   'style.shadows': 0,
   'light.azimuth': 25,
   'light.elevation': 35,
-  'forces.turbulence': 0.3,
+  'forces.turbulence': 0,
   'simulation.maxParticles': 2 * MAX_PUFFS,
 };
 
