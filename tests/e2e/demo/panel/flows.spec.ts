@@ -9,6 +9,14 @@ const handles = (page: Page) => page.locator('[data-gizmo^="flows"]').filter({ v
 const pointsOf = async (page: Page) =>
   (((await valueOf(page, 'flows.0.points')) as string | undefined) ?? '').split(',');
 
+/** Waits for the points of the stroke: its first handle may be focused before they can be read. */
+async function drawnPoints(page: Page): Promise<string[]> {
+  await expect.poll(async () => (await pointsOf(page)).length).toBeGreaterThan(3);
+  const points = await pointsOf(page);
+  await expect(handles(page)).toHaveCount(points.length);
+  return points;
+}
+
 /** Opens the page with the handles and the brush. */
 async function begin(page: Page): Promise<void> {
   await page.setViewportSize({ width: 690, height: 480 });
@@ -35,10 +43,7 @@ const S: readonly Place[] = [
 test('a stroke over the picture is a flow with a handle for each point, with undo', async ({ page }) => {
   await begin(page);
   await draw(page, S);
-  await expect(handles(page)).not.toHaveCount(0);
-  const points = await pointsOf(page);
-  expect(points.length).toBeGreaterThan(3);
-  await expect(handles(page)).toHaveCount(points.length);
+  const points = await drawnPoints(page);
   await expectValue(page, 'flows.0.closed', 'open');
   const ends = [S[0], S.at(-1)!];
   for (const [at, index] of [0, points.length - 1].entries()) {
@@ -61,7 +66,7 @@ test('points are moved, added and removed by pointer and keys', async ({ page })
   await begin(page);
   await draw(page, S);
   await expect(page.locator(point(0))).toBeFocused();
-  const points = await pointsOf(page);
+  const points = await drawnPoints(page);
   await page.keyboard.press('ArrowUp');
   await expect.poll(() => pointsOf(page)).not.toEqual(points);
   const moved = await pointsOf(page);
