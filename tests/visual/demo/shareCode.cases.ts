@@ -15,7 +15,8 @@ import { threadDevice } from '../../../src/stage/remote/openHere.ts';
 import { createStage } from '../../../src/stage/stage.ts';
 import { keepPrograms } from '../pageDevice.ts';
 
-const [WIDTH, HEIGHT] = [160, 90];
+/** The ring of `air-ring` is 2.2 m wide, at 150 pixels per metre. */
+const [WIDTH, HEIGHT] = [320, 180];
 const OPTIONS: EmbedOptions = {
   width: WIDTH,
   ratio: [16, 9],
