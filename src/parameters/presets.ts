@@ -14,6 +14,7 @@ import { presets as teapot } from './byScene/teapot.ts';
 import { presets as title } from './byScene/title.ts';
 import { presets as train } from './byScene/train.ts';
 import { presets as wisp } from './byScene/wisp.ts';
+import { presets as wispLooks } from './byScene/wispLooks.ts';
 import type { Preset, Values } from './parameter.ts';
 import { presetValues as valuesOf } from './values.ts';
 import type { PresetName } from './valueTypes.ts';
@@ -31,6 +32,7 @@ export const presets: readonly Preset[] = [
   ...dust,
   ...cloudscape,
   ...wisp,
+  ...wispLooks,
   ...firework,
   ...title,
   ...dragon,

@@ -2,7 +2,10 @@
 import { fetched } from '../../base/timeout.ts';
 import type { Preset } from '../parameter.ts';
 
-const byScene: Readonly<Record<string, () => Promise<{ presets: readonly Preset[] }>>> = {
+/** @param look what follows the dash in the name of a preset */
+type Load = (look?: string) => Promise<{ presets: readonly Preset[] }>;
+
+const byScene: Readonly<Record<string, Load>> = {
   lamp: () => import('./lamp.ts'),
   airplane: () => import('./airplane.ts'),
   train: () => import('./train.ts'),
@@ -11,7 +14,7 @@ const byScene: Readonly<Record<string, () => Promise<{ presets: readonly Preset[
   genie: () => import('./genie.ts'),
   dust: () => import('./dust.ts'),
   cloudscape: () => import('./cloudscape.ts'),
-  wisp: () => import('./wisp.ts'),
+  wisp: (look) => (look ? import('./wispLooks.ts') : import('./wisp.ts')),
   firework: () => import('./firework.ts'),
   title: () => import('./title.ts'),
   dragon: () => import('./dragon.ts'),
@@ -27,8 +30,8 @@ export const FIRST_PRESET = 'lamp';
  * @throws LoadError if the download fails or times out
  */
 export async function fetchPreset(name: string): Promise<Preset | undefined> {
-  const [scene] = name.split('-', 1);
+  const [scene, look] = name.split('-');
   if (!Object.hasOwn(byScene, scene)) return undefined;
-  const { presets } = await fetched(`The preset ${name}`, byScene[scene]());
+  const { presets } = await fetched(`The preset ${name}`, byScene[scene](look));
   return presets.find((preset) => preset.name === name);
 }
