@@ -5,7 +5,8 @@
  */
 import { writeFileSync } from 'node:fs';
 import { PNG } from 'pngjs';
-import { meetLobes, sampleLobes } from '../../src/renderer/puffs/lobes.ts';
+import { meetLobes } from '../../src/renderer/puffs/lobes.ts';
+import { sampleLobes } from '../../src/renderer/puffs/billboards/channelSheet.ts';
 import { DEFAULT_DESIGN, designedShapes } from '../../src/renderer/puffs/lobeShapes.ts';
 import { orientationOf, rotatedLobes } from '../../src/renderer/puffs/orientation.ts';
 import type { Lobe, PuffShape } from '../../src/renderer/puffs/shapes.ts';

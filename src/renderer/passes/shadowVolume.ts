@@ -2,7 +2,7 @@
  * What TypeScript needs of the shadow volumes of shaders/lib/volume.glsl: the growth of the bounding ball of a puff, and
  * bounds of the start and the end. tests/visual/renderer/passes/volumes/volumes.spec.ts compares it with the shader and with Rust.
  */
-import type { Vector3, Vector4 } from 'three';
+import type { Vector3 } from 'three';
 import { CAP_SLACK, NEAREST_LAMP } from '../../base/constants.ts';
 import type { PuffExtents } from '../gpu/formTextures.ts';
 import type { FrameView } from '../gpu/frameView.ts';
@@ -52,12 +52,6 @@ export function hasFullSize({ uniforms }: FrameView, place: Vector3, radius: num
   const centre = place.clone().applyMatrix4(uniforms.viewFromWorld.value);
   const isPerspective = uniforms.clipFromView.value.elements[11] !== 0;
   return (isPerspective ? centre.length() - near : Math.abs(centre.z + near)) >= 2 * radius;
-}
-
-/** Distance from a point to the farthest corner of a box, where the volumes of a lamp end at the latest. */
-export function farthestCorner({ x, y, z }: Vector4, min: Vector3, max: Vector3): number {
-  const along = (place: number, low: number, high: number) => Math.max(Math.abs(place - low), Math.abs(place - high));
-  return Math.hypot(along(x, min.x, max.x), along(y, min.y, max.y), along(z, min.z, max.z));
 }
 
 /** Distances along a beam of light, which may widen, at which it enters and leaves a box. */

@@ -1,8 +1,7 @@
 /**
  * Intersects lobe puffs with rays along -z. CPU version of shaders/bodies/lobes.frag, for baking, tools and tests.
  */
-import { middleOf, softNormal } from './normals.ts';
-import type { PuffSample } from './billboards/layers.ts';
+import { middleOf } from './normals.ts';
 import type { Lobe, PuffShape } from './shapes.ts';
 import { minus, type Vector } from './vector.ts';
 import { ShapeError } from '../../base/errors.ts';
@@ -29,12 +28,6 @@ export function meetLobes(lobes: readonly Lobe[], x: number, y: number): LobeHit
     if (beside < radius) top = Math.max(top, center[2] + Math.sqrt(radius * radius - beside * beside));
   }
   return { height: distance < 0 ? top : rim, distance };
-}
-
-/** As {@link meetLobes}, with the unit shading normal. */
-export function sampleLobes(lobes: readonly Lobe[], x: number, y: number): PuffSample {
-  const hit = meetLobes(lobes, x, y);
-  return { ...hit, normal: softNormal(lobes, middleOf(lobes), [x, y, hit.height]) };
 }
 
 /** Radius of the bounding sphere of all lobes about the particle's centre. */

@@ -1,6 +1,6 @@
-/** Shading normals of a puff: the lobe normals, smoothed along creases and blended with the puff's overall normal. */
+/** What shapes the shading normals of a puff: the lobe normals, smoothed along creases and blended with the puff's overall normal. */
 import type { Lobe } from './shapes.ts';
-import { minus, mixed, normalized, type Vector } from './vector.ts';
+import type { Vector } from './vector.ts';
 
 /**
  * Weight of the puff's overall normal in every normal, 0..1. At 0 each lobe is shaded as a separate ball; at 1 the
@@ -25,34 +25,4 @@ export function middleOf(lobes: readonly Lobe[]): Vector {
     total += volume;
   }
   return [x / total, y / total, z / total];
-}
-
-/**
- * Unit shading normal of a puff at `p` on the surface of one of its lobes.
- * @param middle of all lobes, see {@link middleOf}
- * @param blend weight of the overall normal, 0..1
- */
-export function softNormal(lobes: readonly Lobe[], middle: Vector, p: Vector, blend = NORMAL_BLEND): Vector {
-  return normalized(mixed(filletedNormal(lobes, p), normalized(minus(p, middle)), blend));
-}
-
-/** Lobe normal at `p`, blended with the normals of other lobes within the fillet. */
-function filletedNormal(lobes: readonly Lobe[], p: Vector): Vector {
-  let x = 0;
-  let y = 0;
-  let z = 0;
-  for (let index = 0; index < lobes.length; index++) {
-    const { center, radius } = lobes[index];
-    const dx = p[0] - center[0];
-    const dy = p[1] - center[1];
-    const dz = p[2] - center[2];
-    const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-    const nearness = 1 - Math.abs(distance - radius) / CREASE_FILLET;
-    if (nearness <= 0) continue;
-    const weight = (nearness * nearness) / (distance || 1);
-    x += dx * weight;
-    y += dy * weight;
-    z += dz * weight;
-  }
-  return normalized([x, y, z]);
 }

@@ -1,7 +1,7 @@
 /** memory.*: bytes per particle, and no allocation by step and arrange. */
 import { loadSimulators, SimulatorFactory } from '../../../src/simulator/load.ts';
 import type { Simulator, SimulatorModule } from '../../../src/simulator/simulator.ts';
-import { rigidArguments } from '../../../src/simulator/rigid.ts';
+import { rigidArguments } from '../../../src/simulator/rigidArguments.ts';
 import type { View } from '../../../src/simulator/view.ts';
 import { demand, figure, say, type Figure } from '../support/figures.ts';
 import { poseAt, seededSwings } from '../sim/collide/obstacles.ts';

@@ -1,6 +1,7 @@
+import type { Vector3, Vector4 } from 'three';
 import type { FrameView } from '../../gpu/frameView.ts';
 import { END_STEPS } from '../../gpu/drawnRows.ts';
-import { BeamSpan, farthestCorner, growthOf, radiusOf } from '../shadowVolume.ts';
+import { BeamSpan, growthOf, radiusOf } from '../shadowVolume.ts';
 
 /** Largest number of balls of a shadow volume. */
 const BALLS = 48;
@@ -91,4 +92,10 @@ export class VolumeBalls {
     const { place, way } = this;
     add(place[0] + along * way[0], place[1] + along * way[1], place[2] + along * way[2], radius);
   }
+}
+
+/** Distance from a point to the farthest corner of a box, where the volumes of a lamp end at the latest. */
+export function farthestCorner({ x, y, z }: Vector4, min: Vector3, max: Vector3): number {
+  const along = (place: number, low: number, high: number) => Math.max(Math.abs(place - low), Math.abs(place - high));
+  return Math.hypot(along(x, min.x, max.x), along(y, min.y, max.y), along(z, min.z, max.z));
 }

@@ -2,7 +2,8 @@
  * The surface of a puff as points, grouped into patches with bounds, so that a query over all points (such as the
  * farthest lit one) visits few patches.
  */
-import { CREASE_FILLET, middleOf, softNormal } from '../normals.ts';
+import { CREASE_FILLET, middleOf } from '../normals.ts';
+import { softNormal } from '../softNormal.ts';
 import type { Lobe } from '../shapes.ts';
 import { lengthOf, minus, normalized, spherePoint, type Vector } from '../vector.ts';
 

@@ -3,9 +3,11 @@
  * four variations in two rows.
  */
 import { samplePuff, type PuffLayers, type PuffSample } from './layers.ts';
-import { sampleLobes } from '../lobes.ts';
+import { meetLobes } from '../lobes.ts';
+import { middleOf } from '../normals.ts';
+import { softNormal } from '../softNormal.ts';
 import { orientationOf, rotatedLobes } from '../orientation.ts';
-import type { PuffShape } from '../shapes.ts';
+import type { Lobe, PuffShape } from '../shapes.ts';
 
 type Color = [red: number, green: number, blue: number];
 
@@ -103,4 +105,10 @@ function meanColor(colorAt: (dx: number, dy: number) => Color): Color {
     for (const dx of [0.25, 0.75]) colorAt(dx, dy).forEach((value, index) => (sum[index] += value / 4));
   }
   return sum;
+}
+
+/** As {@link meetLobes}, with the unit shading normal. */
+export function sampleLobes(lobes: readonly Lobe[], x: number, y: number): PuffSample {
+  const hit = meetLobes(lobes, x, y);
+  return { ...hit, normal: softNormal(lobes, middleOf(lobes), [x, y, hit.height]) };
 }

@@ -2,7 +2,8 @@
  * Triangle meshes of puffs: one closed icosphere per lobe. The lobes overlap; the depth test produces the exact creases
  * between them.
  */
-import { middleOf, NORMAL_BLEND, softNormal } from '../normals.ts';
+import { middleOf, NORMAL_BLEND } from '../normals.ts';
+import { softNormal } from '../softNormal.ts';
 import type { Lobe, PuffMesh } from '../shapes.ts';
 import { normalized, type Vector } from '../vector.ts';
 

@@ -1,7 +1,7 @@
 /** The simulator with measuring functions: `cargo xtask wasm --bench` in sim-wasm. */
 import { SimulatorFactory } from '../../../../src/simulator/load.ts';
 import type { Simulator } from '../../../../src/simulator/simulator.ts';
-import { rigidArguments } from '../../../../src/simulator/rigid.ts';
+import { rigidArguments } from '../../../../src/simulator/rigidArguments.ts';
 import type * as Bindings from '../../../../src/simulator/wasm/physics/bindings.js';
 
 const FOLDER = '/sim-wasm/target/wasm/bench';

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { bakeLobes } from '../../../../src/renderer/puffs/bake/bakeLobes.ts';
-import { meetLobes, reachOf, sampleLobes, silhouetteRadius } from '../../../../src/renderer/puffs/lobes.ts';
+import { meetLobes, reachOf, silhouetteRadius } from '../../../../src/renderer/puffs/lobes.ts';
+import { sampleLobes } from '../../../../src/renderer/puffs/billboards/channelSheet.ts';
 import { DEFAULT_DESIGN, designedShapes, LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
 import { orientationOf, rotatedLobes } from '../../../../src/renderer/puffs/orientation.ts';
 import { CARTOON_KNOBS, proceduralPuff } from '../../../../src/renderer/puffs/procedural.ts';

@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import { bakePuffs, samplePuff } from '../../../../src/renderer/puffs/billboards/layers.ts';
 import { LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
-import { middleOf, softNormal } from '../../../../src/renderer/puffs/normals.ts';
+import { middleOf } from '../../../../src/renderer/puffs/normals.ts';
+import { softNormal } from '../../../../src/renderer/puffs/softNormal.ts';
 import { frontsOf } from '../../../../src/renderer/billboards.ts';
 import { POINT_STRIDE, surfaceOf } from '../../../../src/renderer/puffs/bake/patches.ts';
 import type { Lobe } from '../../../../src/renderer/puffs/shapes.ts';

@@ -3,7 +3,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3, type Camera } from 'thr
 import { bakedPuffs } from '../../../../src/renderer/bakedPuffs.ts';
 import type { PuffForm } from '../../../../src/renderer/gpu/puffTextures.ts';
 import { samplePuff, type PuffSample } from '../../../../src/renderer/puffs/billboards/layers.ts';
-import { sampleLobes } from '../../../../src/renderer/puffs/lobes.ts';
+import { sampleLobes } from '../../../../src/renderer/puffs/billboards/channelSheet.ts';
 import { LOBE_SHAPES } from '../../../../src/renderer/puffs/lobeShapes.ts';
 import type { PuffShape } from '../../../../src/renderer/puffs/shapes.ts';
 import { orientationOf, rotatedLobes } from '../../../../src/renderer/puffs/orientation.ts';

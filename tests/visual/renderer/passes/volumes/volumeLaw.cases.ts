@@ -4,12 +4,12 @@ import volumeFrame from '../../../../../shaders/lib/volumeFrame.glsl';
 import { NEAREST_LAMP } from '../../../../../src/base/constants.ts';
 import {
   BeamSpan,
-  farthestCorner,
   growthOf,
   hasFullSize,
   latestStart,
   radiusOf,
 } from '../../../../../src/renderer/passes/shadowVolume.ts';
+import { farthestCorner } from '../../../../../src/renderer/passes/tiledVolumes/volumeBalls.ts';
 import { NO_END } from '../../../../../src/simulator/layout.ts';
 import { Lab, rowsOf, type LabScene } from '../../../lab.ts';
 import { box } from '../../../solids.ts';
