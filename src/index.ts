@@ -17,7 +17,8 @@ export {
   type DeviceOptions,
 } from './renderer/gpu/device.ts';
 
-export { setAssetUrls, type AssetUrls } from './base/assetUrls.ts';
+export type { AssetUrls } from './base/assetUrls.ts';
+export { setAssetUrls } from './base/setAssetUrls.ts';
 export {
   ContextError,
   FileError,

@@ -1,5 +1,4 @@
 /** URLs of the files that the library fetches, for pages whose bundler does not copy them. */
-import { ParameterError, requireOptions } from './errors.ts';
 
 /** URLs by file. Relative URLs are resolved against the document. */
 export interface AssetUrls {
@@ -13,32 +12,11 @@ export interface AssetUrls {
   readonly worker?: string | URL;
 }
 
-const NAMES = ['core', 'meshes', 'physics', 'worker'];
 /** Shared by the builds of the package, such as those of the element and of three.js scenes, and by copies of it. */
 const KEY = Symbol.for('cartoon-smoke.assetUrls');
 const shared = globalThis as { [KEY]?: Map<string, string> };
-const urls = (shared[KEY] ??= new Map());
-
-/**
- * Sets where the library fetches its files. Applies to downloads that start after the call; files that are not named
- * keep their URLs.
- * @throws ParameterError if a name is unknown or a value is no URL. Nothing is changed then
- */
-export function setAssetUrls(given: AssetUrls): void {
-  requireOptions('setAssetUrls', given, NAMES);
-  const resolved = Object.entries(given).map(([name, url]) => [name, resolve(name, url)] as const);
-  for (const [name, url] of resolved) urls.set(name, url);
-}
-
-function resolve(name: string, url: unknown): string {
-  try {
-    if (typeof url === 'string' ? url : (url as URL).href)
-      return new URL(String(url), globalThis.document?.baseURI).href;
-  } catch {
-    // The same error as for values that are no strings.
-  }
-  throw new ParameterError(`setAssetUrls.${name}`, url, 'a URL');
-}
+/** The URLs that the page has set, by file. */
+export const urls: Map<string, string> = (shared[KEY] ??= new Map());
 
 /** @returns the URL that the page has set for a file, or undefined */
 export function assetUrl(name: keyof AssetUrls): string | undefined {

@@ -1,5 +1,6 @@
 /** The worker of a page: it runs all stages of the page on one device. Its first message says whether it can draw. */
-import { setAssetUrls, type AssetUrls } from '../../base/assetUrls.ts';
+import type { AssetUrls } from '../../base/assetUrls.ts';
+import { setAssetUrls } from '../../base/setAssetUrls.ts';
 import type { RemoteStageOptions } from './contract.ts';
 import { BEAT, beatWhile } from './heartbeat.ts';
 import { requireDrawing, openHere } from './openHere.ts';

@@ -246,7 +246,7 @@ describe('loading', () => {
   it('loads from the URL that the page has set', async () => {
     const fetched = serve(wasmBytes('core'));
     const { loadSimulators: load } = await fresh();
-    const { setAssetUrls } = await import('../../../src/base/assetUrls.ts');
+    const { setAssetUrls } = await import('../../../src/base/setAssetUrls.ts');
     setAssetUrls({ core: 'https://cdn.example/core.wasm', physics: new URL('https://cdn.example/physics.wasm') });
     await load({ physics: false });
     expect(fetched).toHaveBeenCalledWith(new URL('https://cdn.example/core.wasm'), expect.anything());
@@ -265,7 +265,7 @@ describe('loading', () => {
   ])('rejects the URLs %j and changes none', async (urls, message) => {
     const fetched = serve(wasmBytes('core'));
     const { loadSimulators: load } = await fresh();
-    const { setAssetUrls } = await import('../../../src/base/assetUrls.ts');
+    const { setAssetUrls } = await import('../../../src/base/setAssetUrls.ts');
     expect(() => setAssetUrls(urls as AssetUrls)).toThrow(message);
     await load({ physics: false });
     expect(String((fetched.mock.calls as unknown[][])[0][0])).toMatch(/wasm\/core\/bindings_bg\.wasm$/);

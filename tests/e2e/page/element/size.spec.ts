@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 88.8 },
+    { name: 'embed.coreKb', kB: core, limit: 88.6 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 130 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -54,7 +54,7 @@ test('in a worker, which includes its own three.js', async ({ page, openPage, se
   await stands(page);
   const own = (file: string) => isScript(file) && !file.endsWith('worker.js');
   judge([
-    { name: 'page', kB: fetched(server, own), limit: 23.8 },
+    { name: 'page', kB: fetched(server, own), limit: 23.6 },
     { name: 'worker', kB: fetched(server, (file) => file.endsWith('worker.js')), limit: 256 },
   ]);
   expect(server.sent.some(({ file }) => isThree(file))).toBe(false);

@@ -11,7 +11,7 @@ async function startedFrom(url?: string): Promise<string> {
   const started = vi.fn();
   vi.stubGlobal('Worker', started);
   vi.stubGlobal('location', new URL('https://page.example/app/'));
-  if (url) (await import('../../../../src/base/assetUrls.ts')).setAssetUrls({ worker: url });
+  if (url) (await import('../../../../src/base/setAssetUrls.ts')).setAssetUrls({ worker: url });
   (await import('../../../../src/stage/remote/pageWorker.ts')).startWorker();
   expect(started).toHaveBeenCalledTimes(1);
   return String(started.mock.calls[0][0]);
@@ -26,7 +26,9 @@ it('starts the script that the page has set', async () => {
 });
 
 it('starts the script that was set by another build or copy of the package', async () => {
-  (await import('../../../../src/base/assetUrls.ts')).setAssetUrls({ worker: 'https://page.example/files/worker.js' });
+  (await import('../../../../src/base/setAssetUrls.ts')).setAssetUrls({
+    worker: 'https://page.example/files/worker.js',
+  });
   vi.resetModules();
   expect(await startedFrom()).toBe('https://page.example/files/worker.js');
 });
