@@ -22,7 +22,7 @@ use wide::f32x4;
 use crate::forces::force::{Force, ForceContext, Phase, direction_in, fade, place_in};
 use crate::layout::parameters::forces::jet::Jet;
 use crate::layout::scope::Reach;
-use crate::math::simd::{Vector4, exp_minus, larger, positive_part, smaller};
+use crate::math::simd::{Vector4, exp_minus, larger, positive_part, smaller, splat};
 use crate::particles::tile::{Columns, Tile};
 
 /// Width of the jet's edge at the nozzle, as a share of the nozzle's radius.
@@ -53,7 +53,6 @@ impl Force for Jet {
             return None;
         }
         let frame = context.now.frame(&self.scope);
-        let splat = |value: f64| f32x4::splat(value as f32);
         Some(Kernel {
             position: place_in(&frame, self.position),
             direction: direction_in(&frame, self.direction),

@@ -12,6 +12,7 @@ pub mod blow;
 pub mod buoyancy;
 pub mod drag;
 pub mod explosion;
+#[cfg(feature = "rare")]
 pub(crate) mod flow;
 pub mod force;
 mod frames;
@@ -21,6 +22,7 @@ pub(crate) mod looks;
 pub mod orbit;
 pub mod particle_motion;
 pub(crate) mod prepared;
+#[cfg(feature = "rare")]
 pub(crate) mod shape;
 pub mod speed_limit;
 pub mod spiral;
@@ -28,6 +30,8 @@ pub mod turbulence;
 pub mod vortex;
 pub mod vortex_particles;
 pub mod wind;
+#[cfg(not(feature = "rare"))]
+mod without_kernels;
 
 use arrayvec::ArrayVec;
 

@@ -16,7 +16,7 @@ use wide::f32x4;
 use crate::forces::force::{Force, ForceContext, Phase, direction_in, fade, place_in};
 use crate::layout::parameters::forces::spiral::Spiral;
 use crate::layout::scope::Reach;
-use crate::math::simd::{Vector4, larger};
+use crate::math::simd::{Vector4, larger, splat};
 use crate::particles::tile::{Columns, Tile};
 
 /// A spiral in one step.
@@ -44,7 +44,6 @@ impl Force for Spiral {
             return None;
         }
         let frame = context.now.frame(&self.scope);
-        let splat = |value: f64| f32x4::splat(value as f32);
         let dt = context.now.dt;
         Some(Kernel {
             position: place_in(&frame, self.position),

@@ -132,6 +132,12 @@ impl Mul<f32x4> for Vector4 {
     }
 }
 
+/// A number in every lane, rounded to single precision.
+#[inline(always)]
+pub fn splat(value: f64) -> f32x4 {
+    f32x4::splat(value as f32)
+}
+
 /// The first `blocks` blocks of [`LANES`] of a column.
 #[inline(always)]
 pub fn blocks(column: &[f32], blocks: usize) -> &[[f32; LANES]] {

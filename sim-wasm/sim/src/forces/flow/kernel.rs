@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use wide::f32x4;
 
-use crate::forces::flow::path::{Near, Path};
+use crate::forces::flow::near::{Near, Reached, Samples, Spots};
+use crate::forces::flow::path::Path;
 use crate::forces::force::{Force, ForceContext, Phase, fade, place_in, vector_in};
 use crate::layout::parameters::forces::flow::Flow;
 use crate::layout::scope::Reach;
-use crate::math::simd::Vector4;
-use crate::particles::tile::{Columns, Tile};
+use crate::math::simd::{Vector4, splat};
+use crate::particles::tile::{Columns, TILE_BLOCKS, Tile};
 
 /// 25 sqrt(5) / 16: the inverse of the greatest value of x (1 - x^2)^2.
 const PEAK: f64 = 3.493_856;
@@ -46,7 +47,6 @@ impl Force for Flow {
         let scope = Reach::new(&self.scope, &context.now)?;
         let frame = context.now.frame(&self.scope);
         let is_riding = context.now.ride(&self.scope, 0.5).is_some();
-        let splat = |value: f64| f32x4::splat(value as f32);
         let side = f64::from(path.side);
         let (scale, radius) = (self.scale * side, self.radius / side);
         let origin: [f32; 3] = path.origin.into();
@@ -81,12 +81,15 @@ impl Force for Flow {
         } = tile.columns();
         for kernel in kernels {
             kernel.scope.weigh(ahead, weight);
-            for (((flow, place), ahead), weight) in flow.iter_mut().zip(&*place).zip(&*ahead).zip(&*weight) {
-                let middle = kernel.local(*ahead);
-                if let Some(near) = kernel.path.near(middle) {
-                    let way = || kernel.local(*place) - middle;
-                    *flow += kernel.world(kernel.velocity(&near, way, *weight, dt));
-                }
+            let mut spots = Spots::new_const();
+            spots.extend(ahead.iter().map(|ahead| kernel.path.spot(kernel.local(*ahead))));
+            let mut reached = [Reached::default(); TILE_BLOCKS];
+            let reached = kernel.path.reached(&spots, &mut reached);
+            let mut samples = Samples::new_const();
+            samples.extend(reached.iter().map(|reached| kernel.path.samples(&spots, reached)));
+            for (&Reached { block, .. }, samples) in reached.iter().zip(&samples) {
+                let way = || kernel.local(place[block]) - spots[block].place;
+                flow[block] += kernel.world(kernel.velocity(&samples.near(), way, weight[block], dt));
             }
         }
     }

@@ -12,27 +12,6 @@
 //! The stroke is followed by its nearest sample and the parabola through it. The swirl must not move a particle
 //! outwards: it moves along the chord of its circle.
 
-#[cfg(feature = "rare")]
 mod kernel;
-#[cfg(feature = "rare")]
+mod near;
 pub(crate) mod path;
-
-#[cfg(not(feature = "rare"))]
-use crate::forces::force::{Force, ForceContext, Phase};
-#[cfg(not(feature = "rare"))]
-use crate::layout::parameters::forces::flow::Flow;
-#[cfg(not(feature = "rare"))]
-use crate::particles::tile::Tile;
-
-/// A step with a flow is taken by larger builds only.
-#[cfg(not(feature = "rare"))]
-impl Force for Flow {
-    type Kernel = ();
-    const PHASE: Phase = Phase::Air;
-
-    fn kernel(&self, _index: usize, _context: &ForceContext) -> Option<()> {
-        None
-    }
-
-    fn act(_kernels: &[()], _tile: &mut Tile) {}
-}

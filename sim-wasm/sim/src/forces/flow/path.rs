@@ -11,13 +11,13 @@ use wide::{f32x4, u32x4};
 
 use crate::layout::parameters::field::{MAX_POINTS, POINT_RANGE};
 use crate::layout::parameters::forces::flow::Flow;
-use crate::math::simd::{LANES, Vector4, larger, smaller};
+use crate::math::simd::Vector4;
 use crate::math::vector::Vector;
 
 /// Maximum number of samples: a cell has the number of one in a byte.
 const MAX_SAMPLES: usize = 254;
 /// The number of no sample.
-const FAR: u8 = 255;
+pub(super) const FAR: u8 = 255;
 /// Number of values of a byte: with them as an index, the code of a particle has no checks.
 const NUMBERS: usize = 256;
 /// Maximum number of cells, a power of two.
@@ -26,17 +26,6 @@ const MAX_CELLS: usize = 32_768;
 const MIDDLE: f64 = POINT_RANGE / 2.0;
 /// The stroke of a flow without points.
 const INITIAL: [Vector; 2] = [Vector::ZERO, Vector::Y];
-
-/// The nearest points of a path.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Near {
-    /// From the path.
-    pub offset: Vector4,
-    /// The part of it across the path. They differ beyond the ends.
-    pub across: Vector4,
-    /// Unit vector along the path.
-    pub direction: Vector4,
-}
 
 /// A stroke in its own frame, in which the centres of cells have whole coordinates.
 #[derive(Debug)]
@@ -48,13 +37,13 @@ pub(crate) struct Path {
     pub(super) side: f32,
     /// Position and how far back along the path its parabola counts, direction and how far ahead, bend: the derivative of
     /// the direction by the distance. The one of [`FAR`] is far away from everything.
-    samples: Box<[[f32x4; 3]; NUMBERS]>,
-    cells: Cells,
+    pub(super) samples: Box<[[f32x4; 3]; NUMBERS]>,
+    pub(super) cells: Cells,
 }
 
 /// The nearest sample of each cell of a box.
 #[derive(Debug)]
-struct Cells {
+pub(super) struct Cells {
     nearest: Box<[u8; MAX_CELLS]>,
     /// The last cell along each axis.
     last: Vector4,
@@ -93,39 +82,6 @@ impl Path {
     pub fn is_of(&self, flow: &Flow) -> bool {
         let shape = |flow: &Flow| (flow.points, flow.closed, flow.radius);
         shape(&self.of) == shape(flow)
-    }
-
-    /// The nearest points of the path to four places; none if all of them are out of its reach.
-    #[inline(always)]
-    pub(super) fn near(&self, place: Vector4) -> Option<Near> {
-        let nearest = self.cells.nearest(place);
-        // One comparison: a branch for each lane would be mispredicted.
-        if u32::from_ne_bytes(nearest) == u32::MAX {
-            return None;
-        }
-        let rows = nearest.map(|sample| &self.samples[usize::from(sample)]);
-        let column = |row: usize| f32x4::transpose(rows.map(|sample| sample[row]));
-        let [x, y, z, back] = column(0);
-        let offset = place - Vector4 { x, y, z };
-        let [x, y, z, ahead] = column(1);
-        let direction = Vector4 { x, y, z };
-        let [x, y, z, _] = column(2);
-        let bend = Vector4 { x, y, z };
-        // The foot of the perpendicular on the parabola, up to second order.
-        let narrow = larger(f32x4::ONE - bend.dot(offset), f32x4::splat(0.25));
-        let foot = direction.dot(offset) / narrow;
-        let along = larger(smaller(foot, ahead), back);
-        let turn = bend * along;
-        let offset = offset - (direction + turn * f32x4::HALF) * along;
-        let direction = direction + turn;
-        // The direction is longer than 1 by the square of the turn: a Newton step for the inverse root.
-        let unit = f32x4::splat(1.5) - direction.dot(direction) * f32x4::HALF;
-        let direction = direction * unit;
-        Some(Near {
-            offset,
-            across: offset - direction * (foot - along),
-            direction,
-        })
     }
 }
 
@@ -351,16 +307,21 @@ impl Cells {
         }
     }
 
-    /// The numbers of the samples at four places.
+    /// The cells of four places, in the low bits.
     #[inline(always)]
-    fn nearest(&self, place: Vector4) -> [u8; LANES] {
+    pub(super) fn at(&self, place: Vector4) -> u32x4 {
         // Adding 1.5 * 2^23 rounds to the nearest whole number, which is then in the low bits.
         let magic = f32x4::splat(12_582_912.0);
         // The sign of zero is lost, so that these are the same on every machine.
-        let cell = |place: f32x4, last: f32x4| place.fast_max(f32x4::ZERO).fast_min(last) + magic - magic;
-        let row = cell(place.x, self.last.x) + cell(place.y, self.last.y) * self.rows;
-        let index = row + cell(place.z, self.last.z) * self.layers;
-        let bits: u32x4 = cast(index + magic);
-        bits.to_array().map(|bits| self.nearest[bits as usize % MAX_CELLS])
+        let shifted = |place: f32x4, last: f32x4| place.fast_max(f32x4::ZERO).fast_min(last) + magic;
+        let row = (shifted(place.y, self.last.y) - magic) * self.rows;
+        let layer = (shifted(place.z, self.last.z) - magic) * self.layers;
+        cast(shifted(place.x, self.last.x) + (row + layer))
+    }
+
+    /// The number of the nearest sample at a cell, [`FAR`] if it is out of reach.
+    #[inline(always)]
+    pub(super) fn nearest(&self, cell: u32) -> u8 {
+        self.nearest[cell as usize % MAX_CELLS]
     }
 }

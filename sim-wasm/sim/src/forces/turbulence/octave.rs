@@ -31,7 +31,7 @@ use std::f64::consts::TAU;
 use wide::bytemuck::cast;
 use wide::{f32x4, u32x4};
 
-use crate::math::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part};
+use crate::math::simd::{CELL_ZERO, Vector4, cell_and_fraction, positive_part, splat};
 
 /// Lattice cells per `turbulence.scale`. Makes the ratio of vorticity to speed equal to that of Perlin's quintic noise
 /// on cubes of that scale.
@@ -80,7 +80,6 @@ impl Octave {
         let drift = skewed(drift.map(|metres| metres * frequency)).map(|cells| cells + shift);
         let whole = drift.map(|cells| libm::floor(cells) as i64 as u32);
         let turns = phase / TAU;
-        let splat = |value: f64| f32x4::splat(value as f32);
         Self {
             frequency: splat(frequency),
             fraction: Vector4::splat(drift.map(|cells| (cells - libm::floor(cells)) as f32)),

@@ -7,7 +7,7 @@ use wide::f32x4;
 use crate::forces::force::{direction_in, fade, place_in};
 use crate::layout::parameters::forces::vortex::Vortex;
 use crate::math::pose::Frame;
-use crate::math::simd::{Vector4, larger, positive_part};
+use crate::math::simd::{Vector4, larger, positive_part, splat};
 
 /// The swirl of a vortex in one step.
 #[derive(Clone, Copy, Debug)]
@@ -60,7 +60,6 @@ impl Swirl {
     pub(super) fn new(vortex: &Vortex, strength: f64, frame: &Frame, dt: f32) -> Self {
         let core_squared = vortex.core_radius * vortex.core_radius;
         let angular_velocity = vortex.circulation * strength / (2.0 * PI * core_squared);
-        let splat = |value: f64| f32x4::splat(value as f32);
         Self {
             position: place_in(frame, vortex.position),
             axis: direction_in(frame, vortex.axis),
