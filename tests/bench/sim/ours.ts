@@ -1,5 +1,5 @@
 /** Our simulator in WASM. */
-import { loadSimulators } from '../../../src/simulator/load.ts';
+import { loadSimulators, type SimulatorFactory } from '../../../src/simulator/load.ts';
 import type { Simulator } from '../../../src/simulator/simulator.ts';
 import { time } from '../support/figures.ts';
 import { readParticles, withParticles, type Particles } from '../support/snapshot.ts';
@@ -10,12 +10,13 @@ import type { Contestant } from './contestant.ts';
 const SEED = 7;
 
 export class Wasm implements Contestant {
-  readonly name = 'wasm';
+  readonly name: string;
   readonly simulator: Simulator;
   /** The saved initial state of every round, including parameters. */
   readonly start: Uint8Array;
 
-  private constructor(simulator: Simulator, start: Uint8Array) {
+  private constructor(name: string, simulator: Simulator, start: Uint8Array) {
+    this.name = name;
     this.simulator = simulator;
     this.start = start;
     this.restart();
@@ -23,10 +24,19 @@ export class Wasm implements Contestant {
 
   /** A simulator filled with the seeded cloud. */
   static async create(count: number, forces: Readonly<Record<string, number>> = SIX_FORCES): Promise<Wasm> {
-    const factory = await loadSimulators({ physics: false });
-    const simulator = factory.create({ capacity: count, seed: SEED });
+    return Wasm.of(await loadSimulators({ physics: false }), 'wasm', seededCloud(count, 3), forces);
+  }
+
+  /** A simulator of `factory` with these particles. */
+  static of(
+    factory: SimulatorFactory,
+    name: string,
+    particles: Particles,
+    forces: Readonly<Record<string, number>>,
+  ): Wasm {
+    const simulator = factory.create({ capacity: particles.x.length, seed: SEED });
     simulator.set(forces);
-    return new Wasm(simulator, withParticles(simulator, seededCloud(count, 3)));
+    return new Wasm(name, simulator, withParticles(simulator, particles));
   }
 
   restart(): void {

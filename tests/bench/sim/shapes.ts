@@ -1,14 +1,13 @@
 /** sim.shapes: cost of a shape of 2,000 puffs, relative to a step of 10,000 particles. */
 import { loadMeshes } from '../../../src/simulator/meshes.ts';
-import { demand, figure, time, type Figure } from '../support/figures.ts';
-import { readParticles, withParticles } from '../support/snapshot.ts';
+import { demand, figure, type Figure } from '../support/figures.ts';
 import { SIX_FORCES, seededCloud } from './cloud.ts';
-import { meanDistance, type Contestant } from './contestant.ts';
+import { meanDistance } from './contestant.ts';
+import { Wasm } from './ours.ts';
 import { simulatorValues } from '../../../src/simulator/simulatorValues.ts';
 import { interleave, type Plan } from './rounds.ts';
 
 const [PUFFS, MANY] = [2_000, 10_000];
-const SEED = 7;
 const GOAL = 0.1;
 
 /** The word TEA over the cloud. */
@@ -21,27 +20,16 @@ const SHAPE = simulatorValues({
 
 export async function measureShapes(quick: boolean): Promise<Figure[]> {
   const factory = await loadMeshes();
-  const contestant = (name: string, count: number, values: Readonly<Record<string, number>>) => {
-    const simulator = factory.create({ capacity: count, seed: SEED });
-    simulator.set({ ...SIX_FORCES, ...values });
-    const start = withParticles(simulator, seededCloud(count, 3));
-    const own: Contestant = {
-      name,
-      restart: () => simulator.restore(start),
-      advance: (steps) => time(() => simulator.step(steps)),
-      dispose: () => simulator.dispose(),
-    };
-    return { ...own, simulator };
-  };
+  const contestant = (name: string, count: number, values: Readonly<Record<string, number>>) =>
+    Wasm.of(factory, name, seededCloud(count, 3), { ...SIX_FORCES, ...values });
   const many = contestant('many', MANY, {});
   const without = contestant('without', PUFFS, {});
   const shaped = contestant('shaped', PUFFS, SHAPE);
   for (const each of [without, shaped]) {
-    await each.restart();
-    await each.advance(5);
+    each.restart();
+    each.advance(5);
   }
-  const [before, after] = [without, shaped].map(({ simulator }) => placesOf(readParticles(simulator)));
-  const apart = meanDistance(before, after);
+  const apart = meanDistance(without.places(), shaped.places());
   demand(apart > 0.02, `the shape moves smoke by ${apart} m`);
   const plan: Plan = {
     rounds: quick ? 5 : 11,
@@ -62,8 +50,4 @@ export async function measureShapes(quick: boolean): Promise<Figure[]> {
     figure('sim.shapes', 'x', added.map((cost, round) => cost / step[round]), `${what}, through a step of ${MANY}; goal <= ${GOAL}`), // prettier-ignore
     figure('sim.shapes.ms', 'ms', added, `${what}; a step of ${MANY} takes ${step[0].toFixed(3)} ms`),
   ];
-}
-
-function placesOf({ x, y, z }: { x: Float32Array; y: Float32Array; z: Float32Array }): Float32Array {
-  return Float32Array.from({ length: 3 * x.length }, (_, i) => [x, y, z][i % 3][(i / 3) | 0]);
 }

@@ -1,6 +1,7 @@
 /** The measurements of `npm run bench -- sim`, in one page. */
 import type { Figure } from '../support/figures.ts';
 import { measureCollisions } from './collide/collisions.ts';
+import { measureFlows } from './flows.ts';
 import { measureLooks } from './looks.ts';
 import { measureParts } from './parts.ts';
 import { measureShapes } from './shapes.ts';
@@ -18,6 +19,7 @@ export async function measure(quick: boolean): Promise<Figure[]> {
     ...(await measureLooks(quick)),
     ...(await measureSizes(quick)),
     ...(await measureShapes(quick)),
+    ...(await measureFlows(quick)),
     ...(await measureTimeline(quick)),
     ...(await measureVortexParticles(quick)),
     ...(await measureAgainstCompat(quick)),
