@@ -68,7 +68,7 @@ export async function measureFlows(quick: boolean): Promise<Figure[]> {
   ];
   const plan: Plan = {
     rounds: quick ? 5 : 11,
-    share: quick ? 60 : 150,
+    share: quick ? 200 : 400,
     warming: quick ? 200 : 400,
     slice: 5,
     cost: 'cheapest',
