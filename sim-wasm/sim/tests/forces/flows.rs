@@ -279,6 +279,38 @@ fn smoke_circles_in_a_ring() {
 }
 
 #[test]
+fn smoke_among_smoke_that_is_not_in_the_flow_moves_as_alone() {
+    const COUNT: usize = 200;
+    let settings = [("flows.0.speed", 2.0), ("flows.0.swirl", 3.0), ("flows.0.radius", 0.3)];
+    let path = spline(S, false);
+    let places: [[f32; 3]; COUNT] = std::array::from_fn(|number| {
+        // Of three blocks of four, one is out of reach, and one has half of its smoke in reach.
+        let is_far = [false, true, number % 2 == 0][number / 4 % 3];
+        let from = beside(&path, number as u32, 0.1);
+        sum(from, [if is_far { 9.0 } else { 0.0 }, 0.0, 0.0], 1.0).map(|part| part as f32)
+    });
+    let of = |places: &[[f32; 3]]| {
+        let mut simulator = simulator(places.len() as u32, 1, &[crate::common::STILL, &settings]);
+        for (key, value) in of_points(S) {
+            simulator.set(&key, value).unwrap();
+        }
+        for place in places {
+            simulator.add(&crate::common::newborn(*place));
+        }
+        steps(&mut simulator, 3);
+        simulator
+    };
+    let crowd = of(&places);
+    let mut moved = 0;
+    for (number, start) in places.iter().enumerate() {
+        let end = place(&crowd, number);
+        assert_eq!(end, place(&of(&[*start]), 0), "particle {number} from {start:?}");
+        moved += usize::from(end != *start);
+    }
+    assert_eq!(moved, COUNT / 2);
+}
+
+#[test]
 fn a_swirl_without_inflow_keeps_the_distance_over_20_turns() {
     for swirl in [-2.0, 8.0, 50.0] {
         let settings = [("flows.0.swirl", swirl), ("flows.0.radius", 10.0)];
