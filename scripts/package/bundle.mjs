@@ -248,9 +248,9 @@ function workerAt(address) {
  * @returns {import('rolldown').Plugin}
  */
 function modelByUrl() {
-  const address = "servedUrl(new URL('./stageModel.js', import.meta.url).href)";
+  const address = "assetUrl('stageModel') ?? servedUrl(new URL('./stageModel.js', import.meta.url).href)";
   const imported = `import(/* @vite-ignore */ /* webpackIgnore: true */ /* turbopackIgnore: true */ ${address})`;
-  return modelBy(imported, "import { servedUrl } from '../base/assetUrls.ts';\n");
+  return modelBy(imported, "import { assetUrl, servedUrl } from '../base/assetUrls.ts';\n");
 }
 
 /**

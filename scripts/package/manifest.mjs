@@ -57,6 +57,7 @@ export const manifest = {
     './core.wasm': { types: './types/asset.d.ts', default: './dist/wasm/core/bindings_bg.wasm' },
     './meshes.wasm': { types: './types/asset.d.ts', default: './dist/wasm/meshes/bindings_bg.wasm' },
     './physics.wasm': { types: './types/asset.d.ts', default: './dist/wasm/physics/bindings_bg.wasm' },
+    './stageModel.js': { types: './types/asset.d.ts', default: './dist/stageModel.js' },
     './worker.js': { types: './types/asset.d.ts', default: './dist/worker.js' },
     './custom-elements.json': './custom-elements.json',
     './html-custom-data.json': './html-custom-data.json',

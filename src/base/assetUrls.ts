@@ -8,6 +8,8 @@ export interface AssetUrls {
   readonly meshes?: string | URL;
   /** `cartoon-smoke/physics.wasm`: the simulator with rigid bodies. */
   readonly physics?: string | URL;
+  /** `cartoon-smoke/stageModel.js`: the code of models for stages in the worker and for the script for CDNs. */
+  readonly stageModel?: string | URL;
   /** `cartoon-smoke/worker.js` */
   readonly worker?: string | URL;
 }

@@ -2,7 +2,7 @@
 import { urls, type AssetUrls } from './assetUrls.ts';
 import { ParameterError, requireOptions } from './errors.ts';
 
-const NAMES = ['core', 'meshes', 'physics', 'worker'];
+const NAMES = ['core', 'meshes', 'physics', 'stageModel', 'worker'];
 
 /**
  * Sets where the library fetches its files. Applies to downloads that start after the call; files that are not named

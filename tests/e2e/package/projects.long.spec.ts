@@ -178,7 +178,11 @@ const ANGULAR = {
               tsConfig: 'tsconfig.json',
               outputPath: 'dist',
               assets: [
-                { glob: '{worker.js,wasm/**}', input: 'node_modules/cartoon-smoke/dist', output: 'cartoon-smoke' },
+                {
+                  glob: '{worker.js,stageModel.js,wasm/**}',
+                  input: 'node_modules/cartoon-smoke/dist',
+                  output: 'cartoon-smoke',
+                },
               ],
               progress: false,
             },

@@ -14,6 +14,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { beforeAll, expect, it } from 'vitest';
+import { setAssetUrls } from '../../../src/base/assetUrls.ts';
 import { names } from '../../../src/page/element/attributes/names.ts';
 import { CartoonSmokeElement } from '../../../src/page/element/cartoonSmokeElement.ts';
 import { presets } from '../../../src/parameters/words/presets.ts';
@@ -76,6 +77,24 @@ it('exports by name each type that a public signature names', () => {
   ]);
   expect(hidden).toEqual([]);
   expect(exported).toBeGreaterThan(80);
+});
+
+it('exports each file that its code finds by a URL, under its name in setAssetUrls', () => {
+  const { exports } = JSON.parse(textOf('package.json')) as {
+    exports: Record<string, { types: string; default: string }>;
+  };
+  const assets = Object.entries(exports).filter(([, { types }]) => types === './types/asset.d.ts');
+  const code = filesOf('dist').filter((file) => file.endsWith('.js') && file !== 'dist/cartoon-smoke.min.js');
+  const found = code.flatMap((file) =>
+    [...textOf(file).matchAll(/new URL\([`'"]\.\/([^`'"]+)[`'"],\s*import\.meta\.url\)/g)].map(([, path]) => path),
+  );
+  expect([...new Set(found)].sort()).toEqual(
+    assets.map(([, { default: path }]) => path.slice('./dist/'.length)).sort(),
+  );
+  const own = assets.map(([name]) => /^\.\/(\w+)\.\w+$/.exec(name)![1]);
+  expect(() => setAssetUrls({ unknown: '' } as object)).toThrow(
+    `setAssetUrls.unknown cannot be “”: it takes no value: its options are ${own.join(', ')}.`,
+  );
 });
 
 it('has types that reject unknown keys, values and presets', () => {
@@ -173,7 +192,7 @@ it('has a README with an example for each entry, which compiles with the types o
     code,
   }));
   const { exports } = JSON.parse(textOf('package.json')) as { exports: Record<string, unknown> };
-  const entries = Object.keys(exports).filter((name) => !/json$|worker|development|min\.js/.test(name));
+  const entries = Object.keys(exports).filter((name) => !/json$|worker|stageModel|development|min\.js/.test(name));
   const missing = entries.filter((name) => {
     const path = `'${name.replace('.', 'cartoon-smoke')}'`;
     return !blocks.some(({ code }) => code.includes(`from ${path}`) || code.includes(`import ${path}`));

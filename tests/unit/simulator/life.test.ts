@@ -257,7 +257,7 @@ describe('loading', () => {
   it.each([
     [
       { simulator: 'https://cdn.example/core.wasm' },
-      /^setAssetUrls\.simulator cannot .* core, meshes, physics, worker/,
+      /^setAssetUrls\.simulator cannot .* core, meshes, physics, stageModel, worker/,
     ],
     [{ core: 'https://cdn.example/core.wasm', worker: 5 }, /^setAssetUrls\.worker cannot be 5: it takes a URL\.$/],
     [{ core: '' }, /^setAssetUrls\.core cannot be “”/],

@@ -1,5 +1,5 @@
 /** Models in elements of the package: their code loads by its URL, on the page and in the worker. */
-import { expect, stands, test } from '../../../support/embed.ts';
+import { expect, MODULES, stands, test } from '../../../support/embed.ts';
 import { turningBox } from '../../../support/files/glb.ts';
 import type { CartoonSmokeElement } from '../../../../src/page/element/cartoonSmokeElement.ts';
 
@@ -27,3 +27,23 @@ for (const thread of ['main', 'worker']) {
     expect(files.filter((file) => file.endsWith('meshes/bindings_bg.wasm')).length).toBe(1);
   });
 }
+
+test('the worker loads the code of models from the URL that the page sets', async ({ page, openPage, server }) => {
+  const urls = `<script type="module">
+      import { setAssetUrls } from '/package/dist/index.js';
+      setAssetUrls({ stageModel: '/absent/stageModel.js' });
+    </script>`;
+  await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', {
+    script: MODULES.replace('<script type="module" src', `${urls}$&`),
+  });
+  await stands(page);
+  const error = await page.evaluate(
+    async (bytes) => {
+      const smoke = document.querySelector('cartoon-smoke') as CartoonSmokeElement;
+      return smoke.setModel(Uint8Array.from(bytes)).catch((reason: Error) => reason.name);
+    },
+    [...turningBox().pack()],
+  );
+  expect(error).toBe('LoadError');
+  expect(server.sent.map(({ file }) => file).join()).not.toContain('dist/stageModel');
+});
