@@ -306,7 +306,7 @@ export class RunningScene implements FrameTasks {
   }
 
   /** Transforms of rigids and parts at the interpolated time. */
-  private transforms(): Pick<PictureState, 'rigids' | 'parts' | 'blend'> {
+  transforms(): Pick<PictureState, 'rigids' | 'parts' | 'blend'> {
     const { blend } = this.loop.clock;
     const rigids = this.gestures.rigids(blend);
     return { rigids, parts: this.simulation.parts(blend, rigids), blend };

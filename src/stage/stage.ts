@@ -242,8 +242,8 @@ export class Stage {
 
   /**
    * The place of the model's surface at a position in the picture, in CSS pixels from the top left, for an emitter that rides
-   * on it. Other surfaces do not hide the model.
-   * @returns null where the model is not
+   * on it.
+   * @returns null where the model is not, or behind another surface of the scene. Smoke does not hide it
    */
   pickModel(x: number, y: number): ModelPoint | null {
     return this.running.opened.model?.pick(x, y, this.running) ?? null;

@@ -10,7 +10,7 @@ import { rotate } from '../../simulator/exact/rotation.ts';
 import { FIRST_PART } from '../../simulator/layout.ts';
 import type { RigidDescription, RigidPart } from '../../simulator/rigid.ts';
 import type { Model, ModelNode, ModelOptions, ModelPoint } from '../contract.ts';
-import { piecesOf, normalized, normalOf, writeRow, type Piece, type Row } from './geometry.ts';
+import { crossOf, piecesOf, normalized, normalOf, writeRow, type Piece, type Row } from './geometry.ts';
 import { refuse } from './glb.ts';
 import type { ModelFile, Primitive } from './modelFile.ts';
 import { inSpaceOf, inverted, matrixOf, movedBy, Poser, type Place } from './pose.ts';
@@ -31,7 +31,7 @@ const WORLD: Placement = { position: [0, 0, 0], rotation: [0, 0, 0, 1] };
 /** A model that stands in a scene. */
 export interface SceneModel {
   readonly model: Model;
-  /** The nearest place of the model at a position in the picture, in CSS pixels; null if it is not there. */
+  /** The nearest place of the model at a position in the picture, in CSS pixels; null if it is not there, or behind another surface. */
   pick(x: number, y: number, shown: ShownPicture): ModelPoint | null;
 }
 
@@ -43,6 +43,8 @@ interface ShownPicture {
     deviceCoordinates(x: number, y: number): { readonly x: number; readonly y: number };
     readonly eye: { readonly camera: PickCamera };
   };
+  /** Transforms of the rigids and the parts of the scene, as they are drawn. */
+  transforms(): { readonly rigids: readonly Matrix[]; readonly parts: readonly Matrix[] };
 }
 
 interface Matrix {
@@ -56,6 +58,8 @@ interface PickCamera {
 }
 
 interface Picked {
+  /** From the camera, metres. */
+  readonly distance: number;
   readonly node: number;
   readonly position: Vector;
   readonly direction: Vector;
@@ -132,11 +136,14 @@ export function withModel(
       ],
     }),
   };
-  const pick: SceneModel['pick'] = (x, y, { loop, picture, simulation }) => {
+  const pick: SceneModel['pick'] = (x, y, shown) => {
+    const { loop, picture, simulation } = shown;
     const { origin, direction } = rayOf(picture.deviceCoordinates(x, y), picture.eye.camera);
     const seconds = secondsAt(simulation.simulator.steps, loop.clock.blend);
     const found = built.pick(surfaces, origin, direction, seconds);
-    return found ? { ...found, node: model.nodes[found.node] } : null;
+    if (!found || isBehind(base.surfaces, shown.transforms(), origin, direction, found.distance)) return null;
+    const { node, position, direction: outward } = found;
+    return { node: model.nodes[node], position, direction: outward };
   };
   return { scene, model: { model, pick }, hasRigids: scene.rigids.length > 0 };
 }
@@ -148,6 +155,36 @@ function rayOf({ x, y }: { readonly x: number; readonly y: number }, { matrixWor
   const along = [0, 1, 2].map((row) => m[row] * inView[0] + m[4 + row] * inView[1] + m[8 + row] * inView[2]);
   const direction = normalized(along[0], along[1], along[2]);
   return { origin: [m[12], m[13], m[14]] as Vector, direction };
+}
+
+/** Whether the front of a surface that is drawn is nearer on a ray than a distance. */
+function isBehind(
+  surfaces: readonly SurfaceDescription[],
+  { rigids, parts }: ReturnType<ShownPicture['transforms']>,
+  origin: Vector,
+  direction: Vector,
+  distance: number,
+): boolean {
+  return surfaces.some(({ mesh: { positions, indices }, hidden, rigid, part }) => {
+    const transform = part !== undefined ? parts[part] : rigid !== undefined ? rigids[rigid] : undefined;
+    const inverse = transform && inverted(transform.elements);
+    if (hidden || (transform && !inverse)) return false;
+    const [start, along] = inverse ? [moved(inverse, origin, 1), moved(inverse, direction, 0)] : [origin, direction];
+    for (let first = 0; first < indices.length; first += 3) {
+      const [a, b, c] = [indices[first], indices[first + 1], indices[first + 2]];
+      if (distanceTo(positions, a, b, c, start, along) < distance) {
+        const [x, y, z] = crossOf(positions, a, b, c);
+        if (x * along[0] + y * along[1] + z * along[2] < 0) return true;
+      }
+    }
+    return false;
+  });
+}
+
+/** @param place 1 for a position, 0 for a direction */
+function moved(m: ArrayLike<number>, [x, y, z]: Vector, place: 0 | 1): Vector {
+  const of = (row: number) => m[row] * x + m[4 + row] * y + m[8 + row] * z + place * m[12 + row];
+  return [of(0), of(1), of(2)];
 }
 
 interface Box {
@@ -500,6 +537,7 @@ class Build {
     const placement = this.placement(carrier, seconds);
     const place: Vector = [0, 1, 2].map((axis) => origin[axis] + nearest * direction[axis]) as unknown as Vector;
     return {
+      distance: nearest,
       node: carrier,
       position: inSpaceOf(placement, place),
       direction: inSpaceOf({ ...placement, position: [0, 0, 0] }, normal),

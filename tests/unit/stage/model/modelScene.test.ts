@@ -5,6 +5,7 @@ import { defaults } from '../../../../src/parameters/values.ts';
 import { extrude } from '../../../../src/renderer/passes/extrusion.ts';
 import { preparingSurfaces } from '../../../../src/renderer/prepare.ts';
 import { air } from '../../../../src/scenes/air.ts';
+import type { SurfaceDescription } from '../../../../src/renderer/passes/surface.ts';
 import type { Scene } from '../../../../src/scenes/scene.ts';
 import type { SimulatorFactory } from '../../../../src/simulator/load.ts';
 import type { ModelOptions } from '../../../../src/stage/contract.ts';
@@ -271,19 +272,53 @@ test.each([
   expect(faultOf({ [name]: value })?.slice(0, 2)).toEqual([name, value]);
 }); // prettier-ignore
 
+const at = (x: number, y: number, z: number) => ({ elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1] });
+
+/** A camera at a height of 1.7 m, 10 m before the model, after a second. */
+const shownWith = (rigids: { elements: number[] }[] = [], parts: { elements: number[] }[] = []) => ({
+  loop: { clock: { blend: 1 } },
+  simulation: { simulator: { steps: 60 } },
+  picture: {
+    deviceCoordinates: (x: number, y: number) => ({ x, y }),
+    eye: {
+      camera: {
+        matrixWorld: at(0, 1.7, 10),
+        projectionMatrix: { elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0] },
+      },
+    },
+  },
+  transforms: () => ({ rigids, parts }),
+});
+
+/** A square across the middle of the picture that faces the camera. */
+function square(z: number): SurfaceDescription {
+  const positions = Float32Array.of(-1, 0.7, z, 1, 0.7, z, 1, 2.7, z, -1, 2.7, z);
+  const normals = Float32Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1);
+  const mesh = { positions, normals, indices: Uint32Array.of(0, 1, 2, 0, 2, 3) };
+  return { name: 'square', mesh, color: [0, 0, 0], casts: false, inked: false };
+}
+
+test.each<[string, Partial<SurfaceDescription>, number, boolean]>([
+  ['in front', {}, 5, true],
+  ['behind the model', {}, -5, false],
+  ['behind the camera', {}, 15, false],
+  ['beside the pointer', { mesh: { ...square(5).mesh, positions: square(5).mesh.positions.map((x) => x + 3) } }, 5, false],
+  ['seen from its back', { mesh: { ...square(5).mesh, indices: Uint32Array.of(0, 2, 1, 0, 3, 2) } }, 5, false],
+  ['that is not drawn', { hidden: true }, 5, false],
+  ['on a rigid that moved in front', { rigid: 1 }, -5, true],
+  ['on a rigid that moved away', { rigid: 0 }, 5, false],
+  ['on a part that moved in front', { part: 0 }, -5, true],
+])('a surface %s', async (_, own, z, hides) => {
+  const scene = { ...air(), surfaces: [{ ...square(z), ...own }] };
+  const { model } = await dressed(turningBox(), {}, scene);
+  const point = model.pick(0, 0, shownWith([at(4, 0, 0), at(0, 0, 10)], [at(0, 0, 10)]));
+  expect(point === null).toBe(hides);
+}); // prettier-ignore
+
 test('the place under the pointer is on the node that carries it', async () => {
   const { model, scene } = await dressed(turningBox());
-  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1.7, 10, 1];
-  const camera = {
-    matrixWorld: { elements: identity },
-    projectionMatrix: { elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, -1, 0, 0, -1, 0] },
-  };
   const seconds = 1;
-  const shown = {
-    loop: { clock: { blend: 1 } },
-    simulation: { simulator: { steps: 60 } },
-    picture: { deviceCoordinates: (x: number, y: number) => ({ x, y }), eye: { camera } },
-  };
+  const shown = shownWith();
   const point = model.pick(0, 0, shown)!;
   expect(point.node.name).toBe('Top');
   const { position, rotation } = scene.parts![1].pose(seconds);
