@@ -13,7 +13,7 @@ import type { SeekOptions, StageEvents, StageOptions } from './contract.ts';
 import { FrameLoop, type FrameTasks } from './frameLoop.ts';
 import { Gestures } from './gestures.ts';
 import { Listeners } from './listeners.ts';
-import type { Dress } from './model/kit.ts';
+import type { AddModel } from './model/kit.ts';
 import type { OpenedScene } from './openScene.ts';
 import type { OrbitCamera } from './orbit.ts';
 import { Picture, type PictureState } from './picture.ts';
@@ -36,7 +36,7 @@ export class RunningScene implements FrameTasks {
   readonly values: StageValues;
   readonly timeline: AnimationLoading;
   /** Adds the model of the stage to scenes that are entered. */
-  dress: Dress | undefined;
+  addModel: AddModel | undefined;
   /** Replaced when another scene is entered, as its simulation and its gestures. */
   opened: OpenedScene;
   simulation: Simulation;

@@ -22,7 +22,7 @@ import type {
   StageOptions,
   StageStats,
 } from './contract.ts';
-import type { Dress } from './model/kit.ts';
+import type { AddModel } from './model/kit.ts';
 import { loadModel } from './modelLoading.ts';
 import { cameraControls } from './orbit.ts';
 import { openFor, openStage, read } from './openStage.ts';
@@ -42,7 +42,7 @@ export class Stage {
   readonly camera = cameraControls(() => this.#running);
   readonly #running: RunningScene;
   /** The latest call of enter or setModel, until it is over; earlier calls are superseded. */
-  #entering: { readonly values: GivenValues; readonly dress: Dress | undefined } | undefined;
+  #entering: { readonly values: GivenValues; readonly addModel: AddModel | undefined } | undefined;
   /** Identifies the latest call of setModel. */
   #reading: object | undefined;
 
@@ -190,13 +190,13 @@ export class Stage {
    * @throws ParameterError for an invalid value, LoadError when the scene cannot be fetched; nothing changes then
    */
   async enter(values: GivenValues, options: EnterOptions = {}): Promise<void> {
-    const { dress } = this.#entering ?? this.running;
-    await this.#enter(values, options, dress);
+    const { addModel } = this.#entering ?? this.running;
+    await this.#enter(values, options, addModel);
   }
 
-  async #enter(values: GivenValues, options: EnterOptions, dress: Dress | undefined): Promise<void> {
+  async #enter(values: GivenValues, options: EnterOptions, addModel: AddModel | undefined): Promise<void> {
     const { picture } = this.running;
-    const [before, entry] = [this.#entering, (this.#entering = { values, dress })];
+    const [before, entry] = [this.#entering, (this.#entering = { values, addModel })];
     const after = await read(values).catch((error) => {
       // Invalid values supersede nothing.
       if (this.#entering === entry) this.#entering = before;
@@ -204,9 +204,9 @@ export class Stage {
     });
     try {
       const scene = await openFor(after, picture, options);
-      const opened = dress ? await dress(scene) : scene;
+      const opened = addModel ? await addModel(scene) : scene;
       if (this.#running.isDisposed || this.#entering !== entry) return;
-      this.#running.dress = dress;
+      this.#running.addModel = addModel;
       this.#running.enter(opened, after);
     } finally {
       if (this.#entering === entry) this.#entering = undefined;
@@ -227,9 +227,9 @@ export class Stage {
   async setModel(bytes: Uint8Array | null, options: ModelOptions = {}): Promise<Model | null> {
     const call = (this.#reading = {});
     const { smoke } = this.running.picture;
-    const dress = bytes ? await loadModel(bytes, options) : undefined;
+    const addModel = bytes ? await loadModel(bytes, options) : undefined;
     if (this.#reading === call) {
-      await this.#enter(this.#entering?.values ?? this.get(), {}, dress);
+      await this.#enter(this.#entering?.values ?? this.get(), {}, addModel);
       this.setPuffs(smoke.ownShapes);
     }
     return this.model;
@@ -366,8 +366,8 @@ export class Stage {
     const { ownShapes } = this.running.picture.smoke;
     const [values, state] = [this.get(), this.save()];
     const stage = await createStage(canvas, { ...options, values });
-    const { dress } = this.#running;
-    if (dress) await stage.#enter(values, {}, dress);
+    const { addModel } = this.#running;
+    if (addModel) await stage.#enter(values, {}, addModel);
     stage.setPuffs(ownShapes);
     stage.restore(state);
     return stage;

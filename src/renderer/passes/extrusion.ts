@@ -1,5 +1,5 @@
 import type { Work } from '../../base/work.ts';
-import { EdgeTable } from './edges/edgeTable.ts';
+import { EdgeTable, mixed } from './edges/edgeTable.ts';
 import { memoize } from './memoize.ts';
 import { PLACES_PER_METRE } from '../../base/constants.ts';
 
@@ -49,7 +49,8 @@ export function inOne(arrays: readonly Float32Array[]): Float32Array {
  * there.
  */
 export const weld = memoize((positions: Float32Array): Uint32Array => {
-  const places = Float64Array.from(positions, (value) => Math.round(value * PLACES_PER_METRE));
+  const places = new Float64Array(positions.length);
+  for (let at = 0; at < places.length; ++at) places[at] = Math.round(positions[at] * PLACES_PER_METRE);
   const welded = new Uint32Array(positions.length / 3);
   const slots = new Int32Array(2 ** Math.ceil(Math.log2(2 * welded.length + 1))).fill(-1);
   for (let vertex = 0; vertex < welded.length; ++vertex) {
@@ -65,14 +66,18 @@ export const weld = memoize((positions: Float32Array): Uint32Array => {
  * Spatial hash of Teschner et al., 'Optimized Spatial Hashing for Collision Detection of Deformable Objects' (2003).
  */
 function hashOf(places: Float64Array, vertex: number): number {
-  const [x, y, z] = [places[3 * vertex], places[3 * vertex + 1], places[3 * vertex + 2]];
-  const mixed = Math.imul(x, 73856093) ^ Math.imul(y, 19349663) ^ Math.imul(z, 83492791);
-  return mixed ^ (mixed >>> 15);
+  const at = 3 * vertex;
+  return mixed(
+    Math.imul(places[at], 73856093) ^ Math.imul(places[at + 1], 19349663) ^ Math.imul(places[at + 2], 83492791),
+  );
 }
 
 function isSamePlace(places: Float64Array, a: number, b: number): boolean {
-  for (let axis = 0; axis < 3; ++axis) if (places[3 * a + axis] !== places[3 * b + axis]) return false;
-  return true;
+  return (
+    places[3 * a] === places[3 * b] &&
+    places[3 * a + 1] === places[3 * b + 1] &&
+    places[3 * a + 2] === places[3 * b + 2]
+  );
 }
 
 /**
@@ -121,7 +126,8 @@ export function* extrude(mesh: TriangleMesh): Work<Extrusion> {
     edges[at++] = Math.floor(opposite / 3);
   }
   yield;
-  const normals = Float32Array.from(faceNormals(positions, corners), (value) => (Number.isNaN(value) ? 0 : value));
+  const normals = Float32Array.from(faceNormals(positions, corners));
+  for (let at = 0; at < normals.length; ++at) if (Number.isNaN(normals[at])) normals[at] = 0;
   return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }
 
@@ -129,12 +135,15 @@ export function* extrude(mesh: TriangleMesh): Work<Extrusion> {
 function withoutDuplicates({ positions, indices }: TriangleMesh): Pick<Extrusion, 'positions' | 'corners'> {
   const welded = weld(positions);
   const numbers = new Uint32Array(welded.length);
-  const kept: number[] = [];
+  const kept = new Float32Array(positions.length);
+  let count = 0;
   for (let vertex = 0; vertex < welded.length; ++vertex) {
-    numbers[vertex] = welded[vertex] === vertex ? kept.length / 3 : numbers[welded[vertex]];
-    if (welded[vertex] === vertex) kept.push(...positions.subarray(3 * vertex, 3 * vertex + 3));
+    numbers[vertex] = welded[vertex] === vertex ? count : numbers[welded[vertex]];
+    if (welded[vertex] !== vertex) continue;
+    for (let axis = 0; axis < 3; ++axis) kept[3 * count + axis] = positions[3 * vertex + axis];
+    ++count;
   }
-  return { positions: Float32Array.from(kept), corners: indices.map((vertex) => numbers[vertex]) };
+  return { positions: kept.slice(0, 3 * count), corners: indices.map((vertex) => numbers[vertex]) };
 }
 
 /** The next corner of the same triangle. */
@@ -146,8 +155,11 @@ function longestEdge(positions: Float32Array, corners: Uint32Array): number {
   let longest = 0;
   for (let corner = 0; corner < corners.length; ++corner) {
     const [start, end] = [3 * corners[corner], 3 * corners[nextCorner(corner)]];
-    const along = (axis: number) => positions[end + axis] - positions[start + axis];
-    longest = Math.max(longest, Math.hypot(along(0), along(1), along(2)));
+    const x = positions[end] - positions[start];
+    const y = positions[end + 1] - positions[start + 1];
+    const z = positions[end + 2] - positions[start + 2];
+    // Math.hypot is slow, and few edges are longer than those before.
+    if (x * x + y * y + z * z > (1 - 1e-9) * longest * longest) longest = Math.max(longest, Math.hypot(x, y, z));
   }
   return longest;
 }
@@ -156,13 +168,19 @@ function longestEdge(positions: Float32Array, corners: Uint32Array): number {
 export function faceNormals(positions: Float32Array, corners: Uint32Array): Float64Array {
   const normals = new Float64Array(corners.length);
   for (let first = 0; first < corners.length; first += 3) {
-    const side = (to: number, axis: number) =>
-      positions[3 * corners[first + to] + axis] - positions[3 * corners[first] + axis];
-    const [ux, uy, uz] = [side(1, 0), side(1, 1), side(1, 2)];
-    const [vx, vy, vz] = [side(2, 0), side(2, 1), side(2, 2)];
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(...normal);
-    for (let axis = 0; axis < 3; axis++) normals[first + axis] = length > NO_AREA ? normal[axis] / length : NaN;
+    const [a, b, c] = [3 * corners[first], 3 * corners[first + 1], 3 * corners[first + 2]];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.hypot(x, y, z);
+    const share = length > NO_AREA ? length : NaN;
+    normals[first] = x / share;
+    normals[first + 1] = y / share;
+    normals[first + 2] = z / share;
   }
   return normals;
 }

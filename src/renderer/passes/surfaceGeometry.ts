@@ -83,8 +83,9 @@ export const memoizedVertices = memoize((surfaces: readonly SurfaceDescription[]
   surfaces.forEach(({ skin }, surface) => {
     const group = 1 + (names.indexOf(groups[surface]) % GROUPS);
     for (let vertex = firstVertices[surface]; vertex < firstVertices[surface + 1]; vertex++) {
-      const row = skin ? surfaces.length + skin[vertex - firstVertices[surface]] : surface;
-      numbers.set([surface, group, row], 3 * vertex);
+      numbers[3 * vertex] = surface;
+      numbers[3 * vertex + 1] = group;
+      numbers[3 * vertex + 2] = skin ? surfaces.length + skin[vertex - firstVertices[surface]] : surface;
     }
   });
   return {

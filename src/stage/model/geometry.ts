@@ -59,24 +59,22 @@ export function writeRow({ weights, fromFirst }: Row, { matrices }: Poses, into:
   into.set(fromFirst ? product : blended, to);
 }
 
-/** The row of each vertex of a skin. */
-type RowsOf = (node: number, primitive: Primitive, vertex: number) => number;
+/** The row of each vertex of the primitives of each node with a skin. */
+type RowsOf = ReadonlyMap<number, ReadonlyMap<Primitive, Uint16Array>>;
 
 function rowsFor(file: ModelFile, poses: Poses): { rows: Row[]; rowsOf: RowsOf } {
   for (const fraction of FRACTIONS) {
     const rows: Row[] = [];
-    const known = new Map<string, number>();
-    const rowsOf: RowsOf = (node, { joints, weights }, vertex) => {
-      const skin = file.nodes[node].skin!;
-      const parts = rounded(joints!, weights!, vertex, fraction);
-      const key = `${skin} ${parts.join(' ')}`;
-      const row = known.get(key) ?? rows.push(rowOf(file.skins[skin], parts, fraction, poses)) - 1;
-      known.set(key, row);
-      return row;
-    };
+    const known = new Combinations();
+    const rowsOf = new Map<number, Map<Primitive, Uint16Array>>();
     const isComplete = skinnedOf(file).every(({ node, primitive }) => {
-      for (let vertex = 0; vertex < primitive.positions.length / 3; vertex++) {
-        rowsOf(node, primitive, vertex);
+      const skin = file.nodes[node].skin!;
+      const own = new Uint16Array(primitive.positions.length / 3);
+      const ofNode = rowsOf.get(node) ?? new Map<Primitive, Uint16Array>();
+      rowsOf.set(node, ofNode.set(primitive, own));
+      for (let vertex = 0; vertex < own.length; vertex++) {
+        own[vertex] = known.numberOf(skin, primitive, vertex, fraction);
+        if (own[vertex] === rows.length) rows.push(rowOf(file.skins[skin], known.parts, fraction, poses));
         if (rows.length > MAX_ROWS) return false;
       }
       return true;
@@ -84,6 +82,35 @@ function rowsFor(file: ModelFile, poses: Poses): { rows: Row[]; rowsOf: RowsOf }
     if (isComplete) return { rows, rowsOf };
   }
   return refuse(`its skins have more than ${MAX_ROWS} bones.`);
+}
+
+/** Joints with their weights in whole fractions: up to four pairs, heaviest first, which end at a share of 0. */
+type Pairs = Int32Array;
+
+/** Numbers the combinations of a skin and pairs in the order in which they are added. */
+class Combinations {
+  /** The pairs of the last vertex. */
+  readonly parts: Pairs = new Int32Array(8);
+  private readonly all: { readonly skin: number; readonly parts: Pairs; readonly next: number }[] = [];
+  /** The last combination of each hash; `next` leads to the ones before. */
+  private readonly latest = new Map<number, number>();
+
+  numberOf(skin: number, { joints, weights }: Primitive, vertex: number, fraction: number): number {
+    const { all, latest, parts } = this;
+    round(joints!, weights!, vertex, fraction, parts);
+    let hash = skin;
+    for (let at = 0; at < parts.length; at++) hash = Math.imul(hash, 31) + parts[at];
+    const first = latest.get(hash) ?? -1;
+    for (let number = first; number >= 0; number = all[number].next)
+      if (all[number].skin === skin && isSame(all[number].parts, parts)) return number;
+    latest.set(hash, all.length);
+    return all.push({ skin, parts: parts.slice(), next: first }) - 1;
+  }
+}
+
+function isSame(one: Pairs, other: Pairs): boolean {
+  for (let at = 0; at < one.length; at++) if (one[at] !== other[at]) return false;
+  return true;
 }
 
 function skinnedOf({ nodes, order, meshes }: ModelFile): { node: number; primitive: Primitive }[] {
@@ -94,18 +121,34 @@ function skinnedOf({ nodes, order, meshes }: ModelFile): { node: number; primiti
   });
 }
 
-/** Joints with their weights in whole fractions, in pairs, heaviest first, with the sum of `fraction`. */
-function rounded(joints: Uint32Array, weights: Float32Array, vertex: number, fraction: number): number[] {
-  const shares = [0, 1, 2, 3]
-    .map((part) => ({ joint: joints[4 * vertex + part], share: Math.round(fraction * weights[4 * vertex + part]) }))
-    .sort((one, other) => other.share - one.share || one.joint - other.joint);
-  shares[0].share += fraction - shares.reduce((sum, { share }) => sum + share, 0);
-  return shares.flatMap(({ joint, share }) => (share > 0 ? [joint, share] : []));
+/** Writes the joints of a vertex, with shares whose sum is `fraction`. */
+function round(joints: Uint32Array, weights: Float32Array, vertex: number, fraction: number, into: Pairs): void {
+  let left = fraction;
+  for (let part = 0; part < 4; part++) {
+    const joint = joints[4 * vertex + part];
+    const share = Math.round(fraction * weights[4 * vertex + part]);
+    left -= share;
+    let at = 2 * part;
+    for (; at > 0 && (into[at - 1] < share || (into[at - 1] === share && into[at - 2] > joint)); at -= 2) {
+      into[at] = into[at - 2];
+      into[at + 1] = into[at - 1];
+    }
+    into[at] = joint;
+    into[at + 1] = share;
+  }
+  into[1] += left;
+  let end = 0;
+  for (let at = 0; at < into.length; at += 2) {
+    if (into[at + 1] <= 0) continue;
+    into.copyWithin(end, at, at + 2);
+    end += 2;
+  }
+  into.fill(0, end);
 }
 
-function rowOf({ joints, inverse }: Skin, parts: readonly number[], fraction: number, poses: Poses): Row {
+function rowOf({ joints, inverse }: Skin, parts: Pairs, fraction: number, poses: Poses): Row {
   const weights = [];
-  for (let at = 0; at < parts.length; at += 2) {
+  for (let at = 0; at < parts.length && parts[at + 1] > 0; at += 2) {
     const joint = parts[at];
     const own = Float64Array.from(inverse.subarray(16 * joint, 16 * joint + 16));
     weights.push({ share: parts[at + 1] / fraction, node: joints[joint], inverse: own });
@@ -134,9 +177,7 @@ function pieceOf(
   const isSkinned = skin !== undefined && primitive.joints !== undefined;
   const own = poses.matrices.slice(16 * node, 16 * node + 16);
   const count = primitive.positions.length / 3;
-  const vertexRows = isSkinned
-    ? Uint16Array.from({ length: count }, (_, vertex) => rowsOf(node, primitive, vertex))
-    : undefined;
+  const vertexRows = isSkinned ? rowsOf.get(node)!.get(primitive)! : undefined;
   // The first pose of each row that has an inverse; the others start in the space of the file.
   const firsts = vertexRows
     ? rows.map((row) => transformOf(row.fromFirst ? firstMatrix(row, poses) : IDENTITY))
@@ -202,20 +243,28 @@ function mirrored(indices: Uint32Array): Uint32Array {
 /** Each triangle with vertices of its own, as glTF asks of meshes without normals. */
 function withFlatNormals({ positions, indices, movers, rows, ...others }: Piece): Piece {
   const own = new Float32Array(3 * indices.length);
-  indices.forEach((vertex, corner) => own.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * corner));
   const normals = new Float32Array(own.length);
+  for (let corner = 0; corner < indices.length; corner++) {
+    for (let axis = 0; axis < 3; axis++) own[3 * corner + axis] = positions[3 * indices[corner] + axis];
+  }
   for (let first = 0; first < own.length; first += 9) {
     const normal = normalOf(own, first / 3, first / 3 + 1, first / 3 + 2);
-    for (let at = 0; at < 9; at++) normals[first + at] = normal[at % 3];
+    for (let corner = first; corner < first + 9; corner += 3) normals.set(normal, corner);
   }
   return {
     ...others,
     positions: own,
     normals,
     indices: indices.map((_, corner) => corner),
-    movers: Uint16Array.from(indices, (vertex) => movers[vertex]),
-    rows: rows && Uint16Array.from(indices, (vertex) => rows[vertex]),
+    movers: byCorner(movers, indices),
+    rows: rows && byCorner(rows, indices),
   };
+}
+
+function byCorner(values: Uint16Array, indices: Uint32Array): Uint16Array {
+  const found = new Uint16Array(indices.length);
+  for (let corner = 0; corner < indices.length; corner++) found[corner] = values[indices[corner]];
+  return found;
 }
 
 /** Unit normal of a triangle; +y if it has no area. */
@@ -231,8 +280,9 @@ export function normalized(x: number, y: number, z: number): [number, number, nu
 
 /** The cross product of two sides, whose length is twice the area. */
 export function crossOf(positions: Float32Array, a: number, b: number, c: number): [number, number, number] {
-  const side = (to: number, axis: number) => positions[3 * to + axis] - positions[3 * a + axis];
-  const [ux, uy, uz] = [side(b, 0), side(b, 1), side(b, 2)];
-  const [vx, vy, vz] = [side(c, 0), side(c, 1), side(c, 2)];
+  const [i, j, k] = [3 * a, 3 * b, 3 * c];
+  const [ux, uy] = [positions[j] - positions[i], positions[j + 1] - positions[i + 1]];
+  const [vx, vy] = [positions[k] - positions[i], positions[k + 1] - positions[i + 1]];
+  const [uz, vz] = [positions[j + 2] - positions[i + 2], positions[k + 2] - positions[i + 2]];
   return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }

@@ -116,6 +116,7 @@ export class Glb {
         ? new Uint32Array(count * size)
         : new Float32Array(count * size);
     const scale = normalized ? component[2] : 1;
+    const inOrder = (element: number) => element;
     const copy = (view: unknown, offset: unknown, elements: number, to: (element: number) => number, where: string) => {
       const { bytes, stride } = this.bytesOf(view);
       const [width, read] = component;
@@ -123,6 +124,15 @@ export class Glb {
       if (!isIndex(offset, bytes.length + 1) || offset + step * (elements - 1) + width * size > bytes.length)
         refuse(`${where} is not within its buffer view.`);
       const data = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+      const isPlain = componentType === 5126 && step === width * size && to === inOrder && !normalized;
+      if (isPlain) {
+        const whole = values as Float32Array;
+        for (let at = 0; at < whole.length; at++) {
+          whole[at] = data.getFloat32(offset + width * at, true);
+          if (!Number.isFinite(whole[at])) refuse(`${what} has a number that is not finite.`);
+        }
+        return;
+      }
       for (let element = 0; element < elements; element++) {
         const first = size * to(element);
         for (let part = 0; part < size; part++) {
@@ -132,7 +142,7 @@ export class Glb {
         }
       }
     };
-    if (bufferView !== undefined) copy(bufferView, byteOffset, count, (element) => element, what);
+    if (bufferView !== undefined) copy(bufferView, byteOffset, count, inOrder, what);
     if (sparse !== undefined) this.replaceSparse(sparse, count, what, copy);
     return { values, size };
   }

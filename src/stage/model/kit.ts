@@ -14,4 +14,4 @@ export interface Kit {
 }
 
 /** Adds a model to a scene. @throws FileError for a model that the scene cannot have, LoadError */
-export type Dress = (opened: OpenedScene) => Promise<OpenedScene>;
+export type AddModel = (opened: OpenedScene) => Promise<OpenedScene>;

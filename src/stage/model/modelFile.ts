@@ -278,7 +278,7 @@ function trianglesOf(given: ArrayLike<number> | undefined, count: number, mode: 
     if (!isIndex(corners[corner], count))
       refuse(`mesh ${mesh} has the index ${corners[corner]}, but ${count} vertices.`);
   }
-  if (mode === 4) return Uint32Array.from({ length: corners.length - (corners.length % 3) }, (_, at) => corners[at]);
+  if (mode === 4) return new Uint32Array(corners).slice(0, corners.length - (corners.length % 3));
   const triangles = Math.max(0, corners.length - 2);
   const indices = new Uint32Array(3 * triangles);
   for (let triangle = 0; triangle < triangles; triangle++) {

@@ -1,6 +1,8 @@
 /** Adds a model to a scene: its surfaces, what casts and collides, and the parts that emitters ride on. */
+import type { Work } from '../../base/work.ts';
 import type { Color } from '../../renderer/gpu/ramps.ts';
 import { hullNormals, type TriangleMesh } from '../../renderer/passes/extrusion.ts';
+import { memoize } from '../../renderer/passes/memoize.ts';
 import type { SurfaceDescription } from '../../renderer/passes/surface.ts';
 import type { CameraPose, MovingPart, Placement, Scene, Vector } from '../../scenes/scene.ts';
 import { cos, sin } from '../../simulator/exact/sine.ts';
@@ -14,7 +16,7 @@ import { crossOf, piecesOf, normalized, normalOf, writeRow, type Piece, type Row
 import { refuse } from './glb.ts';
 import type { ModelFile, Primitive } from './modelFile.ts';
 import { inSpaceOf, inverted, matrixOf, movedBy, Poser, type Place } from './pose.ts';
-import { areaOf, coveringBalls, fittedCapsule, insideOut, partsOf, type Capsule } from './solids.ts';
+import { areaOf, coveringBalls, fittedCapsule, insideOut, partsOf, type Capsule, type Parts } from './solids.ts';
 
 /** Parts and emission surfaces of a scene, as the simulator accepts. */
 const [MAX_PARTS, MAX_EMISSION_SURFACES] = [64, 16];
@@ -28,7 +30,15 @@ const SHARE = 0.3;
 const THICKNESS = 0.01;
 const WORLD: Placement = { position: [0, 0, 0], rotation: [0, 0, 0, 1] };
 
-/** A model that stands in a scene. */
+/** A scene with a model. */
+export interface SceneWithModel {
+  readonly scene: Scene;
+  readonly model: SceneModel;
+  /** Whether it needs a simulator with meshes. */
+  readonly hasRigids: boolean;
+}
+
+/** The model of a scene. */
 export interface SceneModel {
   readonly model: Model;
   /** The nearest place of the model at a position in the picture, in CSS pixels; null if it is not there, or behind another surface. */
@@ -75,17 +85,17 @@ interface Carrier {
 }
 
 /**
- * The scene with a model.
+ * The scene with a model, in pieces of work.
  * @param file whose animation `options.animation` names, if it names one
  * @param colors of all primitives
  */
-export function withModel(
+export function* withModel(
   base: Scene,
   file: ModelFile,
   colors: ReadonlyMap<Primitive, Color>,
   options: ModelOptions,
   notices: readonly string[],
-): { scene: Scene; model: SceneModel; hasRigids: boolean } {
+): Work<SceneWithModel> {
   const {
     animation: wanted = file.animations[0]?.name,
     speed = 1,
@@ -97,13 +107,19 @@ export function withModel(
   const colorOf = (primitive: Primitive) => colors.get(primitive)!;
   const poserAt = (place: Place) => new Poser(file, animation, speed, place);
   const unplaced = piecesOf(file, poserAt({ scale: 1, ...WORLD }).at(0), colorOf).pieces;
+  yield;
   const place = placeOf(boxOf(unplaced), base, options);
   const poser = poserAt(place);
   const { pieces, rows } = piecesOf(file, poser.at(0), colorOf);
+  yield;
   const built = new Build(base, file, poser, place, pieces, rows);
+  yield* built.separate();
   const colliders = collides ? built.colliders() : [];
+  yield;
   const emission = built.emissionSurfaces();
+  yield;
   const surfaces = built.surfaces(inked);
+  const casters = casts ? yield* built.casters() : [];
   const model: Model = {
     triangles: file.triangles,
     materials: file.materials.length,
@@ -125,7 +141,7 @@ export function withModel(
   const scene: Scene = {
     ...base,
     rigids: [...base.rigids, ...colliders.map(({ rigid }) => rigid)],
-    surfaces: [...base.surfaces, ...surfaces, ...(casts ? built.casters() : [])],
+    surfaces: [...base.surfaces, ...surfaces, ...casters],
     parts: [...(base.parts ?? []), ...built.parts()],
     emissionSurfaces: [...(base.emissionSurfaces ?? []), ...emission.map(({ mesh }) => mesh)],
     skin: rows.length > 0 ? { count: rows.length, at: (seconds) => built.rowsAt(seconds) } : undefined,
@@ -169,7 +185,9 @@ function isBehind(
     const transform = part !== undefined ? parts[part] : rigid !== undefined ? rigids[rigid] : undefined;
     const inverse = transform && inverted(transform.elements);
     if (hidden || (transform && !inverse)) return false;
-    const [start, along] = inverse ? [moved(inverse, origin, 1), moved(inverse, direction, 0)] : [origin, direction];
+    const [start, along] = inverse
+      ? [transformed(inverse, origin, 1), transformed(inverse, direction, 0)]
+      : [origin, direction];
     for (let first = 0; first < indices.length; first += 3) {
       const [a, b, c] = [indices[first], indices[first + 1], indices[first + 2]];
       if (distanceTo(positions, a, b, c, start, along) < distance) {
@@ -181,8 +199,8 @@ function isBehind(
   });
 }
 
-/** @param place 1 for a position, 0 for a direction */
-function moved(m: ArrayLike<number>, [x, y, z]: Vector, place: 0 | 1): Vector {
+/** A vector that a matrix transforms. @param place 1 for a position, 0 for a direction */
+function transformed(m: ArrayLike<number>, [x, y, z]: Vector, place: 0 | 1): Vector {
   const of = (row: number) => m[row] * x + m[4 + row] * y + m[8 + row] * z + place * m[12 + row];
   return [of(0), of(1), of(2)];
 }
@@ -241,8 +259,10 @@ class Build {
   private readonly poser: Poser;
   private readonly place: Place;
   private readonly pieces: readonly Piece[];
-  /** The pieces with thickness where they are not closed, as they are drawn. */
-  private readonly drawn: readonly Piece[];
+  /** By node. */
+  private readonly solids = new Map<number, Solid>();
+  /** For the vertices of skins that each carrier moves most, in its space. */
+  private readonly capsules: ReadonlyMap<number, Capsule>;
   private readonly rows: Row[];
   private readonly file: ModelFile;
   private readonly emissionCount: number;
@@ -269,10 +289,17 @@ class Build {
     this.carrierOf = carrierOf;
     this.firsts = this.carriers.map((_, carrier) => this.placement(carrier, 0));
     this.rowNodes();
-    const thickness = THICKNESS * Math.max(...sidesOf(boxOf(pieces)));
-    const byNode = groupedBy(this.pieces, ({ node }) => node);
-    this.drawn = [...byNode.values()].flatMap((own) => thickened(own, thickness));
     this.rowElements = new Float32Array(16 * this.rows.length);
+    this.capsules = this.fittedCapsules();
+  }
+
+  /** Separates what encloses volumes from what does not. Surfaces and casters need it. */
+  *separate(): Work<void> {
+    const thickness = THICKNESS * Math.max(...sidesOf(boxOf(this.pieces)));
+    for (const [node, own] of groupedBy(this.pieces, (piece) => piece.node)) {
+      this.solids.set(node, yield* solidOf(own, thickness));
+      yield;
+    }
   }
 
   /** Where a carrier is. */
@@ -362,10 +389,10 @@ class Build {
   /** What is drawn: a surface for each colour and for each part that moves. */
   surfaces(inked: boolean): ModelSurface[] {
     const groups = new Map<string, Piece[]>();
-    for (const piece of this.drawn) {
+    for (const piece of [...this.solids.values()].flatMap(({ drawn }) => drawn)) {
       const mover = piece.rows ? 'rows' : this.isPlaced(piece) ? this.carrierOf[piece.node] : 'still';
       const key = `${mover} ${piece.color.join()}`;
-      groups.set(key, [...(groups.get(key) ?? []), piece]);
+      addTo(groups, key, piece);
     }
     const group = groups.size > MAX_SEPARATED ? { group: 'model' } : {};
     return [...groups.values()].map((pieces, index) => {
@@ -389,20 +416,27 @@ class Build {
   }
 
   /** Closed parts cast by volumes, tangled ones by balls, and skins by capsules along their bones. */
-  casters(): SurfaceDescription[] {
+  *casters(): Work<SurfaceDescription[]> {
     const found: { mesh: TriangleMesh; carrier: number; isMoving: boolean; area: number }[] = [];
-    const drawn = groupedBy(this.drawn, ({ node }) => node);
-    for (const [node, pieces] of groupedBy(this.rigidPieces, (piece) => piece.node)) {
-      const [mesh, thick] = [joinedPieces(pieces), joinedPieces(drawn.get(node)!)];
+    for (const [node, solid] of this.solids) {
+      const pieces = solid.pieces.filter(({ isSkinned }) => !isSkinned);
+      if (pieces.length === 0) continue;
+      yield;
+      const { mesh, parts } = pieces.length === solid.pieces.length ? solid : yield* solidOf(pieces, 0);
+      const isClosed = solid.drawn === solid.pieces;
+      const thick = isClosed ? solid.mesh : joinedPieces(solid.drawn);
       const own = {
         carrier: this.carrierOf[node],
         isMoving: this.poser.isMoving[node],
         area: areaOf(mesh, mesh.indices),
       };
-      const { closed } = partsOf(thick);
-      if (closed.length > 0) found.push({ ...own, mesh: { ...thick, indices: verticesOf(thick, closed) } });
-      const balls = partsOf(mesh)
-        .tangled.flatMap((corners) => coveringBalls(mesh, verticesOf(mesh, corners)))
+      const { closed } = isClosed ? solid.parts : partsOf(thick);
+      // The same mesh if it is all closed, so that what the renderer derives from it is derived once.
+      const isWhole = closed.length === thick.indices.length;
+      if (closed.length > 0)
+        found.push({ ...own, mesh: isWhole ? thick : { ...thick, indices: verticesOf(thick, closed) } });
+      const balls = parts.tangled
+        .flatMap((corners) => coveringBalls(mesh, verticesOf(mesh, corners)))
         .filter(({ radius }) => radius > SMALLEST_BALL);
       if (balls.length > 0) found.push({ ...own, mesh: insideOut(balls) });
     }
@@ -411,7 +445,7 @@ class Build {
       part: isMoving ? carrier : undefined,
       mesh: isMoving ? inSpace(mesh, this.firsts[carrier]) : mesh,
     }));
-    const skinned = [...this.capsules()]
+    const skinned = [...this.capsules]
       .filter(([, { radius }]) => radius > SMALLEST_BALL)
       .map(([carrier, capsule]) => ({
         area: Infinity,
@@ -435,13 +469,13 @@ class Build {
   /** What smoke collides with: triangles, and capsules along bones. */
   colliders(): { rigid: RigidDescription; carrier: number | undefined }[] {
     const shapes = new Map<number, RigidPart[]>();
-    const add = (carrier: number, part: RigidPart) => shapes.set(carrier, [...(shapes.get(carrier) ?? []), part]);
+    const add = (carrier: number, part: RigidPart) => addTo(shapes, carrier, part);
     const groups = groupedBy(this.rigidPieces, ({ node }) => (this.poser.isMoving[node] ? this.carrierOf[node] : 0));
     for (const [carrier, pieces] of groups) {
       const { positions, indices } = inSpace(joinedPieces(pieces), this.firsts[carrier]);
       add(carrier, { shape: { type: 'trimesh', vertices: positions, indices }, position: [0, 0, 0] });
     }
-    for (const [carrier, { position, rotation, halfHeight, radius }] of this.capsules()) {
+    for (const [carrier, { position, rotation, halfHeight, radius }] of this.capsules) {
       const shape =
         halfHeight > 0 ? ({ type: 'capsule', halfHeight, radius } as const) : ({ type: 'ball', radius } as const);
       add(carrier, { shape, position, rotation });
@@ -473,8 +507,7 @@ class Build {
         if (into.length === 0) own.set(carrier, into);
         into.push(indices[first], indices[first + 1], indices[first + 2]);
       }
-      for (const [carrier, some] of own)
-        byCarrier.set(carrier, [...(byCarrier.get(carrier) ?? []), { piece, indices: some }]);
+      for (const [carrier, some] of own) addTo(byCarrier, carrier, { piece, indices: some });
     }
     const triangles = (parts: readonly { indices: number[] }[]) =>
       parts.reduce((sum, { indices }) => sum + indices.length, 0);
@@ -491,8 +524,7 @@ class Build {
       .sort((one, other) => one.carrier - other.carrier);
   }
 
-  /** A capsule for the vertices of skins that each carrier moves most, in its space. */
-  private capsules(): Map<number, Capsule> {
+  private fittedCapsules(): Map<number, Capsule> {
     const points = new Map<number, number[]>();
     for (const { movers, positions, isSkinned } of this.pieces) {
       if (!isSkinned) continue;
@@ -501,7 +533,8 @@ class Build {
         const into = points.get(carrier) ?? [];
         if (into.length === 0) points.set(carrier, into);
         const place = [positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]] as const;
-        into.push(...inSpaceOf(this.firsts[carrier], place));
+        const [x, y, z] = inSpaceOf(this.firsts[carrier], place);
+        into.push(x, y, z);
       }
     }
     const isEnough = ([, numbers]: [number, number[]]) => numbers.length >= 12;
@@ -547,8 +580,14 @@ class Build {
 
 function groupedBy<Item>(items: readonly Item[], keyOf: (item: Item) => number): Map<number, Item[]> {
   const groups = new Map<number, Item[]>();
-  for (const item of items) groups.set(keyOf(item), [...(groups.get(keyOf(item)) ?? []), item]);
+  for (const item of items) addTo(groups, keyOf(item), item);
   return groups;
+}
+
+function addTo<Key, Item>(groups: Map<Key, Item[]>, key: Key, item: Item): void {
+  const own = groups.get(key);
+  if (own) own.push(item);
+  else groups.set(key, [item]);
 }
 
 function rigidRow(node: number, poser: Poser): Row {
@@ -559,8 +598,28 @@ function rigidRow(node: number, poser: Poser): Row {
 }
 
 /** The vertices of corners. */
-function verticesOf({ indices }: TriangleMesh, corners: readonly number[]): Uint32Array {
-  return Uint32Array.from(corners, (corner) => indices[corner]);
+function verticesOf({ indices }: TriangleMesh, corners: ArrayLike<number>): Uint32Array {
+  const vertices = new Uint32Array(corners.length);
+  for (let at = 0; at < corners.length; at++) vertices[at] = indices[corners[at]];
+  return vertices;
+}
+
+/** The pieces of a node. */
+interface Solid {
+  readonly pieces: readonly Piece[];
+  /** All of them in one mesh, and its parts. */
+  readonly mesh: TriangleMesh;
+  readonly parts: Parts;
+  /** The pieces with thickness where they are not closed, as they are drawn; `pieces` if all are closed. */
+  readonly drawn: readonly Piece[];
+}
+
+/** @param thickness metres; 0 for none */
+function* solidOf(pieces: readonly Piece[], thickness: number): Work<Solid> {
+  const mesh = joinedPieces(pieces);
+  const parts = partsOf(mesh);
+  yield;
+  return { pieces, mesh, parts, drawn: thickness > 0 ? thickened(pieces, mesh, parts, thickness) : pieces };
 }
 
 /**
@@ -568,22 +627,42 @@ function verticesOf({ indices }: TriangleMesh, corners: readonly number[]): Uint
  * from both sides and have outlines, and without tangles they cast as closed meshes do.
  * @param thickness metres
  */
-function thickened(pieces: readonly Piece[], thickness: number): Piece[] {
-  const joined = joinedPieces(pieces);
-  const { bordered, borders, tangled } = partsOf(joined);
-  const open = [...bordered, ...tangled.flat()];
-  if (open.length === 0) return [...pieces];
-  const outward = hullNormals(joined);
-  let [firstVertex, firstCorner] = [0, 0];
-  return pieces.map((piece) => {
-    const [vertex, corner, endCorner] = [firstVertex, firstCorner, firstCorner + piece.indices.length];
+function thickened(
+  pieces: readonly Piece[],
+  mesh: TriangleMesh,
+  { bordered, borders, tangled }: Parts,
+  thickness: number,
+): readonly Piece[] {
+  if (bordered.length === 0 && tangled.length === 0) return pieces;
+  const outward = hullNormals(mesh);
+  const firsts = [0];
+  for (const { indices } of pieces) firsts.push(firsts.at(-1)! + indices.length);
+  const open = sharedOut([bordered, ...tangled], firsts);
+  const ends = sharedOut([borders], firsts);
+  let firstVertex = 0;
+  return pieces.map((piece, index) => {
+    const own = outward.subarray(3 * firstVertex, 3 * firstVertex + piece.positions.length);
     firstVertex += piece.positions.length / 3;
-    firstCorner = endCorner;
-    const isOwn = (at: number) => at >= corner && at < endCorner;
-    const own = outward.subarray(3 * vertex, 3 * vertex + piece.positions.length);
-    const at = (corners: readonly number[]) => corners.filter(isOwn).map((each) => each - corner);
-    return doubled(piece, at(open), at(borders), own, thickness);
+    return doubled(piece, open[index], ends[index], own, thickness);
   });
+}
+
+/**
+ * The corners of each piece, counted from its first one.
+ * @param firsts first corner of each piece, and the end of the last
+ */
+function sharedOut(lists: readonly ArrayLike<number>[], firsts: readonly number[]): number[][] {
+  const found = firsts.slice(1).map((): number[] => []);
+  let piece = 0;
+  for (const corners of lists) {
+    for (let at = 0; at < corners.length; at++) {
+      const corner = corners[at];
+      if (corner < firsts[piece]) piece = 0;
+      while (corner >= firsts[piece + 1]) piece++;
+      found[piece].push(corner - firsts[piece]);
+    }
+  }
+  return found;
 }
 
 /** @param corners of the triangles to double. @param borders corners where their borders begin */
@@ -594,29 +673,37 @@ function doubled(
   outward: Float32Array,
   thickness: number,
 ): Piece {
-  const positions = [...piece.positions];
-  const normals = [...piece.normals];
-  const indices = [...piece.indices];
-  /** Of the vertices that are added. */
-  const sources: number[] = [];
   const count = piece.positions.length / 3;
-  const add = (vertex: number, depth: number, normal: readonly number[]) => {
-    for (let axis = 0; axis < 3; axis++) {
-      positions.push(piece.positions[3 * vertex + axis] - depth * outward[3 * vertex + axis]);
-      normals.push(normal[axis]);
-    }
-    return count + sources.push(vertex) - 1;
+  const most = count + Math.min(count, corners.length) + 4 * borders.length;
+  const positions = longer(piece.positions, 3 * most);
+  const normals = longer(piece.normals, 3 * most);
+  const indices = longer(piece.indices, piece.indices.length + corners.length + 6 * borders.length);
+  const movers = longer(piece.movers, most);
+  const rows = piece.rows && longer(piece.rows, most);
+  let [end, endIndex] = [count, piece.indices.length];
+  const add = (vertex: number, depth: number, x: number, y: number, z: number) => {
+    for (let axis = 0; axis < 3; axis++)
+      positions[3 * end + axis] = piece.positions[3 * vertex + axis] - depth * outward[3 * vertex + axis];
+    normals[3 * end] = x;
+    normals[3 * end + 1] = y;
+    normals[3 * end + 2] = z;
+    movers[end] = piece.movers[vertex];
+    if (rows) rows[end] = rows[vertex];
+    return end++;
   };
   const behind = new Int32Array(count).fill(-1);
   const back = (corner: number) => {
     const vertex = piece.indices[corner];
     const at = 3 * vertex;
     if (behind[vertex] < 0)
-      behind[vertex] = add(vertex, thickness, [-piece.normals[at], -piece.normals[at + 1], -piece.normals[at + 2]]);
+      behind[vertex] = add(vertex, thickness, -piece.normals[at], -piece.normals[at + 1], -piece.normals[at + 2]);
     return behind[vertex];
   };
-  for (let at = 0; at < corners.length; at += 3)
-    indices.push(back(corners[at]), back(corners[at + 2]), back(corners[at + 1]));
+  for (let at = 0; at < corners.length; at += 3) {
+    indices[endIndex++] = back(corners[at]);
+    indices[endIndex++] = back(corners[at + 2]);
+    indices[endIndex++] = back(corners[at + 1]);
+  }
   for (const start of borders) {
     const [a, b] = [start, start % 3 < 2 ? start + 1 : start - 2].map((corner) => piece.indices[corner]);
     const along = [0, 1, 2].map((axis) => piece.positions[3 * b + axis] - piece.positions[3 * a + axis]);
@@ -626,21 +713,29 @@ function doubled(
       along[2] * up[0] - along[0] * up[2],
       along[0] * up[1] - along[1] * up[0],
     );
-    const [near, far] = [0, thickness].map((depth) => [a, b].map((vertex) => add(vertex, depth, normal)));
-    indices.push(near[1], near[0], far[0], near[1], far[0], far[1]);
+    const [near, far] = [0, thickness].map((depth) => [a, b].map((vertex) => add(vertex, depth, ...normal)));
+    indices.set([near[1], near[0], far[0], near[1], far[0], far[1]], endIndex);
+    endIndex += 6;
   }
-  const repeated = (values: Uint16Array) => Uint16Array.from([...values, ...sources.map((vertex) => values[vertex])]);
   return {
     ...piece,
-    positions: Float32Array.from(positions),
-    normals: Float32Array.from(normals),
-    indices: Uint32Array.from(indices),
-    movers: repeated(piece.movers),
-    rows: piece.rows && repeated(piece.rows),
+    positions: positions.slice(0, 3 * end),
+    normals: normals.slice(0, 3 * end),
+    indices,
+    movers: movers.slice(0, end),
+    rows: rows?.slice(0, end),
   };
 }
 
+/** A copy with more room. */
+function longer<Values extends Float32Array | Uint32Array | Uint16Array>(values: Values, length: number): Values {
+  const copy = new (values.constructor as new (count: number) => Values)(length);
+  copy.set(values);
+  return copy;
+}
+
 function joinedPieces(pieces: readonly Piece[]): TriangleMesh {
+  if (pieces.length === 1) return meshOf(pieces[0]);
   const count = pieces.reduce((sum, { positions }) => sum + positions.length, 0);
   const [positions, normals] = [new Float32Array(count), new Float32Array(count)];
   const indices = new Uint32Array(pieces.reduce((sum, piece) => sum + piece.indices.length, 0));
@@ -648,11 +743,15 @@ function joinedPieces(pieces: readonly Piece[]): TriangleMesh {
   for (const piece of pieces) {
     positions.set(piece.positions, at);
     normals.set(piece.normals, at);
-    for (const index of piece.indices) indices[corner++] = at / 3 + index;
+    const first = at / 3;
+    for (let each = 0; each < piece.indices.length; each++) indices[corner++] = first + piece.indices[each];
     at += piece.positions.length;
   }
   return { positions, normals, indices };
 }
+
+/** The same mesh for each call, so that what the renderer derives from it is derived once. */
+const meshOf = memoize(({ positions, normals, indices }: Piece): TriangleMesh => ({ positions, normals, indices }));
 
 /** A piece with the vertices of its triangles only. */
 function only(piece: Piece): Piece {

@@ -39,7 +39,7 @@ export function fittedCapsule(points: Float32Array): Capsule {
   const axis = longestAxis(points, middle);
   let [low, high, away] = [Infinity, -Infinity, 0];
   for (let first = 0; first < points.length; first += 3) {
-    const [x, y, z] = [0, 1, 2].map((part) => points[first + part] - middle[part]);
+    const [x, y, z] = [points[first] - middle[0], points[first + 1] - middle[1], points[first + 2] - middle[2]];
     const along = x * axis[0] + y * axis[1] + z * axis[2];
     low = Math.min(low, along);
     high = Math.max(high, along);
@@ -95,21 +95,29 @@ export function coveringBalls({ positions }: TriangleMesh, indices: ArrayLike<nu
   }
   const cell = Math.max(1e-3, ...[0, 1, 2].map((axis) => (high[axis] - low[axis]) / CELLS));
   const cells = new Map<number, [x: number, y: number, z: number, count: number]>();
-  const add = (place: readonly number[]) => {
-    const [i, j, k] = place.map((value, axis) => Math.min(CELLS - 1, Math.floor((value - low[axis]) / cell)));
-    const sum = cells.get((i * CELLS + j) * CELLS + k) ?? [0, 0, 0, 0];
-    cells.set((i * CELLS + j) * CELLS + k, [sum[0] + place[0], sum[1] + place[1], sum[2] + place[2], sum[3] + 1]);
+  const cellOf = (value: number, axis: number) => Math.min(CELLS - 1, Math.floor((value - low[axis]) / cell));
+  const add = (x: number, y: number, z: number) => {
+    const number = (cellOf(x, 0) * CELLS + cellOf(y, 1)) * CELLS + cellOf(z, 2);
+    const sum = cells.get(number) ?? [0, 0, 0, 0];
+    if (sum[3] === 0) cells.set(number, sum);
+    sum[0] += x;
+    sum[1] += y;
+    sum[2] += z;
+    sum[3]++;
   };
   for (let first = 0; first + 2 < indices.length; first += 3) {
     const corner = (at: number, axis: number) => positions[3 * indices[first + at] + axis];
-    const longest = Math.max(
-      ...[0, 1, 2].flatMap((axis) => [0, 1, 2].map((at) => Math.abs(corner(at, axis) - corner((at + 1) % 3, axis)))),
-    );
+    let longest = 0;
+    for (let axis = 0; axis < 3; axis++) {
+      const [a, b, c] = [corner(0, axis), corner(1, axis), corner(2, axis)];
+      longest = Math.max(longest, Math.abs(a - b), Math.abs(b - c), Math.abs(c - a));
+    }
     const places = Math.min(MOST_PLACES, 1 + Math.ceil((2 * longest) / cell));
     for (let a = 0; a <= places; a++) {
       for (let b = 0; a + b <= places; b++) {
         const [u, v] = [a / places, b / places];
-        add([0, 1, 2].map((axis) => (1 - u - v) * corner(0, axis) + u * corner(1, axis) + v * corner(2, axis)));
+        const at = (axis: number) => (1 - u - v) * corner(0, axis) + u * corner(1, axis) + v * corner(2, axis);
+        add(at(0), at(1), at(2));
       }
     }
   }
@@ -163,11 +171,11 @@ function addCapsule({ position, rotation, halfHeight, radius }: Capsule, positio
 /** Corners of the triangles of a mesh by what they enclose, three for each triangle, in its order. */
 export interface Parts {
   /** Triangles that enclose volumes. */
-  readonly closed: readonly number[];
+  readonly closed: Uint32Array;
   /** Connected triangles with borders: each edge has at most two triangles, which wind alike. */
-  readonly bordered: readonly number[];
+  readonly bordered: Uint32Array;
   /** Corners of `bordered` where an edge without a second triangle begins. */
-  readonly borders: readonly number[];
+  readonly borders: Uint32Array;
   /** Connected triangles with other edges. */
   readonly tangled: readonly (readonly number[])[];
 }
@@ -175,52 +183,72 @@ export interface Parts {
 /** Separates the connected parts of a mesh. Triangles without area are left out. */
 export function partsOf({ positions, indices }: Pick<TriangleMesh, 'positions' | 'indices'>): Parts {
   const places = weld(positions);
-  const corners = indices.map((vertex) => places[vertex]);
+  const corners = new Uint32Array(indices.length);
+  for (let corner = 0; corner < corners.length; corner++) corners[corner] = places[indices[corner]];
   const roots = places.slice();
   const root = (vertex: number) => {
     let at = vertex;
     while (roots[at] !== at) at = roots[at] = roots[roots[at]];
     return at;
   };
-  const endOf = (corner: number) => corners[corner % 3 < 2 ? corner + 1 : corner - 2];
-  const isTriangle = (first: number) => {
-    const [a, b, c] = [corners[first], corners[first + 1], corners[first + 2]];
-    return a !== b && b !== c && c !== a;
-  };
   const table = new EdgeTable(corners.length);
-  const tangled = new Uint8Array(places.length);
-  const bordered = new Uint8Array(places.length);
+  const isTangled = new Uint8Array(places.length);
+  const isBordered = new Uint8Array(places.length);
   const twice: number[] = [];
-  for (let first = 0; first < corners.length; first += 3) {
-    if (!isTriangle(first)) continue;
-    roots[root(corners[first])] = root(corners[first + 1]);
-    roots[root(corners[first + 1])] = root(corners[first + 2]);
-    for (let at = first; at < first + 3; at++) {
-      const { count } = table;
-      if (table.add(corners[at], endOf(at)) < count) twice.push(corners[at]);
+  const add = (start: number, end: number) => {
+    const { count } = table;
+    if (table.add(start, end) < count) twice.push(start);
+  };
+  const triangles = withAreas(corners);
+  for (const first of triangles) {
+    const [a, b, c] = [corners[first], corners[first + 1], corners[first + 2]];
+    roots[root(a)] = root(b);
+    roots[root(b)] = root(c);
+    add(a, b);
+    add(b, c);
+    add(c, a);
+  }
+  for (const vertex of twice) isTangled[root(vertex)] = 1;
+  const borders: number[] = [];
+  for (const first of triangles) {
+    for (let corner = first; corner < first + 3; corner++) {
+      const end = corners[corner < first + 2 ? corner + 1 : first];
+      if (table.find(end, corners[corner]) >= 0) continue;
+      isBordered[root(corners[corner])] = 1;
+      borders.push(corner);
     }
   }
-  for (const vertex of twice) tangled[root(vertex)] = 1;
-  const borders: number[] = [];
-  for (let corner = 0; corner < corners.length; corner++) {
-    if (!isTriangle(corner - (corner % 3)) || table.find(endOf(corner), corners[corner]) >= 0) continue;
-    bordered[root(corners[corner])] = 1;
-    borders.push(corner);
-  }
-  const rest = new Map<number, number[]>();
-  const found = { closed: [] as number[], bordered: [] as number[] };
-  for (let first = 0; first < corners.length; first += 3) {
-    if (!isTriangle(first)) continue;
+  const tangled = new Map<number, number[]>();
+  const found = { closed: new Uint32Array(corners.length), bordered: new Uint32Array(corners.length) };
+  const ends = { closed: 0, bordered: 0 };
+  for (const first of triangles) {
     const part = root(corners[first]);
-    if (tangled[part] && !rest.has(part)) rest.set(part, []);
-    const into = rest.get(part) ?? (bordered[part] ? found.bordered : found.closed);
-    into.push(first, first + 1, first + 2);
+    if (isTangled[part]) {
+      const own = tangled.get(part) ?? [];
+      if (own.length === 0) tangled.set(part, own);
+      own.push(first, first + 1, first + 2);
+      continue;
+    }
+    const kind = isBordered[part] ? 'bordered' : 'closed';
+    for (let corner = first; corner < first + 3; corner++) found[kind][ends[kind]++] = corner;
   }
   return {
-    ...found,
-    borders: borders.filter((corner) => !tangled[root(corners[corner])]),
-    tangled: [...rest.values()],
+    closed: found.closed.slice(0, ends.closed),
+    bordered: found.bordered.slice(0, ends.bordered),
+    borders: Uint32Array.from(borders.filter((corner) => !isTangled[root(corners[corner])])),
+    tangled: [...tangled.values()],
   };
+}
+
+/** The first corner of each triangle that has three different corners. */
+function withAreas(corners: Uint32Array): Uint32Array {
+  const found = new Uint32Array(corners.length / 3);
+  let count = 0;
+  for (let first = 0; first + 2 < corners.length; first += 3) {
+    const [a, b, c] = [corners[first], corners[first + 1], corners[first + 2]];
+    if (a !== b && b !== c && c !== a) found[count++] = first;
+  }
+  return found.subarray(0, count);
 }
 
 /** The area of triangles, square metres. */

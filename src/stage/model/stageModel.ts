@@ -1,31 +1,24 @@
 /**
  * Models of GLB files. The stage loads this module on demand. In the package it is a file of its own, which imports nothing.
  */
+import { inPieces, type Work } from '../../base/work.ts';
 import type { Scene } from '../../scenes/scene.ts';
 import type { ModelOptions } from '../contract.ts';
-import type { Dress, Kit } from './kit.ts';
+import type { AddModel, Kit } from './kit.ts';
 import { colorsOf, decodeByBrowser, type Decode } from './colors.ts';
 import { readModel } from './modelFile.ts';
-import { withModel, type SceneModel } from './modelScene.ts';
-
-/** A scene with a model. */
-export interface DressedScene {
-  readonly scene: Scene;
-  readonly model: SceneModel;
-  /** Whether it needs a simulator with meshes. */
-  readonly hasRigids: boolean;
-}
+import { withModel, type SceneWithModel } from './modelScene.ts';
 
 /**
  * Reads a GLB file.
- * @returns a function that adds its model to a scene
+ * @returns a function that adds its model to a scene in pieces of work
  * @throws FileError for a file that cannot be used
  */
 export async function openModel(
   bytes: Uint8Array,
   options: ModelOptions,
   decode: Decode = decodeByBrowser,
-): Promise<(scene: Scene) => DressedScene> {
+): Promise<(scene: Scene) => Work<SceneWithModel>> {
   const file = readModel(bytes);
   const notices = new Set(file.notices);
   const colors = await colorsOf(file, decode, notices);
@@ -61,17 +54,17 @@ const CHECKS: { readonly [Name in keyof Required<ModelOptions>]: Check } = {
  * See `loadModel` in modelLoading.ts.
  * @param kit what it uses of the library
  */
-export async function prepareModel(bytes: Uint8Array, options: ModelOptions, kit: Kit): Promise<Dress> {
+export async function prepareModel(bytes: Uint8Array, options: ModelOptions, kit: Kit): Promise<AddModel> {
   const fault = faultOf(options);
   if (fault) throw new kit.ParameterError(`setModel.${fault[0]}`, fault[1], fault[2]);
   const own = ownErrors(kit);
-  const dress = await own(() => openModel(bytes, options));
+  const add = await own(() => openModel(bytes, options));
   return async (opened) => {
-    const { hasRigids, ...dressed } = await own(() => dress(opened.scene));
+    const { hasRigids, ...added } = await own(() => inPieces(add(opened.scene)));
     const isEnough = !hasRigids || opened.factory.module.bindings.rigidArguments;
     const factory = isEnough ? opened.factory : await kit.fetchMeshes();
-    await kit.prepareSurfaces(dressed.scene.surfaces, 0);
-    return { ...dressed, factory };
+    await kit.prepareSurfaces(added.scene.surfaces, 0);
+    return { ...added, factory };
   };
 }
 

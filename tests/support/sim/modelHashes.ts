@@ -1,4 +1,5 @@
 /** Models in a scene, whose state must be the same in Node and in every browser. */
+import { finished } from '../../../src/base/work.ts';
 import { defaults } from '../../../src/parameters/values.ts';
 import { air } from '../../../src/scenes/air.ts';
 import type { SimulatorFactory } from '../../../src/simulator/load.ts';
@@ -19,13 +20,13 @@ export const MODEL_HASHES: Readonly<Record<keyof typeof FILES, string>> = {
 export async function modelHashes(factory: SimulatorFactory): Promise<Record<string, string>> {
   const hashes: Record<string, string> = {};
   for (const [name, make] of Object.entries(FILES)) {
-    const dress = await openModel(make().pack(), {
+    const add = await openModel(make().pack(), {
       size: 1.7,
       turn: 0.3,
       speed: 0.9,
       position: { x: 0.1, y: -1, z: 0 },
     });
-    const { scene, model } = dress(air());
+    const { scene, model } = finished(add(air()));
     const rider = { 'emitters.1.share': 1, 'emitters.1.rigid': model.model.nodes[1].rigid, 'emitters.1.position.y': 1 };
     const simulation = new Simulation(factory, scene, { ...defaults(), scene: 'air', ...rider });
     simulation.advance(STEPS);

@@ -1,3 +1,10 @@
+/** Spreads the bits of a hash, so that similar values are far apart (Appleby, MurmurHash3, 2008). */
+export function mixed(hash: number): number {
+  const half = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
+  const all = Math.imul(half ^ (half >>> 13), 0xc2b2ae35);
+  return all ^ (all >>> 16);
+}
+
 /** Numbers pairs of vertices in the order in which they are added. A hash table with open addressing. */
 export class EdgeTable {
   /** Number of different edges. */
@@ -28,8 +35,7 @@ export class EdgeTable {
 
   private slotOf(start: number, end: number): number {
     const { slots, ends } = this;
-    const mixed = Math.imul(start, 73856093) ^ Math.imul(end, 19349663);
-    let slot = (mixed ^ (mixed >>> 15)) & (slots.length - 1);
+    let slot = mixed(Math.imul(start, 73856093) ^ Math.imul(end, 19349663)) & (slots.length - 1);
     while (slots[slot] >= 0 && (ends[2 * slots[slot]] !== start || ends[2 * slots[slot] + 1] !== end)) {
       slot = (slot + 1) & (slots.length - 1);
     }
