@@ -316,12 +316,12 @@ export const strings = {
   },
   model: {
     title: 'Model',
-    text: 'A GLB file of at most 32 MB, 200,000 triangles and 64 materials that stands in the scene. Drop it on the page. Smoke comes from what you click.',
+    text: 'A GLB file of at most 32 MB, 200,000 triangles and 64 materials, added to the scene. Drop it on the page. Smoke comes from what you click.',
     choose: 'Choose a GLB file\u2026',
     remove: 'Remove the model',
-    none: 'Drop a GLB file on the page to make it stand in the scene.',
+    none: 'Drop a GLB file on the page to add it to the scene.',
     reading: (name: string) => `Reading ${name}\u2026`,
-    stands: (name: string) => `${name} stands in the scene. Click it to add smoke.`,
+    placed: (name: string) => `${name} is in the scene. Click it to add smoke.`,
     shown: (name: string, triangles: number, materials: number, box: readonly number[]) =>
       `${name}: ${counted(triangles, 'triangle')}, ${counted(materials, 'material')}, ${box.map((side) => side.toPrecision(2)).join(' \u00d7 ')} m`,
     tooLarge: (megabytes: number, most: number) => `It has ${megabytes} MB. The limit is ${most} MB.`,

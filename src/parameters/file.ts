@@ -18,13 +18,13 @@ const MAX_TAKE_BYTES = 128 * 1024 * 1024;
 /** Maximum size of the file of a model in bytes. */
 const MAX_MODEL_BYTES = 32 * 1024 * 1024;
 
-/** A model that stands in the scene. Links cannot contain it. */
+/** A model in the scene. Links cannot contain it. */
 export interface ModelFile {
   /** Name of its file, 1 to 60 characters. */
   readonly name: string;
   /** Content of its GLB file, at most 32 MB. Only a stage can validate it. */
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** Where it stands and what it does, as `ModelOptions`. Only a stage can validate them. */
+  /** Its place and what it does, as `ModelOptions`. Only a stage can validate them. */
   readonly options: Readonly<Record<string, unknown>>;
 }
 

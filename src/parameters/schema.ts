@@ -49,11 +49,11 @@ const MOMENT: Schema = {
 
 const MODEL: Schema = {
   type: 'object',
-  description: 'A model that stands in the scene.',
+  description: 'A model in the scene.',
   required: ['glb'],
   properties: {
     name: { type: 'string', minLength: 1, maxLength: MAX_NAME, description: 'The name of its file.' },
-    options: { type: 'object', description: 'Where it stands and what it does: the options of setModel.' },
+    options: { type: 'object', description: 'Its place and what it does: the options of setModel.' },
     glb: { type: 'string', pattern: '^[\\w-]+$', description: 'Its GLB file: base64url of deflate-raw.' },
   },
   additionalProperties: false,

@@ -62,7 +62,7 @@ export interface SeekOptions {
   signal?: AbortSignal;
 }
 
-/** Where a model stands and what it does. */
+/** The place of a model and what it does. */
 export interface ModelOptions {
   /** The middle of its underside, metres. Default: the middle of the model is at the target of the scene's camera. */
   position?: VectorComponents;

@@ -214,7 +214,7 @@ export class Stage {
   }
 
   /**
-   * Stands a model in the scene and restarts the simulation from the first step, with the values as they are. The model
+   * Adds a model to the scene and restarts the simulation from the first step, with the values as they are. The model
    * replaces the one before and stays until another call, also when another scene is entered. Smoke collides with it, it casts
    * shadow, its animation follows simulated time, and emitters can ride on its nodes; see `Model.nodes`. Takes, links and saved
    * states do not contain it: they need the same model. Of concurrent calls, the last one wins. Nothing in the file is fetched

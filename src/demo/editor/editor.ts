@@ -171,10 +171,10 @@ export class Editor {
   }
 
   /**
-   * Makes a model stand in the scene, or removes it, and replaces the state. Can be undone as one change.
+   * Adds a model to the scene, or removes it, and replaces the state. Can be undone as one change.
    * @throws what the stage rejects; nothing changes then
    */
-  async stand(model: ModelFile | undefined, state?: State): Promise<void> {
+  async setModel(model: ModelFile | undefined, state?: State): Promise<void> {
     await this.delivered();
     await this.surroundings.setModel(model);
     this.seenModel = model;

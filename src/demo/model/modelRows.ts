@@ -36,7 +36,7 @@ export interface ModelParts {
   readonly notices: Notices;
 }
 
-/** Where a model stands, what it does, and where it smokes: rows of the panel, and clicks on the picture. */
+/** The place of a model, what it does, and where it smokes: rows of the panel, and clicks on the picture. */
 export class ModelRows {
   readonly element = create('div', {});
   private readonly parts: ModelParts;
@@ -131,7 +131,7 @@ export class ModelRows {
     const listener = {
       change: (value: Value) => control.show((waiting = value)),
       settle: () => {
-        if (waiting !== undefined) void this.stand(change(waiting));
+        if (waiting !== undefined) void this.setOptions(change(waiting));
         waiting = undefined;
       },
     };
@@ -139,11 +139,11 @@ export class ModelRows {
     return frameRow(parameter, textId, control, () => undefined);
   }
 
-  private async stand(change: ModelOptions): Promise<void> {
+  private async setOptions(change: ModelOptions): Promise<void> {
     const { editor, notices } = this.parts;
     if (!this.shown) return;
     try {
-      await editor.stand({ ...this.shown.file, options: { ...this.options, ...change } });
+      await editor.setModel({ ...this.shown.file, options: { ...this.options, ...change } });
     } catch (error) {
       notices.notify((error as Error).message);
     }

@@ -35,20 +35,20 @@ export class Models {
     void this.show();
   }
 
-  /** Name of the model, if one stands in the scene. */
+  /** Name of the model, if the scene has one. */
   get name(): string | undefined {
     return this.parts.editor.state.model?.name;
   }
 
-  /** Makes the model of a file stand in the middle of the view, or reports why it cannot. */
+  /** Adds the model of a file in the middle of the view, or reports why it cannot. */
   async open(file: File): Promise<void> {
     const { editor, notices } = this.parts;
     try {
       if (file.size > MAX_BYTES)
         throw new FileError(words.tooLarge(Math.ceil(file.size / 1024 / 1024), MAX_BYTES / 1024 / 1024));
       const bytes = new Uint8Array(await file.arrayBuffer());
-      await editor.stand({ name: file.name.slice(0, 60), bytes, options: this.place() });
-      notices.mention(words.stands(file.name));
+      await editor.setModel({ name: file.name.slice(0, 60), bytes, options: this.place() });
+      notices.mention(words.placed(file.name));
       this.element.open = true;
       await this.show();
       this.element.scrollIntoView();
@@ -60,7 +60,7 @@ export class Models {
   private async remove(): Promise<void> {
     const { editor, notices } = this.parts;
     try {
-      await editor.stand(undefined);
+      await editor.setModel(undefined);
       this.element.querySelector('summary')!.focus();
     } catch (error) {
       notices.notify((error as Error).message);

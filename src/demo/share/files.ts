@@ -50,7 +50,7 @@ export class SmokeFiles {
       if (file.size > MAX_BYTES) throw new FileError(strings.files.tooLarge(MAX_BYTES / 1024 / 1024));
       const { state, moment, model, notices, name } = await readFile(await file.text());
       for (const { message } of notices) this.notices.notify(message);
-      if (model !== this.editor.state.model) await this.editor.stand(model, state);
+      if (model !== this.editor.state.model) await this.editor.setModel(model, state);
       else this.editor.load(state);
       if (moment) await this.goTo(moment, state);
       else this.notices.mention(strings.files.opened(name));

@@ -12,7 +12,7 @@ const FIRST = { translation: 0, rotation: 3, scale: 7 } as const;
 /** Times whose poses are kept: both ends of a step, and the time that is drawn. */
 const KEPT = 4;
 
-/** Where a model stands: its points are scaled, then turned, then moved. */
+/** The place of a model: its points are scaled, then turned, then moved. */
 export interface Place {
   readonly scale: number;
   readonly rotation: Quaternion;

@@ -214,9 +214,9 @@ describe('Editor and stage', () => {
     expect(rate()).toBe(stage.values[RATE]);
   });
 
-  it('a model stands, is removed and stands again by undo and redo, and stays with other presets and links', async () => {
+  it('a model is added, removed and added again by undo and redo, and stays with other presets and links', async () => {
     const { editor, models, stage } = editing();
-    await editor.stand(DUCK);
+    await editor.setModel(DUCK);
     expect(models).toEqual([DUCK]);
     editor.choose('lamp-noir');
     editor.load(defaultState());
@@ -238,7 +238,7 @@ describe('Editor and stage', () => {
     const { editor, rate } = editing();
     const before = rate();
     const { preset, values } = defaultState();
-    await editor.stand(DUCK, { preset, values: { ...values, [RATE]: 77 } });
+    await editor.setModel(DUCK, { preset, values: { ...values, [RATE]: 77 } });
     expect([editor.state.model, rate()]).toEqual([DUCK, 77]);
     editor.undo();
     expect([editor.state.model, rate(), editor.canUndo]).toEqual([undefined, before, false]);
@@ -247,10 +247,10 @@ describe('Editor and stage', () => {
   it('a model that the stage rejects changes nothing, also by redo', async () => {
     const { editor, stage, notices } = editing();
     stage.rejects = true;
-    await expect(editor.stand(DUCK)).rejects.toThrow('damaged');
+    await expect(editor.setModel(DUCK)).rejects.toThrow('damaged');
     expect([editor.state.model, editor.canUndo]).toEqual([undefined, false]);
     stage.rejects = false;
-    await editor.stand(DUCK);
+    await editor.setModel(DUCK);
     editor.undo();
     await editor.delivered();
     stage.rejects = true;

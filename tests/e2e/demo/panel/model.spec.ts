@@ -23,12 +23,12 @@ function caption(page: Page) {
   return section(page).locator('[role=status]');
 }
 
-/** Names of the parts of the model that stands in the scene; undefined without one. */
+/** Names of the parts of the model in the scene; undefined without one. */
 function nodeNames(page: Page): Promise<string[] | undefined> {
   return ask(page, ({ model }) => model?.nodes.map(({ name }) => name));
 }
 
-/** Drops the box that turns and waits until it stands. */
+/** Drops the box that turns and waits until it is shown. */
 async function dropBox(page: Page, bytes = turningBox().pack()): Promise<void> {
   await drop(page, 'box.glb', bytes);
   await expect(caption(page)).toHaveText(/^box\.glb: 22 triangles, 2 materials/);
@@ -56,7 +56,7 @@ function placeOf(
   );
 }
 
-test('a dropped model stands in the scene, smokes from the surface that is clicked, and is undone', async ({
+test('a dropped model is added to the scene, smokes from the surface that is clicked, and is undone', async ({
   page,
 }) => {
   const requests: string[] = [];
@@ -111,7 +111,7 @@ test('a dropped model stands in the scene, smokes from the surface that is click
   expect(await nodeNames(page)).toBeDefined();
   await undo.click();
   await expect.poll(() => nodeNames(page)).toBeUndefined();
-  await expect(caption(page)).toHaveText('Drop a GLB file on the page to make it stand in the scene.');
+  await expect(caption(page)).toHaveText('Drop a GLB file on the page to add it to the scene.');
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect(caption(page)).toHaveText(/^box\.glb/);
   await page.getByRole('button', { name: 'Remove the model' }).click();
@@ -246,7 +246,7 @@ const HOSTILE: readonly (readonly [name: string, bytes: () => Uint8Array, words:
   ['loop.glb', () => boxWith((json) => (json.nodes[1].children = [0])), /has a parent/],
 ];
 
-test('files that cannot stand are refused with the reason, without a request, and the model before stays', async ({
+test('files that cannot be used are refused with the reason, without a request, and the model before stays', async ({
   page,
 }, testInfo) => {
   await openBare(page);

@@ -7,7 +7,7 @@ import type { CartoonSmokeElement } from '../../../../src/page/element/cartoonSm
 const HASH = 'd28d15b1d4dd4c4e';
 
 for (const thread of ['main', 'worker']) {
-  test(`a model stands in an element: ${thread}`, async ({ page, openPage, server }) => {
+  test(`an element has a model: ${thread}`, async ({ page, openPage, server }) => {
     await openPage(`<cartoon-smoke preset="wisp" thread="${thread}" paused></cartoon-smoke>`);
     await stands(page);
     expect(server.sent.map(({ file }) => file).join()).not.toContain('stageModel');
