@@ -17,7 +17,7 @@ const LARGER = ['meshes', 'physics'];
 const ENTRY = '<script type="module" src="./src/page/iframe/main.ts"></script>';
 
 /** A frame has no models: their code is rarely needed, and a sandbox could not load it by its URL. */
-const NO_MODELS = "Promise.reject(new Error('frames have no models.'))";
+const NO_MODELS = "Promise.reject(new Error('an iframe of embed.html has none. Use the element or a stage instead.'))";
 
 /**
  * Writes the page and its scripts.

@@ -146,7 +146,11 @@ function readPair(
 ): void {
   const parameter = findParameter(key);
   if (!parameter) {
-    notices.push(notice('unknownKey', key, text, () => `There is no parameter ${quoteKey(key)}; it was ignored.`));
+    const sentence =
+      key === 'model' && source === 'link'
+        ? 'A link cannot contain a model: save it as a file, which can.'
+        : `There is no parameter ${quoteKey(key)}; it was ignored.`;
+    notices.push(notice('unknownKey', key, text, () => sentence));
     return;
   }
   const read = readText(parameter, text, values[parameter.key], source);

@@ -59,6 +59,15 @@ describe('encode', () => {
   });
 });
 
+it('says that a link cannot contain a model', async () => {
+  const { state, notices } = await decode('#v=1&preset=lamp&model=box.glb&models=1');
+  expect(state).toEqual(withChanges('lamp', {}));
+  expect(notices.map(({ code, message }) => [code, message])).toEqual([
+    ['unknownKey', 'A link cannot contain a model: save it as a file, which can.'],
+    ['unknownKey', expect.stringContaining('There is no parameter')],
+  ]);
+});
+
 describe('a timeline in a link', () => {
   const timeline = '120*loop;emission.rate/0*60/60*240*e;style.smokeColor/0*ffffff/60*ff8800*h;burst/30*0*24';
 

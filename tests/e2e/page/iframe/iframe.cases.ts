@@ -27,6 +27,15 @@ export async function connect(address: string, sandbox?: string, origin?: string
   return { frame: element, stage: await connectFrame(element, { origin }) };
 }
 
+/** What a frame says to a model, and how many puffs of its smoke live after a second. */
+export async function withoutModel(address: string, bytes: readonly number[]) {
+  const { stage } = await connect(address);
+  const error = await stage.setModel(Uint8Array.from(bytes)).catch((reason: Error) => reason);
+  await stage.step(60);
+  const { alive } = await stage.stats();
+  return { name: error instanceof Error && error.name, message: error instanceof Error && error.message, alive };
+}
+
 /**
  * One of two connections disposes the smoke: the notice to the other one, and the steps that a third connection sees.
  */

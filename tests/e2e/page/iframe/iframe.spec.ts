@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { ConsoleMessage } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
+import { turningBox } from '../../../support/files/glb.ts';
 import { PLAIN_LOOK } from '../../../support/plainLook.ts';
 import { script } from '../../../support/server.ts';
 import { keepContexts, loseForGood, restoreLate } from '../../stage/remote/context.ts';
@@ -27,6 +28,20 @@ const PLAIN = Object.entries(PLAIN_LOOK)
   .map(([key, value]) => `&${key}=${String(value)}`)
   .join('');
 const WISP = `?paused=1#v=1&preset=wisp&${SMALL}${PLAIN}`;
+
+test('a frame says that it has no models, and shows smoke that rides on a part of one', async ({ load, baseURL }) => {
+  const frames = await load<FrameCases>(FRAMES);
+  const link = `${baseURL}/embed.html${WISP}&model=box.glb&emitters.1.rigid=4099&emitters.1.share=1`;
+  const { alive, ...error } = await frames.evaluate(
+    (module, [url, bytes]) => module.withoutModel(url, bytes),
+    [link, [...turningBox().pack()]] as const,
+  );
+  expect(error).toEqual({
+    name: 'LoadError',
+    message: 'Models could not be loaded: an iframe of embed.html has none. Use the element or a stage instead.',
+  });
+  expect(alive).toBeGreaterThan(0);
+});
 
 test('a frame without an origin needs only scripts, and shows the same picture as a stage on this page', async ({
   load,
