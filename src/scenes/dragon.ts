@@ -33,7 +33,7 @@ export function dragon(): Scene {
     ],
     parts: PARTS,
     camera: { target: [1.2, 1.32, 0], azimuth: 0.42, elevation: 0.12, distance: 8.7, fieldOfView: 0.52 },
-    portrait: { target: [0.5, 1.5, 0], azimuth: 0.75, elevation: 0.16, distance: 10.4, minWidth: 0.48 },
+    portrait: { target: [1.2, 1.5, 0], azimuth: 0.9, elevation: 0.16, distance: 10.4, minWidth: 0.56 },
     lightCentre: [0.6, 1.5, 0],
     backdrop: { top: [92, 152, 206], bottom: [255, 222, 190] },
   };

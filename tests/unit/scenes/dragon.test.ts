@@ -1,5 +1,7 @@
 /** The dragon: fire leaves the open mouth, on each beat of the timeline. */
+import { Vector3 } from 'three';
 import { expect, test } from 'vitest';
+import { BEAT, BREATH } from '../../../src/parameters/byScene/dragon.ts';
 import { readTimeline } from '../../../src/parameters/timeline.ts';
 import { findPreset, presetValues } from '../../../src/parameters/presets.ts';
 import { fetchTimelineText } from '../../../src/renderer/extraPasses.ts';
@@ -9,6 +11,7 @@ import type { Placement, Vector } from '../../../src/scenes/scene.ts';
 import { multiply } from '../../../src/simulator/exact/quaternion.ts';
 import { rotate, type Quaternion } from '../../../src/simulator/exact/rotation.ts';
 import { Simulation } from '../../../src/stage/simulation.ts';
+import { OrbitCamera } from '../../../src/stage/orbit.ts';
 import { readParticles } from '../../bench/support/snapshot.ts';
 import { loadVariant } from '../../support/sim/simWasm.ts';
 
@@ -69,4 +72,30 @@ test('fire leaves the mouth along the head, wherever the head is, and cools on i
   expect(fire.length).toBeGreaterThan(20);
   for (const index of fire) expect(smoke.temperature[index]).toBeLessThan(0.3);
   simulation.dispose();
+});
+
+test('the fire stays in the picture of a phone that is held upright, wherever the head is', async () => {
+  await fetchTimelineText(values);
+  const simulation = new Simulation(await loadVariant('core'), scene, values, 1e6);
+  const eye = new OrbitCamera(scene, values);
+  eye.setSize(390, 844);
+  let [farthest, seen] = [0, 0];
+  for (let beat = 0; beat < 4; beat++) {
+    simulation.advance(BREATH.end);
+    for (let step = BREATH.end; step < BREATH.end + 40; step += 10) {
+      simulation.advance(10);
+      const { x, y, z, temperature } = readParticles(simulation.simulator);
+      for (const index of x.keys()) {
+        // Cold smoke has faded before it leaves the picture.
+        if (temperature[index] < 0.1) continue;
+        farthest = Math.max(farthest, Math.abs(new Vector3(x[index], y[index], z[index]).project(eye.camera).x));
+        seen++;
+      }
+    }
+    simulation.advance(BEAT - BREATH.end - 40);
+  }
+  simulation.dispose();
+  expect(seen).toBeGreaterThan(500);
+  // Puffs have a width.
+  expect(farthest).toBeLessThan(0.85);
 });
