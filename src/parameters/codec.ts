@@ -148,7 +148,7 @@ function readPair(
   if (!parameter) {
     const sentence =
       key === 'model' && source === 'link'
-        ? 'A link cannot contain a model: save it as a file, which can.'
+        ? 'A link cannot contain a model.'
         : `There is no parameter ${quoteKey(key)}; it was ignored.`;
     notices.push(notice('unknownKey', key, text, () => sentence));
     return;

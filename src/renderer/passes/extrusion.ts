@@ -127,7 +127,7 @@ export function* extrude(mesh: TriangleMesh): Work<Extrusion> {
   }
   yield;
   const normals = Float32Array.from(faceNormals(positions, corners));
-  for (let at = 0; at < normals.length; ++at) if (Number.isNaN(normals[at])) normals[at] = 0;
+  normals.forEach((part, axis) => Number.isNaN(part) && (normals[axis] = 0));
   return { positions, corners, normals, edges, longestEdge: longestEdge(positions, corners) };
 }
 

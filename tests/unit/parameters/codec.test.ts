@@ -63,7 +63,7 @@ it('says that a link cannot contain a model', async () => {
   const { state, notices } = await decode('#v=1&preset=lamp&model=box.glb&models=1');
   expect(state).toEqual(withChanges('lamp', {}));
   expect(notices.map(({ code, message }) => [code, message])).toEqual([
-    ['unknownKey', 'A link cannot contain a model: save it as a file, which can.'],
+    ['unknownKey', 'A link cannot contain a model.'],
     ['unknownKey', expect.stringContaining('There is no parameter')],
   ]);
 });

@@ -1,8 +1,7 @@
-/** Spreads the bits of a hash, so that similar values are far apart (Appleby, MurmurHash3, 2008). */
+/** Spreads the bits of a hash, so that similar values are far apart (half of Appleby, MurmurHash3, 2008). */
 export function mixed(hash: number): number {
-  const half = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
-  const all = Math.imul(half ^ (half >>> 13), 0xc2b2ae35);
-  return all ^ (all >>> 16);
+  const spread = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
+  return spread ^ (spread >>> 13);
 }
 
 /** Numbers pairs of vertices in the order in which they are added. A hash table with open addressing. */

@@ -37,7 +37,7 @@ test('on the main thread, beside the three.js of the page', async ({ page, openP
   await stands(page);
   const core = fetched(server, (file) => isScript(file) && !isThree(file));
   judge([
-    { name: 'embed.coreKb', kB: core, limit: 88.6 },
+    { name: 'embed.coreKb', kB: core, limit: 88.8 },
     { name: 'simulator', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 130 },
   ]);
   const names = server.sent.map(({ file }) => file).join(' ');
@@ -64,7 +64,7 @@ test('as the single file for CDNs, three.js included', async ({ page, openPage, 
   const script = '<script type="module" src="/package/dist/cartoon-smoke.min.js"></script>';
   await openPage('<cartoon-smoke preset="wisp" thread="worker" paused></cartoon-smoke>', { script });
   await stands(page);
-  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 302.1 }]);
+  judge([{ name: 'embed.cdnKb', kB: fetched(server, isScript), limit: 302.3 }]);
   expect(new Set(server.sent.filter(({ file }) => isScript(file)).map(({ file }) => file)).size).toBe(1);
 });
 

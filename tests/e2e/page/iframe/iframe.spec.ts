@@ -32,10 +32,10 @@ const WISP = `?paused=1#v=1&preset=wisp&${SMALL}${PLAIN}`;
 test('a frame says that it has no models, and shows smoke that rides on a part of one', async ({ load, baseURL }) => {
   const frames = await load<FrameCases>(FRAMES);
   const link = `${baseURL}/embed.html${WISP}&model=box.glb&emitters.1.rigid=4099&emitters.1.share=1`;
-  const { alive, ...error } = await frames.evaluate(
-    (module, [url, bytes]) => module.withoutModel(url, bytes),
-    [link, [...turningBox().pack()]] as const,
-  );
+  const { alive, ...error } = await frames.evaluate((module, [url, bytes]) => module.withoutModel(url, bytes), [
+    link,
+    [...turningBox().pack()],
+  ] as const);
   expect(error).toEqual({
     name: 'LoadError',
     message: 'Models could not be loaded: an iframe of embed.html has none. Use the element or a stage instead.',
