@@ -32,7 +32,7 @@ export default defineConfig({
   resolve: {
     alias: [
       { find: /^cartoon-smoke$/, replacement: source('index') },
-      { find: /^cartoon-smoke\/(element|fiber|puff)$/, replacement: source('$1') },
+      { find: /^cartoon-smoke\/(clip|element|fiber|puff)$/, replacement: source('$1') },
     ],
   },
   // All packages that the page and the examples import. Vite would discover those that load on demand late, and then

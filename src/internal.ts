@@ -6,6 +6,22 @@ export { keyOf, ORBIT_PER_KEY, ORBIT_PER_PIXEL, spread } from './page/gestures.t
 export { linkCapacity, lookOf } from './page/element/moment.ts';
 export { sizeOf, watchSize } from './page/size.ts';
 export { pauseWhileHidden } from './page/visibility.ts';
+export type { ClipFormat, ClipShape } from './page/clip/clipFile.ts';
+export { encodesWebp } from './page/clip/encoder.ts';
+export { ClipFiles } from './page/clip/files.ts';
+export { LoopJoin, shootLoop } from './page/clip/loop.ts';
+export { PixelReader } from './page/clip/pixelReader.ts';
+export {
+  chunk as pngChunk,
+  deflated,
+  filtered as pngRows,
+  FILTERS as PNG_FILTERS,
+  header as pngHeader,
+  predicted,
+  SIGNATURE as PNG_SIGNATURE,
+} from './page/clip/pngChunks.ts';
+export { record } from './page/clip/record.ts';
+export { frameCount, openStudio, requireSize, shootClip, type Studio, type Task } from './page/clip/studio.ts';
 export { FullScreen } from './renderer/gpu/fullScreen.ts';
 export { readOutline } from './page/outline/outline.ts';
 export { outlineOfPicture } from './page/outline/trace.ts';
@@ -61,13 +77,11 @@ export { billboardShapes } from './renderer/puffs/billboards/sides.ts';
 export { afterRunning } from './base/timeout.ts';
 export { finished, inPieces, nextTask, unlessAborted, type Work } from './base/work.ts';
 export { STEP_SECONDS } from './simulator/clock.ts';
-export { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, FIRST_PART, LAMP_FLOATS, NO_END, PLACE_FLOATS } from './simulator/layout.ts';
-export { readBits, type Rows } from './simulator/rows.ts';
-export type { Arranged, Bounds } from './simulator/arranged.ts';
+export { FIRST_PART, PLACE_FLOATS } from './simulator/layout.ts';
+export type { Rows } from './simulator/rows.ts';
 export { ALL_PARTICLES as ALL_THAT_LIVES, type View } from './simulator/view.ts';
 export type { Arranger, FrameInput } from './renderer/frameInput.ts';
 export type { Light } from './renderer/light.ts';
-export { glowColors } from './renderer/glow.ts';
 export { designOf, showsBillboards } from './renderer/livePuffs.ts';
 export { hasPattern } from './renderer/extraPasses.ts';
 export { formatColor, parseColor, rampOf } from './renderer/palette.ts';

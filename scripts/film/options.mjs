@@ -42,7 +42,7 @@ const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
 
 const VIDEOS = /** @type {const} */ (['webm', 'mp4', 'apng', 'webp', 'mov']);
-/** Limits of looped clips, as in src/demo/capture/clips/clipFile.ts. */
+/** Limits of looped clips, as in src/page/clip/clipFile.ts. */
 const [FASTEST_CLIP, LONGEST_CLIP] = [60, 16_383];
 
 /**

@@ -34,8 +34,9 @@ export const ARROWS = {
   'page/outline': 'base renderer/puffs',
   'page/puff': `base parameters simulator ${RENDERER} stage stage/remote page page/outline`,
   'page/element': `base parameters simulator ${RENDERER} stage stage/remote page`,
+  'page/clip': `base parameters simulator ${RENDERER} stage npm:three npm:gifenc`,
   'page/iframe': 'base parameters simulator stage/remote page page/element',
-  demo: 'index.ts preset.ts puff.ts internal.ts npm:three npm:culori npm:fflate npm:gifenc npm:lean-qr npm:mediabunny',
+  demo: 'index.ts preset.ts puff.ts internal.ts npm:three npm:culori npm:fflate npm:lean-qr npm:mediabunny',
 };
 
 /**

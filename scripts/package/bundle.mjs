@@ -1,6 +1,6 @@
 /** Bundles the sources into the ES modules of the package and the script for CDNs. */
 
-import { copyFileSync, mkdirSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import browserslistToEsbuild from 'browserslist-to-esbuild';
 import { rolldown } from 'rolldown';
@@ -57,11 +57,14 @@ const ERRORS = { errors: 'src/base/errors.ts' };
  * URL, and bundlers copy it unchanged.
  */
 const MODEL = { stageModel: 'src/stage/model/stageModel.ts' };
+/** The encoders of clips, a build of its own that imports nothing: `clip()` starts the file as a worker, or imports it. */
+const CLIP_FILES = { clipFiles: 'src/page/clip/files.ts' };
 /** Smoke in the three.js scenes of others, a build of its own. */
 const HOSTED = { cartoonSmoke: 'src/three/cartoonSmoke.ts', proxies: 'src/three/proxies.ts' };
 /** What modules with warnings wrap, by its file. */
 const WRAPPED = {
   index: 'src/index.ts',
+  clip: 'src/clip.ts',
   element: 'src/page/element/define.ts',
   cartoonSmoke: HOSTED.cartoonSmoke,
   fiber: 'src/fiber.ts',
@@ -81,12 +84,19 @@ const WRAPPED = {
 export async function bundleAll(folder, plugins = shrinking()) {
   const modules = {
     index: 'src/index.ts',
+    clip: 'src/clip.ts',
     element: 'src/element.ts',
     puff: 'src/puff.ts',
     ...ERRORS,
   };
   const external = /^(three|react|@react-three\/fiber)(\/|$)/;
-  const ofPage = [...plugins, workerAt('./worker.js'), beside(HOSTED), beside(MODEL)];
+  const ofPage = [
+    ...plugins,
+    stageWorkerAt('./worker.js'),
+    workerAt(/page\/clip\/encoder\.ts$/, './files.ts', './clipFiles.js'),
+    ownLayout(),
+    beside({ ...HOSTED, ...MODEL, ...CLIP_FILES }),
+  ];
   await bundle({ input: entries(modules), external, plugins: ofPage }, folder, SPLIT);
   const hosted = entries({ ...HOSTED, fiber: 'src/fiber.ts' });
   // Its volumes are always counted.
@@ -101,6 +111,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
   await bundle({ input: entries({ worker: 'src/stage/remote/worker.ts' }), plugins: ofWorker }, folder, ALONE);
   // A separate build: otherwise the others would share its chunks. It shares the error classes with them.
   await bundle({ input: entries({ preset: 'src/preset.ts' }), plugins: [beside(ERRORS)] }, folder);
+  await bundle({ input: entries(CLIP_FILES) }, folder, ALONE);
   await bundleWarnings(join(folder, 'development'));
   await bundleScript(folder, plugins);
   await bundleScriptWarnings(folder);
@@ -111,7 +122,7 @@ export async function bundleAll(folder, plugins = shrinking()) {
  * @param {string} folder
  */
 async function bundleWarnings(folder) {
-  const names = ['index', 'element', 'fiber', 'puff'];
+  const names = ['index', 'clip', 'element', 'fiber', 'puff'];
   const input = entries(Object.fromEntries(names.map((name) => [name, `src/${name}.development.ts`])));
   const chunks = { minify: false, chunkFileNames: 'shared-[name].js' };
   await bundle({ input, external: 'three', plugins: [beside(WRAPPED, '../')] }, folder, chunks);
@@ -125,7 +136,7 @@ async function bundleWarnings(folder) {
  */
 export async function bundleScript(folder, plugins = shrinking()) {
   const input = entries({ [SCRIPT]: 'src/script.ts' });
-  await bundle({ input, plugins: [...plugins, workerAt(`./${SCRIPT}.js`), modelByUrl()] }, folder, ALONE);
+  await bundle({ input, plugins: [...plugins, stageWorkerAt(`./${SCRIPT}.js`), modelByUrl()] }, folder, ALONE);
   await bundle({ input: entries(MODEL) }, folder, ALONE);
   copyWasm(folder, ['core', 'meshes', 'physics']);
 }
@@ -221,24 +232,32 @@ function entries(input) {
   return Object.fromEntries(Object.entries(input).map(([name, path]) => [name, inRoot(path)]));
 }
 
+/** @param {string} address of the file in the package */
+const stageWorkerAt = (address) => workerAt(/src\/stage\/remote\/pageWorker\.ts$/, './worker.ts', address);
+
 /**
- * Replaces the worker's URL by its file in the package.
+ * Replaces a worker's URL by its file in the package.
+ * @param {RegExp} starter the module that starts it
+ * @param {string} source its URL there
  * @param {string} address
  * @returns {import('rolldown').Plugin}
  */
-function workerAt(address) {
+function workerAt(starter, source, address) {
   let isReplaced = false;
   return {
     name: 'worker-at',
     transform: {
-      filter: { id: /src\/stage\/remote\/pageWorker\.ts$/ },
+      filter: { id: starter },
       handler(code) {
-        isReplaced = code.includes("'./worker.ts'");
-        return code.replaceAll("'./worker.ts'", JSON.stringify(address));
+        isReplaced = code.includes(`new URL('${source}'`);
+        // Imports of the same file are resolved as usual.
+        return code.replaceAll(`'${source}'`, (text, at) =>
+          code.slice(0, at).endsWith('import(') ? text : `'${address}'`,
+        );
       },
     },
     buildEnd() {
-      if (!isReplaced) throw new Error('pageWorker.ts is not in the bundle, or has no URL of the worker.');
+      if (!isReplaced) throw new Error(`No module in the bundle has the URL ${source} of a worker.`);
     },
   };
 }
@@ -286,6 +305,25 @@ function beside(modules, place = './') {
     resolveId(source, importer) {
       const id = importer && files.get(join(dirname(importer), source));
       return id ? { id, external: true } : undefined;
+    },
+  };
+}
+
+/**
+ * A copy of the layout of rows for clips. If they shared it with the core, the core would contain all of it, instead of the few
+ * numbers that it uses.
+ * @returns {import('rolldown').Plugin}
+ */
+function ownLayout() {
+  const file = inRoot('src/simulator/layout.ts');
+  const copy = `${file}?clip`;
+  return {
+    name: 'own-layout',
+    resolveId(source, importer) {
+      return importer?.includes('/page/clip/') && source.endsWith('/simulator/layout.ts') ? copy : undefined;
+    },
+    load(id) {
+      return id === copy ? { code: readFileSync(file, 'utf8'), moduleType: 'ts' } : undefined;
     },
   };
 }

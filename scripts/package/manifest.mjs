@@ -47,6 +47,7 @@ export const manifest = {
     './svelte': { types: './types/jsx/svelte.d.ts', ...ELEMENT },
     './vue': { types: './types/jsx/vue.d.ts', ...ELEMENT },
     './fiber': { types: './types/fiber.d.ts', ...warning('fiber') },
+    './clip': { types: './types/clip.d.ts', ...warning('clip') },
     './puff': { types: './types/puff.d.ts', ...warning('puff') },
     './preset': { types: './types/preset.d.ts', default: './dist/preset.js' },
     './cartoon-smoke.min.js': { types: './types/script.d.ts', default: './dist/cartoon-smoke.min.js' },

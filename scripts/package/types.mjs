@@ -7,7 +7,7 @@ import { inRoot } from '../lib/paths.mjs';
 import { UserError } from '../lib/userError.mjs';
 import { writeElementTypes } from './elementTypes.mjs';
 
-const ENTRIES = ['src/index.ts', 'src/element.ts', 'src/fiber.ts', 'src/preset.ts', 'src/puff.ts', 'src/script.ts'];
+const ENTRIES = ['index', 'clip', 'element', 'fiber', 'preset', 'puff', 'script'].map((name) => `src/${name}.ts`);
 /** Existing declarations, which the compiler reads but does not write. */
 const GIVEN = ['core', 'meshes', 'physics'].map((variant) => `simulator/wasm/${variant}/bindings.d.ts`);
 

@@ -246,8 +246,6 @@ export const strings = {
     tooFast: (rate: number) => `At most ${rate} per second`,
     saved: (name: string, bytes: number) => `Saved ${name}, ${sizeOf(bytes)}.`,
     failed: (reason: string) => `The capture failed. ${reason}`,
-    tooLarge: (width: number, height: number, max: number) =>
-      `${width} \u00d7 ${height} pixels are too large for this GPU. The limit is ${max} pixels per side.`,
     noWebp: 'This browser cannot encode WebP. Choose APNG, which every browser shows.',
     noEncoder: (format: string, width: number, height: number) =>
       `This browser cannot encode ${format} at ${width} \u00d7 ${height} pixels. Use a smaller size, the other video format or a PNG sequence.`,

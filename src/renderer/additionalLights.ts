@@ -21,6 +21,8 @@ import { PARTS_WIDTH } from '../base/constants.ts';
 import { reachOf, setReach } from './reach.ts';
 import type { Style } from './style.ts';
 
+export { glowColors };
+
 const ADDITIONAL_LIGHTS: AddedCode = { define: 'ADDITIONAL_LIGHTS', declared: 'int lightsOn(', code };
 
 /** Number of lights in the shaders. */

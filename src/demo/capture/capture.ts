@@ -1,6 +1,7 @@
 import type { Stage } from '../../index.ts';
+import type { Studio, Task } from '../../internal.ts';
 import type { CaptureSettings, Format } from './settings.ts';
-import { openStudio, type Studio, type Task } from './studio.ts';
+import { openCopy } from './studio.ts';
 
 type Maker = (studio: Studio, settings: CaptureSettings, task: Task) => Promise<Blob>;
 
@@ -23,7 +24,7 @@ const makers: Readonly<Record<Format, () => Promise<Maker>>> = {
  */
 export async function capture(stage: Stage, settings: CaptureSettings, task: Task): Promise<Blob> {
   const make = await makers[settings.format]();
-  const studio = await openStudio(stage, settings);
+  const studio = await openCopy(stage, settings);
   try {
     task.signal.throwIfAborted();
     return await make(studio, settings, task);

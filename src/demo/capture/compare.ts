@@ -1,12 +1,11 @@
 import type { Stage } from '../../index.ts';
+import { encodesWebp, type ClipFormat, type Task } from '../../internal.ts';
 import { strings } from '../strings.ts';
 import { capture } from './capture.ts';
-import type { LoopFormat } from './clips/clipFile.ts';
 import { hevcWithAlpha } from './clips/hevc.ts';
 import { makeLoops } from './clips/loops.ts';
-import { encodesWebp } from './clips/webp.ts';
 import { COMPARED, FASTEST_GIF, FORMATS, pixelSize, type CaptureSettings, type ComparedFormat } from './settings.ts';
-import { openStudio, VideoError, type Task } from './studio.ts';
+import { openCopy, VideoError } from './studio.ts';
 
 export interface Compared {
   readonly format: ComparedFormat;
@@ -36,7 +35,7 @@ export async function compareFormats(
     const before = finished++;
     return { signal, onProgress: (share: number) => onProgress((before + share) / (1 + VIDEOS.length)) };
   };
-  const loops: LoopFormat[] = ['apng'];
+  const loops: ClipFormat[] = ['apng'];
   if (await encodesWebp()) loops.push('webp');
   else found.push({ format: 'webp', note: strings.capture.missing });
   if (settings.rate <= FASTEST_GIF) loops.push('gif');
@@ -54,12 +53,12 @@ export async function compareFormats(
 }
 
 async function captureLoops(
-  formats: readonly LoopFormat[],
+  formats: readonly ClipFormat[],
   stage: Stage,
   settings: CaptureSettings,
   task: Task,
 ): Promise<readonly Blob[]> {
-  const studio = await openStudio(stage, { ...settings, format: formats[0] });
+  const studio = await openCopy(stage, { ...settings, format: formats[0] });
   try {
     return await makeLoops(formats, studio, { ...settings, format: formats[0] }, task);
   } finally {

@@ -1,4 +1,5 @@
 import type { Stage } from '../../index.ts';
+import type { Task } from '../../internal.ts';
 import { create, textButton, download } from '../ui/dom.ts';
 import { Progress } from '../ui/progress.ts';
 import { strings } from '../strings.ts';
@@ -6,7 +7,6 @@ import { capture } from './capture.ts';
 import { SettingsForm } from './settingsForm.ts';
 import { isCompared, type CaptureSettings, type Format } from './settings.ts';
 import type { Compared } from './compare.ts';
-import type { Task } from './studio.ts';
 
 /** Dialog that selects what to capture, shows progress and allows cancelling. The smoke is paused meanwhile. */
 export class CaptureDialog {

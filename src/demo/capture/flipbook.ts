@@ -1,14 +1,22 @@
 import type { DebugView } from '../../index.ts';
 import type { Values } from '../../preset.ts';
-import type { Task, Studio } from './studio.ts';
-import { shootLoop } from './loop.ts';
-import { linear, NOISE, PixelReader } from './pixels.ts';
+import { linear, NOISE } from './pixels.ts';
 import { Archive } from './pngSequence.ts';
 import { describeLightMaps, LIGHT_FILES, shootLightMaps, type LightMapInfo } from './lightMaps.ts';
 import { encodePng } from '../gallery/straightPng.ts';
-import { columnsOf, frameCount, pixelSize, type CaptureSettings } from './settings.ts';
+import { columnsOf, pixelSize, type CaptureSettings } from './settings.ts';
 import { Matrix4, Vector4 } from 'three';
-import { ALL_THAT_LIVES, PLACE_FLOATS, STEP_SECONDS, type FrameInput } from '../../internal.ts';
+import {
+  ALL_THAT_LIVES,
+  frameCount,
+  PixelReader,
+  PLACE_FLOATS,
+  shootLoop,
+  STEP_SECONDS,
+  type FrameInput,
+  type Studio,
+  type Task,
+} from '../../internal.ts';
 
 /** Where the frames are in the atlases: rows from the top, each from left to right. */
 export interface FlipbookLayout {
@@ -53,7 +61,7 @@ export async function drawFlipbook(
   studio: Studio,
   settings: CaptureSettings,
   task: Task,
-  columns = columnsOf(settings),
+  columns = columnsOf(frameCount(settings)),
 ): Promise<[string, Blob][]> {
   const [width, height] = pixelSize(settings);
   const { lights } = settings;

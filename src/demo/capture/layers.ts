@@ -1,7 +1,15 @@
-import { hasPattern, inkOf, styleOf, type Arranger, type Color, type Rows } from '../../internal.ts';
+import {
+  hasPattern,
+  inkOf,
+  PixelReader,
+  styleOf,
+  type Arranger,
+  type Color,
+  type Rows,
+  type Studio,
+} from '../../internal.ts';
 import type { Values } from '../../preset.ts';
-import { isSame, linear, PixelReader } from './pixels.ts';
-import type { Studio } from './studio.ts';
+import { isSame, linear } from './pixels.ts';
 
 export const LAYERS = ['flats', 'shadow', 'ink', 'marks', 'surfaces', 'depth'] as const;
 export type Layer = (typeof LAYERS)[number];

@@ -1,5 +1,4 @@
-import { encodePng } from '../../internal.ts';
-import type { Studio } from './studio.ts';
+import { encodePng, type Studio } from '../../internal.ts';
 
 /** Encodes the current frame without loss. */
 export function makePng({ canvas, draw }: Studio): Promise<Blob> {

@@ -1,6 +1,5 @@
 import { Zip, ZipPassThrough } from 'fflate';
-import { encodePng } from '../../internal.ts';
-import { shootClip, type Task, type Studio } from './studio.ts';
+import { encodePng, shootClip, type Studio, type Task } from '../../internal.ts';
 import { LayerCamera } from './layers.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 

@@ -51,13 +51,8 @@ export interface CaptureSettings {
 }
 
 /** Columns of the atlas of a flipbook, as many as rows or one more. */
-export function columnsOf(settings: CaptureSettings): number {
-  return Math.ceil(Math.sqrt(frameCount(settings)));
-}
-
-/** Number of frames in a clip, at least 1. */
-export function frameCount({ seconds, rate }: CaptureSettings): number {
-  return Math.max(1, Math.round(seconds * rate));
+export function columnsOf(frames: number): number {
+  return Math.ceil(Math.sqrt(frames));
 }
 
 /** Size in device pixels. Video encoders require even sizes. */

@@ -1,3 +1,4 @@
+import { frameCount } from '../../internal.ts';
 import { create } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
 import { hevcWithAlpha } from './clips/hevc.ts';
@@ -5,7 +6,6 @@ import {
   FASTEST_GIF,
   columnsOf,
   FORMATS,
-  frameCount,
   LONGEST,
   pixelSize,
   RATES,
@@ -91,7 +91,11 @@ export class SettingsForm {
     if (format !== 'flipbook') return settings;
     const lights = this.lights.value as LightLayout | typeof NO_LIGHTS;
     const layout = lights === NO_LIGHTS ? {} : { lights };
-    return { ...settings, ...layout, scale: (ATLAS_WIDTH * settings.scale) / (columnsOf(settings) * width) };
+    return {
+      ...settings,
+      ...layout,
+      scale: (ATLAS_WIDTH * settings.scale) / (columnsOf(frameCount(settings)) * width),
+    };
   }
 
   /** Shows the fields of the selected format, and a summary of the result. */

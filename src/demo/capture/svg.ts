@@ -1,9 +1,17 @@
-import { inkOf, readRamp, styleOf, type RampStop, type Style } from '../../internal.ts';
+import {
+  inkOf,
+  PixelReader,
+  readRamp,
+  simplifyArc,
+  styleOf,
+  type Point,
+  type RampStop,
+  type Studio,
+  type Style,
+} from '../../internal.ts';
 import { labelColors, type Labels } from './labels.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
-import { isSame, NOISE, PixelReader } from './pixels.ts';
-import { simplifyArc, type Point } from '../../internal.ts';
-import type { Studio } from './studio.ts';
+import { isSame, NOISE } from './pixels.ts';
 import { bandsOf, hasMarks, patternOf, styleOfAmounts, WITHOUT_MARKS } from './svgMarks.ts';
 
 /** Maximum deviation of outlines in pixels, too small to be visible. */

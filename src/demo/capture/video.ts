@@ -11,9 +11,10 @@ import {
   WebMOutputFormat,
   type VideoCodec,
 } from 'mediabunny';
+import { shootClip, type Studio, type Task } from '../../internal.ts';
 import { strings } from '../strings.ts';
 import { hevcWithAlpha } from './clips/hevc.ts';
-import { shootClip, VideoError, type Task, type Studio } from './studio.ts';
+import { VideoError } from './studio.ts';
 import { pixelSize, type CaptureSettings } from './settings.ts';
 
 /** Codecs in order of browser support. */

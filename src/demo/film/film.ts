@@ -1,12 +1,20 @@
 /** Renders the frames of a shot and sends them to the command that opened the page. */
 import { createStage, type Stage } from '../../index.ts';
-import { encodePng, linkCapacity, lookOf, readEnvironment, STEP_SECONDS } from '../../internal.ts';
+import {
+  ClipFiles,
+  encodePng,
+  linkCapacity,
+  lookOf,
+  LoopJoin,
+  PixelReader,
+  readEnvironment,
+  requireSize,
+  STEP_SECONDS,
+  type Studio,
+} from '../../internal.ts';
 import { decode, encode, type Decoded } from '../../preset.ts';
 import { drawFlipbook } from '../capture/flipbook.ts';
 import { LayerCamera, type Layer } from '../capture/layers.ts';
-import { LoopJoin } from '../capture/loop.ts';
-import { PixelReader } from '../capture/pixels.ts';
-import type { Studio } from '../capture/studio.ts';
 import { decodePng } from '../gallery/straightPng.ts';
 import { strings } from '../strings.ts';
 import { DepthReader } from './depth.ts';
@@ -32,16 +40,14 @@ type VideoOrder = NonNullable<FilmOrder['video']>;
 async function encodeFrames(order: FilmOrder, video: VideoOrder, receiver: Receiver): Promise<Blob> {
   const { format } = video;
   if (format !== 'apng' && format !== 'webp') return encodeFilm(order, { ...video, format }, receiver);
-  const { Apng } = await import('../capture/clips/apng.ts');
-  const { Webp } = await import('../capture/clips/webp.ts');
   const { width, height, fps } = order;
-  const file = new (format === 'apng' ? Apng : Webp)({ width, height, rate: fps });
+  const files = new ClipFiles([format], { width, height, rate: fps });
   for (let frame = video.first; frame <= video.last; ++frame) {
     // Not by a canvas, which would multiply alpha into the colours.
     const { data } = await decodePng(new File([await receiver.picture(frame)], nameOf(frame, undefined, 'png')));
-    await file.add(new Uint8ClampedArray(data.buffer as ArrayBuffer));
+    await files.add(new Uint8ClampedArray(data.buffer as ArrayBuffer));
   }
-  return file.finish();
+  return files.finish()[0];
 }
 
 async function encodeFilm(
@@ -106,22 +112,19 @@ async function openShot(order: ShotOrder): Promise<Shot> {
     background: order.hasBackground,
     historyBytes: 0,
   });
-  const { renderer, max } = limitsOf(canvas);
-  const drawn = [order.width, order.height].map((side) => side * order.supersample);
-  if (Math.max(...drawn) > max) throw new Error(strings.capture.tooLarge(drawn[0], drawn[1], max));
+  requireSize(canvas, order.width * order.supersample, order.height * order.supersample);
   await replay(stage, decoded);
   // Checks their ranges. Each frame sets all of these keys again.
   for (const { values } of order.camera) stage.set(values);
   await stage.complete();
   const link = await encode(decoded.state, decoded.take as Uint8Array<ArrayBuffer> | undefined);
-  return { stage, canvas, beginning: { renderer, link, start: environment.time ?? 0 } };
+  return { stage, canvas, beginning: { renderer: rendererOf(canvas), link, start: environment.time ?? 0 } };
 }
 
-function limitsOf(canvas: HTMLCanvasElement): { renderer: string; max: number } {
+function rendererOf(canvas: HTMLCanvasElement): string {
   const context = canvas.getContext('webgl2')!;
   const debug = context.getExtension('WEBGL_debug_renderer_info');
-  const renderer = context.getParameter(debug?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
-  return { renderer, max: context.getParameter(context.MAX_RENDERBUFFER_SIZE) as number };
+  return context.getParameter(debug?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
 }
 
 /** Goes to the start of the link's take. */

@@ -3,8 +3,16 @@
  * sheet where alpha is low, and browsers may convert its colours or falsify what is read of it.
  */
 import { ShapeError, type PixelImage } from '../../index.ts';
-import { inPieces } from '../../internal.ts';
-import { chunk, deflated, filtered, FILTERS, header, predicted, SIGNATURE } from './pngChunks.ts';
+import {
+  deflated,
+  inPieces,
+  PNG_FILTERS as FILTERS,
+  PNG_SIGNATURE as SIGNATURE,
+  pngChunk as chunk,
+  pngHeader as header,
+  pngRows as filtered,
+  predicted,
+} from '../../internal.ts';
 
 /** Maximum size of a file in bytes, and of a picture in pixels along each side. */
 const MAX_BYTES = 128 * 1024 * 1024;

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { indexFrame } from '../../../src/demo/capture/clips/gif.ts';
+import { indexFrame } from '../../../src/page/clip/gif.ts';
 import { labelColors, type Labels } from '../../../src/demo/capture/labels.ts';
 import type { Point } from '../../../src/page/outline/simplify.ts';
 import { traceRegion } from '../../../src/demo/capture/svg.ts';

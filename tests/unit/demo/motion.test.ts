@@ -2,7 +2,7 @@
 import { PerspectiveCamera, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { drawMotion, MOTION_RANGE } from '../../../src/demo/capture/flipbook.ts';
-import { joined, stillOf } from '../../../src/demo/capture/loop.ts';
+import { joined, stillOf } from '../../../src/page/clip/loop.ts';
 import type { Rows } from '../../../src/simulator/rows.ts';
 import type { View } from '../../../src/simulator/view.ts';
 import type { Arranger, FrameInput } from '../../../src/renderer/frameInput.ts';

@@ -140,9 +140,9 @@ function textOf(file: string): string {
   return readFileSync(join(FOLDER, file), 'utf8');
 }
 
-const WARNING = ['index', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
+const WARNING = ['index', 'clip', 'element', 'fiber', 'puff'].map((name) => `development/${name}`);
 
-it.each(['index', 'element', 'fiber', 'preset', ...WARNING])('can import %s without a DOM', (name) => {
+it.each(['index', 'clip', 'element', 'fiber', 'preset', ...WARNING])('can import %s without a DOM', (name) => {
   const address = pathToFileURL(join(FOLDER, `dist/${name}.js`)).href;
   const program = `import(${JSON.stringify(address)}).then((module) => console.log(Object.keys(module).length))`;
   const said = execFileSync(process.execPath, ['--eval', program], { cwd: ROOT, encoding: 'utf8' });
@@ -255,7 +255,9 @@ it('contains React in the module of React Three Fiber only', () => {
 });
 
 it('contains the warnings of development builds only in their files', () => {
-  const sources = ['stage/remote', 'page/element', 'page/puff', 'three'].map((folder) => `src/${folder}/warnings.ts`);
+  const sources = ['stage/remote', 'page/clip', 'page/element', 'page/puff', 'three'].map(
+    (folder) => `src/${folder}/warnings.ts`,
+  );
   const texts = [...sources, 'src/base/warn.ts'].flatMap((file) => {
     const code = readFileSync(join(ROOT, file), 'utf8').replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
     return code.match(/\b[A-Z]\w*(?: (?!extends)[\w(),]+){3,}/g) ?? [];

@@ -16,12 +16,12 @@ const DECISIONS = [
 const READS = /readPixels\(|getImageData\(|readRenderTargetPixels|new PixelReader/;
 /** Files that read the pixels of a file or a picture, but choose nothing else by them. */
 const OTHERS = [
-  'demo/capture/clips/loops',
-  'demo/capture/pixels',
   'demo/draw/import',
   'demo/film/film',
   'demo/gallery/ownShape',
   'demo/palette/picture',
+  'page/clip/pixelReader',
+  'page/clip/record',
   'page/outline/trace',
   'stage/model/colors',
 ];

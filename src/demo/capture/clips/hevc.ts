@@ -1,4 +1,4 @@
-import type { ClipShape } from './clipFile.ts';
+import type { ClipShape } from '../../../internal.ts';
 
 /** Main profile, level 5.1: up to 4096 by 2304 pixels at 60 frames per second. */
 const CODEC = 'hvc1.1.6.L153.B0';

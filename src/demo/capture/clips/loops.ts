@@ -1,18 +1,14 @@
+import { encodesWebp, record, type ClipFormat, type Studio, type Task } from '../../../internal.ts';
 import { strings } from '../../strings.ts';
-import { shootLoop } from '../loop.ts';
-import { PixelReader } from '../pixels.ts';
 import { pixelSize, type CaptureSettings } from '../settings.ts';
-import { VideoError, type Studio, type Task } from '../studio.ts';
-import type { LoopFormat } from './clipFile.ts';
-import { ClipEncoder } from './encoder.ts';
-import { encodesWebp } from './webp.ts';
+import { VideoError } from '../studio.ts';
 
 /**
  * Encodes a clip that loops without a visible seam.
  * @throws VideoError when the browser cannot encode the format
  */
 export async function makeLoop(studio: Studio, settings: CaptureSettings, task: Task): Promise<Blob> {
-  const format = settings.format as LoopFormat;
+  const format = settings.format as ClipFormat;
   if (format === 'webp' && !(await encodesWebp())) throw new VideoError(strings.capture.noWebp);
   return (await makeLoops([format], studio, settings, task))[0];
 }
@@ -22,20 +18,13 @@ export async function makeLoop(studio: Studio, settings: CaptureSettings, task: 
  * @param formats that the browser can encode
  * @returns files in the order of the formats
  */
-export async function makeLoops(
-  formats: readonly LoopFormat[],
+export function makeLoops(
+  formats: readonly ClipFormat[],
   studio: Studio,
   settings: CaptureSettings,
   task: Task,
 ): Promise<readonly Blob[]> {
   const [width, height] = pixelSize(settings);
-  const reader = new PixelReader(width, height);
-  const encoder = new ClipEncoder(formats, { width, height, rate: settings.rate });
-  try {
-    const add = () => encoder.add(reader.read(studio.canvas).data);
-    await shootLoop(studio, settings, task, add);
-    return await encoder.finish();
-  } finally {
-    encoder.close();
-  }
+  const { seconds, rate } = settings;
+  return record(formats, studio, { width, height, seconds, rate, isLoop: true }, task);
 }

@@ -1,5 +1,5 @@
 /** Animated PNG, by the third edition of the PNG specification (W3C, 2025). */
-import { chunk, deflated, filtered, FILTERS, header, SIGNATURE, type Filter } from '../../gallery/pngChunks.ts';
+import { chunk, deflated, filtered, FILTERS, header, SIGNATURE, type Filter } from './pngChunks.ts';
 import { changedArea, cropped, requireShape, type Area, type ClipFile, type ClipShape } from './clipFile.ts';
 
 /** Number of plays of a clip that never ends. */

@@ -1,9 +1,10 @@
-import type { Stage } from '../../index.ts';
-import { type FrameInput, ALL_THAT_LIVES, type Light } from '../../internal.ts';
-import { shootClip, type Task, type Studio } from './studio.ts';
-import { frameCount, type CaptureSettings } from './settings.ts';
 import { MathUtils, Matrix4, Quaternion, Vector3, type Camera } from 'three';
+import type { FrameInput } from '../../renderer/frameInput.ts';
+import type { Light } from '../../renderer/light.ts';
+import { ALL_PARTICLES } from '../../simulator/view.ts';
+import type { Stage } from '../../stage/stage.ts';
 import { JoinedSmoke, keep, type RetainedSmoke } from './joinedSmoke.ts';
+import { frameCount, shootClip, type ClipLength, type Studio, type Task } from './studio.ts';
 
 /** Length of the transition from the end to the beginning, and its maximum fraction of the clip. */
 const JOIN_SECONDS = 0.75;
@@ -17,14 +18,14 @@ const JOIN_SHARE = 0.5;
  */
 export async function shootLoop(
   { stage, ...studio }: Studio,
-  settings: CaptureSettings,
+  { seconds, rate }: ClipLength,
   task: Task,
   shoot: (frame: number, drawn: FrameInput) => Promise<void> | void,
   change: (input: FrameInput) => FrameInput = (input) => input,
 ): Promise<void> {
-  const count = frameCount(settings);
-  const join = new LoopJoin(stage, count, settings.rate, change);
-  const whole = { ...settings, seconds: (count + join.lead) / settings.rate };
+  const count = frameCount({ seconds, rate });
+  const join = new LoopJoin(stage, count, rate, change);
+  const whole = { rate, seconds: (count + join.lead) / rate };
   await shootClip({ stage, ...studio }, whole, task, async (shot) => {
     if (shot < join.lead) join.keep();
     else await shoot(shot - join.lead, join.drawn!);
@@ -86,7 +87,7 @@ interface Still {
 
 export function stillOf({ simulator, camera, light, rigids, parts = [], blend, style }: FrameInput): Still {
   const copies = (matrices: readonly Matrix4[]) => matrices.map((matrix) => matrix.clone());
-  const smoke = keep(simulator, { ...ALL_THAT_LIVES, blend }, style);
+  const smoke = keep(simulator, { ...ALL_PARTICLES, blend }, style);
   return { smoke, camera: camera.clone(), light, rigids: copies(rigids), parts: copies(parts) };
 }
 

@@ -1,6 +1,6 @@
 /** What the encoders of looped clips have in common. */
 
-export type LoopFormat = 'apng' | 'webp' | 'gif';
+export type ClipFormat = 'apng' | 'webp' | 'gif';
 
 /** A looped clip that is encoded frame by frame. */
 export interface ClipFile {
@@ -60,7 +60,7 @@ export function cropped(pixels: Uint32Array<ArrayBuffer>, width: number, area: A
 }
 
 /** Largest size of a side: 14 bits in WebP; what decoders of PNG accept is larger. */
-const LONGEST_SIDE = 16_383;
+export const LONGEST_SIDE = 16_383;
 /** Browsers show frames of 10 ms or less for 100 ms. */
 export const FASTEST = 60;
 

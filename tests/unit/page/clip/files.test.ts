@@ -1,10 +1,10 @@
 /** Encoders of looped clips against another decoder. */
 import { expect, test } from 'vitest';
-import { Apng } from '../../../src/demo/capture/clips/apng.ts';
-import { changedArea, type ClipShape } from '../../../src/demo/capture/clips/clipFile.ts';
-import { Gif } from '../../../src/demo/capture/clips/gif.ts';
-import { Webp } from '../../../src/demo/capture/clips/webp.ts';
-import { decodeApng } from '../../support/files/apng.ts';
+import { Apng } from '../../../../src/page/clip/apng.ts';
+import { changedArea, type ClipShape } from '../../../../src/page/clip/clipFile.ts';
+import { Gif } from '../../../../src/page/clip/gif.ts';
+import { Webp } from '../../../../src/page/clip/webp.ts';
+import { decodeApng } from '../../../support/files/apng.ts';
 
 const [WIDTH, HEIGHT] = [23, 17];
 type Pixels = Uint8ClampedArray<ArrayBuffer>;

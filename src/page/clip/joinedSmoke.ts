@@ -1,19 +1,11 @@
 import { MathUtils } from 'three';
-import {
-  ATTRIBUTE_BITS,
-  ATTRIBUTE_WORDS,
-  glowColors,
-  LAMP_FLOATS,
-  NO_END,
-  PLACE_FLOATS,
-  readBits,
-  type Arranged,
-  type Arranger,
-  type Bounds,
-  type Rows,
-  type Style,
-  type View,
-} from '../../internal.ts';
+import { loaded } from '../../renderer/extraPasses.ts';
+import type { Arranger } from '../../renderer/frameInput.ts';
+import type { Style } from '../../renderer/style.ts';
+import type { Arranged, Bounds } from '../../simulator/arranged.ts';
+import { ATTRIBUTE_BITS, ATTRIBUTE_WORDS, LAMP_FLOATS, NO_END, PLACE_FLOATS } from '../../simulator/layout.ts';
+import { readBits, type Rows } from '../../simulator/rows.ts';
+import type { View } from '../../simulator/view.ts';
 
 /** Puffs dissolve one after the other, ordered by seed. Each takes this fraction of the total time. */
 const ONE_PUFF = 0.4;
@@ -35,6 +27,7 @@ export interface RetainedSmoke {
 export function keep(smoke: Arranger, view: View, style: Style): RetainedSmoke {
   const { rows, bounds } = smoke.arrange(everything(view));
   const { count, place, attributes } = rows;
+  const colors = style.hasAdditionalLights ? loaded.additionalLights?.glowColors(style) : undefined;
   return {
     rows: {
       ...rows,
@@ -43,7 +36,7 @@ export function keep(smoke: Arranger, view: View, style: Style): RetainedSmoke {
     },
     bounds: structuredClone(bounds),
     moves: smoke.moves(),
-    lamps: style.hasAdditionalLights ? smoke.glow?.(view.blend, glowColors(style)!) : undefined,
+    lamps: colors && smoke.glow?.(view.blend, colors),
   };
 }
 

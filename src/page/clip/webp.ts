@@ -13,14 +13,6 @@ const GRAIN = 2;
 /** Chunks of a still picture that are its pixels: alpha, with loss, without loss. */
 const PIXELS = ['ALPH', 'VP8 ', 'VP8L'];
 
-/** Whether the browser encodes WebP. Safari does not. */
-export async function encodesWebp(): Promise<boolean> {
-  const canvas = new OffscreenCanvas(1, 1);
-  // Without a context there are no pixels to encode.
-  canvas.getContext('2d');
-  return (await canvas.convertToBlob({ type: 'image/webp' })).type === 'image/webp';
-}
-
 /**
  * Encodes colours with a small loss, and alpha without loss. Frames after the first one are the rectangle that changes.
  */

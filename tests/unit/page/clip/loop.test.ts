@@ -1,12 +1,13 @@
 import { Matrix4, PerspectiveCamera, Vector3 } from 'three';
 import { expect, test, vi } from 'vitest';
-import { joined, stillOf } from '../../../src/demo/capture/loop.ts';
-import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../src/simulator/layout.ts';
-import type { Rows } from '../../../src/simulator/rows.ts';
-import type { View } from '../../../src/simulator/view.ts';
-import type { Arranger, FrameInput } from '../../../src/renderer/frameInput.ts';
-import { styleOf } from '../../../src/renderer/style.ts';
-import { defaults } from '../../../src/parameters/values.ts';
+import { joined, stillOf } from '../../../../src/page/clip/loop.ts';
+import { ATTRIBUTE_WORDS, NO_END, PLACE_FLOATS } from '../../../../src/simulator/layout.ts';
+import type { Rows } from '../../../../src/simulator/rows.ts';
+import type { View } from '../../../../src/simulator/view.ts';
+import type { Arranger, FrameInput } from '../../../../src/renderer/frameInput.ts';
+import { fetchExtras } from '../../../../src/renderer/extraPasses.ts';
+import { styleOf } from '../../../../src/renderer/style.ts';
+import { defaults } from '../../../../src/parameters/values.ts';
 
 const SEEDS = [0, 100, 255];
 const VIEW = { purpose: 'eye', cull: true, coverage: {} } as unknown as View;
@@ -98,8 +99,9 @@ test('displacements are those of the remaining puffs, and are only computed on r
   }
 });
 
-test('lamps at fire move and fade from one moment to the other', () => {
+test('lamps at fire move and fade from one moment to the other', async () => {
   const style = styleOf({ ...defaults(), 'emission.glow': '0:1,1:1' });
+  await fetchExtras(style);
   const frameWith = (...lamp: number[]): FrameInput => {
     const simulator = { ...smokeAt(1), glow: () => Float32Array.from(lamp) };
     return { ...frameAt(1), simulator, style };

@@ -1,5 +1,5 @@
 /** The parts of PNG files. */
-import type { PixelImage } from '../../index.ts';
+import type { PixelImage } from '../../renderer/puffs/shapes.ts';
 
 export const SIGNATURE = Uint8Array.of(137, 80, 78, 71, 13, 10, 26, 10);
 
