@@ -60,7 +60,8 @@ export { isAccepted } from './parameters/values.ts';
 export { itemLabel, listLabel, startValues } from './parameters/words/lists.ts';
 export { channelSheet, lobeSheet, type ChannelPicture } from './renderer/puffs/billboards/channelSheet.ts';
 export { bakePuffs } from './renderer/puffs/billboards/layers.ts';
-export { isOfLook } from './page/puff/look.ts';
+export { isOfLook, lookIn } from './page/puff/look.ts';
+export { clearedAfter, makeWipe } from './page/puff/wipeSmoke.ts';
 export { LOBE_SHAPES } from './renderer/puffs/lobeShapes.ts';
 export {
   drawingText,

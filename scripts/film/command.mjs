@@ -30,7 +30,8 @@ await conclude(async () => {
 function list(guides) {
   return `Usage: cartoon-smoke COMMAND LINK [options]
 
-  film         writes the frames of a share link as PNG or OpenEXR files, and a video of them
+  film         writes the frames of a share link as PNG or OpenEXR files, and a video of them; or a wipe as a
+               stinger for OBS Studio and editors
   flipbook     writes a share link as an atlas of a seamless loop for games
 
 cartoon-smoke COMMAND --help lists the options of a command. Guides of this version: ${guides}`;

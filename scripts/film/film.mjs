@@ -30,7 +30,7 @@ export async function film(words, files, version, onFrame) {
   if (options.video?.type === 'mov') requireFfmpeg();
   if (options.video) prepareFolder(dirname(options.video.file));
   const folder = new FrameFolder(options.out);
-  folder.prepare(options.frames);
+  folder.prepare(options.stinger ? undefined : options.frames);
   const states = options.states === undefined ? undefined : new StateFolder(options.states);
   states?.prepare();
   const page = new PageRun();
@@ -45,6 +45,8 @@ class Session {
   #page;
   #version;
   #onFrame;
+  /** @type {number[]} */
+  #frames;
   #finished = 0;
   #drawn = 0;
   #beganAt = 0;
@@ -66,6 +68,7 @@ class Session {
     this.#page = page;
     this.#version = version;
     this.#onFrame = onFrame;
+    this.#frames = options.frames;
   }
 
   /**
@@ -76,11 +79,12 @@ class Session {
   async run(files, say) {
     this.#say = say;
     await this.#page.run(files, this.#options.usesGpu, (request) => this.#reply(request));
-    const { video, first, last, out, order, frames } = this.#options;
+    const { video, out, order, stinger } = this.#options;
+    const [first, last] = stinger ? [0, this.#frames.length - 1] : [this.#options.first, this.#options.last];
     if (video?.type === 'mov') await encodeByFfmpeg(video.file, { folder: out, first, last, fps: order.fps });
-    const { length } = frames;
-    const reused = length - this.#drawn;
-    return `${this.#drawn} frames drawn${reused > 0 ? `, ${reused} were finished before` : ''}`;
+    const reused = this.#frames.length - this.#drawn;
+    const outcome = `${this.#drawn} frames drawn${reused > 0 ? `, ${reused} were finished before` : ''}`;
+    return stinger ? `${outcome}, ${stinger.report}` : outcome;
   }
 
   /** @type {import('./server.mjs').Answerer} */
@@ -108,9 +112,15 @@ class Session {
         return {};
       case 'GET picture':
         return { body: { file: this.#folder.pictureOf(Number(name)) }, headers: { 'content-type': 'image/png' } };
-      case 'PUT video':
-        if (!this.#options.video) return undefined;
-        await writeWhole(this.#options.video.file, body);
+      case 'PUT video': {
+        const { video } = this.#options;
+        if (!video) return undefined;
+        await writeWhole(name === 'matte' ? video.matte : video.file, body);
+        return {};
+      }
+      case 'PUT stinger':
+        if (!this.#options.stinger) return undefined;
+        await writeWhole(this.#options.stinger.report, body);
         return {};
       default:
         return undefined;
@@ -118,15 +128,17 @@ class Session {
   }
 
   #order() {
-    const { order, video, first, last } = this.#options;
+    const { video, first, last, stinger } = this.#options;
+    const order = { ...this.#options.order, matte: stinger?.matte };
     return video && video.type !== 'mov' ? { ...order, video: { format: video.type, first, last } } : order;
   }
 
   /** @param {import('../../src/demo/film/order.ts').Beginning} beginning */
   async #begin(beginning) {
-    const { order, frames } = this.#options;
-    const { statesEvery: _, ...shot } = order;
-    const { link, start, renderer } = beginning;
+    const { statesEvery: _, ...shot } = this.#options.order;
+    const { link, start, renderer, last } = beginning;
+    if (last !== undefined) this.#frames = Array.from({ length: last + 1 }, (_frame, at) => at);
+    const frames = this.#frames;
     this.#folder.enter({ ...shot, link, start, version: this.#version, browser: this.#page.browser, renderer });
     this.#states?.enter({ link, version: this.#version });
     const missing = [];
@@ -140,7 +152,7 @@ class Session {
   async #finish(/** @type {DrawnFrame} */ drawn) {
     await this.#folder.finish(drawn);
     this.#onFrame?.(drawn);
-    const { length } = this.#options.frames;
+    const { length } = this.#frames;
     this.#drawn++;
     this.#finished++;
     const minutes = (Date.now() - this.#beganAt) / 60_000;

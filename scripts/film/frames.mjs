@@ -38,6 +38,7 @@ const LABELS = /** @type {Readonly<Record<keyof ShotIdentity, string>>} */ ({
   format: '--format',
   camera: '--camera',
   loop: '--loop',
+  stinger: '--stinger',
 });
 
 export class FrameFolder {
@@ -53,15 +54,15 @@ export class FrameFolder {
   }
 
   /**
-   * @param {readonly number[]} frames that this run may write
+   * @param {readonly number[]} [frames] that this run may write. Default: all
    * @throws {UserError} when the folder cannot be written
    */
   prepare(frames) {
     prepareFolder(this.#folder);
     const own = new Set(frames);
-    const isOwn = (/** @type {string} */ name) => own.has(Number(/(\d{6})\.\w+$/.exec(name)?.[1] ?? -1));
+    const isOwn = (/** @type {string} */ name) => !frames || own.has(Number(/(\d{6})\.\w+$/.exec(name)?.[1] ?? -1));
     removeLeftovers(this.#folder, isOwn);
-    for (const layer of ['flats', 'shadow', 'ink', 'surfaces', 'depth']) {
+    for (const layer of ['flats', 'shadow', 'ink', 'marks', 'surfaces', 'depth', 'matte']) {
       const folder = join(this.#folder, layer);
       if (existsSync(folder)) removeLeftovers(folder, isOwn);
     }

@@ -1,5 +1,6 @@
 /** The command line of `cartoon-smoke film`. */
 
+import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { UserError } from '../lib/userError.mjs';
 import { readCamera } from './camera.mjs';
@@ -21,6 +22,10 @@ export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [
   --shard 3/16           only this part of the frames; the first is 1/16
   --states FOLDER        saves states there, and starts from the nearest one
   --states-every 48      frames between two states (48)
+  --stinger 0.9          instead of the smoke and of --frames, a wipe in the look of the link: it covers the picture at
+                         this time, 0.4 to 10 seconds, and clears. A JSON file has the frame and the milliseconds
+  --direction 90         where the smoke of a stinger goes, -360 to 360 degrees: 0 is to the right, 90 up (0)
+  --matte LAYOUT         the track matte of a stinger in its video: side-by-side, stacked or separate
   --loop                 the last frames dissolve into what is before the first one, which is up to 0.75 s later
   --video FILE           also a .webm, .mp4, .apng, .webp or .mov (ProRes 4444 by ffmpeg) of the finished frames
   --gpu                  the graphics of the machine instead of SwiftShader; pictures then depend on the machine`;
@@ -41,6 +46,10 @@ export const FLIPBOOK_USAGE = `cartoon-smoke flipbook LINK --grid 8x8 --size 204
 const HIGHEST_RATIO = 4;
 const FULL_HEIGHT = 1080;
 
+/** Limits of the option duration of puff.wipe(). */
+const [SHORTEST_WIPE, LONGEST_WIPE] = [0.4, 10];
+const MATTES = /** @type {const} */ (['side-by-side', 'stacked', 'separate']);
+
 const VIDEOS = /** @type {const} */ (['webm', 'mp4', 'apng', 'webp', 'mov']);
 /** Limits of looped clips, as in src/page/clip/clipFile.ts. */
 const [FASTEST_CLIP, LONGEST_CLIP] = [60, 16_383];
@@ -55,7 +64,8 @@ const [FASTEST_CLIP, LONGEST_CLIP] = [60, 16_383];
  * @property {number[]} frames of this shard
  * @property {string} out
  * @property {string | undefined} states
- * @property {{ file: string, type: import('../../src/demo/film/order.ts').VideoFormat | 'mov' } | undefined} video
+ * @property {{ file: string, matte: string, type: import('../../src/demo/film/order.ts').VideoFormat | 'mov' } | undefined} video
+ * @property {{ matte: import('../../src/demo/film/order.ts').MatteLayout | undefined, report: string } | undefined} stinger
  * @property {boolean} usesGpu
  */
 
@@ -73,6 +83,9 @@ const OPTIONS = /** @type {const} */ ({
   shard: { type: 'string' },
   states: { type: 'string' },
   'states-every': { type: 'string', default: '48' },
+  stinger: { type: 'string' },
+  direction: { type: 'string' },
+  matte: { type: 'string' },
   loop: { type: 'boolean', default: false },
   video: { type: 'string' },
   gpu: { type: 'boolean', default: false },
@@ -86,13 +99,16 @@ const OPTIONS = /** @type {const} */ ({
 export function readFilmOptions(words) {
   const { values, positionals } = parse(words, OPTIONS, 'film');
   const link = onlyLink(positionals);
-  const [first, last] = readFrames(values.frames);
+  const [first, last] = values.stinger === undefined ? readFrames(values.frames) : [0, 0];
   const [width, height] = readSize(values.size);
   const supersample = readNumber('--supersample', values.supersample, 1, 2);
   const format = oneOf('--format', values.format, /** @type {const} */ (['png', 'exr']));
   const fps = readFps(values.fps);
   const states = values.states;
-  const video = readVideo(values, { format, width, height, fps });
+  const stinger = readStinger(values, fps);
+  const { matte } = stinger ?? {};
+  const [widest, highest] = [matte === 'side-by-side' ? 2 * width : width, matte === 'stacked' ? 2 * height : height];
+  const video = readVideo(values, { format, width: widest, height: highest, fps });
   if (values.loop && values.layers) throw new UserError('--loop has no layers: leave out --layers.');
   if (!values.out) throw new UserError('Name a folder for the frames: --out FOLDER.');
   return {
@@ -103,11 +119,12 @@ export function readFilmOptions(words) {
       scale: readScale(values.scale, height, supersample),
       supersample,
       fps,
-      hasBackground: !values.alpha,
+      hasBackground: !values.alpha && !stinger,
       layers: values.layers,
       format,
       camera: values.camera === undefined ? [] : readCamera(values.camera, fps),
       loop: values.loop ? { first, last } : undefined,
+      stinger: stinger?.order,
       statesEvery: states === undefined ? 0 : readNumber('--states-every', values['states-every'], 1, 100_000),
     },
     first,
@@ -115,7 +132,11 @@ export function readFilmOptions(words) {
     frames: shardOf(values.shard, first, last),
     out: values.out,
     states,
-    video,
+    video: video && named(video, stinger?.suffix ?? ''),
+    stinger: stinger && {
+      matte,
+      report: video ? `${stemOf(video.file)}${stinger.suffix}.json` : join(values.out, `stinger${stinger.suffix}.json`),
+    },
     usesGpu: values.gpu,
   };
 }
@@ -256,14 +277,65 @@ function oneOf(name, text, choices) {
 }
 
 /**
- * @param {{ video?: string, shard?: string }} values
+ * @param {{ stinger?: string, direction?: string, matte?: string } & Record<string, unknown>} values
+ * @param {number} fps
+ */
+function readStinger(values, fps) {
+  const { stinger, direction = '0', matte } = values;
+  if (stinger === undefined) {
+    const option = ['direction', 'matte'].find((name) => values[name] !== undefined);
+    if (option) throw new UserError(`--${option} is of a stinger: give its time, such as --stinger 0.9.`);
+    return undefined;
+  }
+  const other = ['frames', 'shard', 'states', 'camera', 'layers', 'loop'].find((name) => values[name]);
+  if (other) throw new UserError(`--stinger has its own frames and camera: leave out --${other}.`);
+  if (values.format !== 'png') throw new UserError('--stinger is made from PNG files: leave out --format exr.');
+  const seconds = Number(stinger);
+  // The first frame that is not earlier.
+  const cutFrame = Math.ceil(seconds * fps - 1e-6);
+  if (!(seconds >= SHORTEST_WIPE && cutFrame / fps <= LONGEST_WIPE)) {
+    throw new UserError(`--stinger ${stinger}: it takes ${SHORTEST_WIPE} to ${LONGEST_WIPE} seconds.`);
+  }
+  const degrees = Number(direction);
+  if (!(Math.abs(degrees) <= 360)) throw new UserError(`--direction ${direction}: it takes -360 to 360 degrees.`);
+  return {
+    order: { cutFrame, direction: degrees },
+    matte: matte === undefined ? undefined : oneOf('--matte', matte, MATTES),
+    suffix: `-cut-${Math.round((1000 * cutFrame) / fps)}ms`,
+  };
+}
+
+/** A video whose name has a suffix. */
+function named(
+  /** @type {{ file: string, type: (typeof VIDEOS)[number] }} */ { file, type },
+  /** @type {string} */ suffix,
+) {
+  const stem = `${stemOf(file)}${suffix}`;
+  return { file: `${stem}.${type}`, matte: `${stem}-matte.${type}`, type };
+}
+
+/** A file without its ending. */
+function stemOf(/** @type {string} */ file) {
+  return file.replace(/\.\w+$/, '');
+}
+
+/**
+ * @param {{ video?: string, shard?: string, stinger?: string, matte?: string }} values
  * @param {{ format: 'png' | 'exr', width: number, height: number, fps: number }} order
  */
-function readVideo({ video, shard }, { format, width, height, fps }) {
+function readVideo({ video, shard, stinger, matte }, { format, width, height, fps }) {
   if (video === undefined) return undefined;
   const type = oneOf('--video', /\.(\w+)$/.exec(video)?.[1] ?? '', VIDEOS);
   if (shard !== undefined) {
     throw new UserError('--video needs all frames: run the command again without --shard when all shards are done.');
+  }
+  if (stinger !== undefined && type === 'mp4') {
+    throw new UserError(`--video ${video} would have no alpha: choose .webm, .apng, .webp or .mov for a stinger.`);
+  }
+  if (matte !== undefined && matte !== 'separate' && type === 'mov') {
+    throw new UserError(
+      `--video ${video} has no --matte ${matte}: choose separate, whose PNG files are in matte/, or .webm.`,
+    );
   }
   if (format !== 'png') throw new UserError('--video is made from PNG files: leave out --format exr.');
   if ((type === 'webm' || type === 'mp4') && (width % 2 || height % 2)) {

@@ -1,7 +1,6 @@
 /** Renders the frames of a shot and sends them to the command that opened the page. */
 import { createStage, type Stage } from '../../index.ts';
 import {
-  ClipFiles,
   encodePng,
   linkCapacity,
   lookOf,
@@ -15,12 +14,13 @@ import {
 import { decode, encode, type Decoded } from '../../preset.ts';
 import { drawFlipbook } from '../capture/flipbook.ts';
 import { LayerCamera, type Layer } from '../capture/layers.ts';
-import { decodePng } from '../gallery/straightPng.ts';
 import { strings } from '../strings.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
 import { encodeDepth, encodeExr } from './exr.ts';
+import { encodeFrames, pictureOf } from './frameVideo.ts';
 import { messages, type Receiver } from './receiver.ts';
+import { finishStinger, wipeOf } from './stinger.ts';
 import { nameOf, type Beginning, type DrawnFrame, type FilmOrder, type FlipbookOrder, type Keyframe } from './order.ts';
 
 /** Renders the frames that the receiver asks for, in ascending order. */
@@ -32,48 +32,23 @@ export async function film(order: FilmOrder, receiver: Receiver): Promise<void> 
   } finally {
     stage.dispose();
   }
-  if (order.video) await receiver.putVideo(await encodeFrames(order, order.video, receiver));
-}
-
-type VideoOrder = NonNullable<FilmOrder['video']>;
-
-async function encodeFrames(order: FilmOrder, video: VideoOrder, receiver: Receiver): Promise<Blob> {
-  const { format } = video;
-  if (format !== 'apng' && format !== 'webp') return encodeFilm(order, { ...video, format }, receiver);
-  const { width, height, fps } = order;
-  const files = new ClipFiles([format], { width, height, rate: fps });
-  for (let frame = video.first; frame <= video.last; ++frame) {
-    // Not by a canvas, which would multiply alpha into the colours.
-    const { data } = await decodePng(new File([await receiver.picture(frame)], nameOf(frame, undefined, 'png')));
-    await files.add(new Uint8ClampedArray(data.buffer as ArrayBuffer));
-  }
-  return files.finish()[0];
-}
-
-async function encodeFilm(
-  { width, height, fps, hasBackground }: FilmOrder,
-  { format, first, last }: VideoOrder & { readonly format: 'webm' | 'mp4' },
-  receiver: Receiver,
-): Promise<Blob> {
-  const { encodeVideo } = await import('../capture/video.ts');
-  const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext('2d')!;
-  const settings = { format, width, height, scale: 1, hasBackground, rate: fps };
-  return encodeVideo(settings, async (add) => {
-    for (let frame = first; frame <= last; ++frame) {
-      const picture = await createImageBitmap(await receiver.picture(frame));
-      context.clearRect(0, 0, width, height);
-      context.drawImage(picture, 0, 0);
-      picture.close();
-      await add(canvas, frame - first);
-    }
-  });
+  const { stinger } = order;
+  if (stinger) return finishStinger({ ...order, stinger }, beginning.last!, receiver);
+  if (!order.video) return;
+  const pictures = { ...order, get: (frame: number) => pictureOf(frame, receiver) };
+  await receiver.putVideo(await encodeFrames(pictures, order.video));
 }
 
 /** Draws a flipbook and sends its files. */
 export async function flipbook(order: FlipbookOrder, receiver: Receiver): Promise<void> {
   const { columns, rows, width, height, scale, seconds, lights } = order;
-  const { stage, canvas, beginning } = await openShot({ ...order, hasBackground: false, supersample: 1, camera: [] });
+  const { stage, canvas, beginning } = await openShot({
+    ...order,
+    hasBackground: false,
+    supersample: 1,
+    fps: 1,
+    camera: [],
+  });
   try {
     await stage.seek(beginning.start);
     const studio = { stage, canvas, draw: () => stage.resize(width / scale, height / scale, scale) };
@@ -96,7 +71,7 @@ interface Shot {
   readonly beginning: Beginning;
 }
 
-type ShotOrder = Pick<FilmOrder, 'link' | 'width' | 'height' | 'supersample' | 'hasBackground' | 'camera'>;
+type ShotOrder = Omit<FilmOrder, 'layers' | 'format' | 'statesEvery'>;
 
 async function openShot(order: ShotOrder): Promise<Shot> {
   const { search, hash } = new URL(order.link, 'http://localhost');
@@ -104,21 +79,24 @@ async function openShot(order: ShotOrder): Promise<Shot> {
   const decoded = await decode(hash);
   const problems = [...decoded.notices, ...environment.notices].map(({ message }) => message);
   if (problems.length > 0) throw new Error(messages.badLink(problems));
+  const wipe = order.stinger && wipeOf(order.stinger, order, decoded.state.values);
   const canvas = document.createElement('canvas');
   const stage = await createStage(canvas, {
-    values: decoded.state.values,
+    values: wipe?.values ?? decoded.state.values,
     width: 1,
     height: 1,
     background: order.hasBackground,
     historyBytes: 0,
   });
   requireSize(canvas, order.width * order.supersample, order.height * order.supersample);
-  await replay(stage, decoded);
+  if (wipe) for (const emission of wipe.emissions) stage.emit(emission);
+  else await replay(stage, decoded);
   // Checks their ranges. Each frame sets all of these keys again.
   for (const { values } of order.camera) stage.set(values);
   await stage.complete();
   const link = await encode(decoded.state, decoded.take as Uint8Array<ArrayBuffer> | undefined);
-  return { stage, canvas, beginning: { renderer: rendererOf(canvas), link, start: environment.time ?? 0 } };
+  const start = wipe ? 0 : (environment.time ?? 0);
+  return { stage, canvas, beginning: { renderer: rendererOf(canvas), link, start, last: wipe?.last } };
 }
 
 function rendererOf(canvas: HTMLCanvasElement): string {

@@ -17,6 +17,17 @@ export interface FrameRange {
 /** Videos that the page encodes. */
 export type VideoFormat = 'webm' | 'mp4' | 'apng' | 'webp';
 
+/** Where the track matte of a stinger is: to the right of the picture, below it, or in a file of its own. */
+export type MatteLayout = 'side-by-side' | 'stacked' | 'separate';
+
+/** A wipe that has the look of the link. */
+export interface Stinger {
+  /** The frame in which smoke covers everything. */
+  readonly cutFrame: number;
+  /** Where the smoke goes, in degrees: 0 is to the right, 90 up. */
+  readonly direction: number;
+}
+
 /** A shot to render. */
 export interface FilmOrder {
   /** Query and hash of the address: `?t=2#v=1&preset=lamp`. */
@@ -38,7 +49,11 @@ export interface FilmOrder {
   readonly statesEvery: number;
   /** Frames of a loop, whose last ones dissolve into what is before the first one. */
   readonly loop?: FrameRange;
-  /** A video of finished frames. */
+  /** Instead of the link's smoke and of a range of frames. */
+  readonly stinger?: Stinger;
+  /** The track matte of a stinger; none if absent. */
+  readonly matte?: MatteLayout;
+  /** A video of finished frames. A stinger has its own range. */
   readonly video?: FrameRange & { readonly format: VideoFormat };
 }
 
@@ -66,6 +81,8 @@ export interface Beginning {
   readonly link: string;
   /** Simulated seconds of frame 0. */
   readonly start: number;
+  /** The last frame of a stinger; the first is 0. */
+  readonly last?: number;
 }
 
 /** A finished frame. */

@@ -42,8 +42,14 @@ export class Receiver {
     return (await request('GET', `picture/${frame}`)).blob();
   }
 
-  async putVideo(video: Blob): Promise<void> {
-    await request('PUT', 'video', video);
+  /** @param what the film itself, or the track matte in a file of its own */
+  async putVideo(video: Blob, what: 'film' | 'matte' = 'film'): Promise<void> {
+    await request('PUT', `video/${what}`, video);
+  }
+
+  /** Sends what a player has to know of a stinger. */
+  async putStinger(report: object): Promise<void> {
+    await request('PUT', 'stinger', `${JSON.stringify(report, null, 1)}\n`);
   }
 
   async end(): Promise<void> {
@@ -66,5 +72,8 @@ export const messages = {
   badLink: (problems: readonly string[]) => `The link has mistakes: ${problems.join(' ')}`,
   otherState: (saved: string, found: string) =>
     `A saved state has the hash ${saved}, but ${found} after it was read: delete the folder of the states.`,
+  uncovered: (pixels: number) =>
+    `The smoke leaves ${pixels} pixels uncovered at the cut: choose a longer --stinger, or a link with an opaque look.`,
+  leftOver: (frame: number) => `Frame ${frame} of the stinger is not empty: choose a longer --stinger.`,
   failed: (what: string, status: number) => `${what}: the command answered ${status}.`,
 };

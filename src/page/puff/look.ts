@@ -14,11 +14,11 @@ export const TINT_LIMIT = 3;
  * @throws ParameterError for an unknown preset, LoadError when it cannot be fetched
  */
 export async function lookOf(preset = USUAL): Promise<Values> {
-  return pick(await fetchValues(preset));
+  return lookIn(await fetchValues(preset));
 }
 
 /** Only values that every preset has, so that a look replaces all of the one before. */
-function pick(values: Values): Values {
+export function lookIn(values: Values): Values {
   const usual = defaults();
   return Object.fromEntries(Object.entries(values).filter(([key]) => isOfLook(key) && key in usual));
 }

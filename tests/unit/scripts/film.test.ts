@@ -41,7 +41,16 @@ const SHOT = {
 };
 
 interface Read {
-  order: { link: string; scale: number; fps: number; camera: { seconds: number }[]; statesEvery: number };
+  order: {
+    link: string;
+    scale: number;
+    fps: number;
+    camera: { seconds: number }[];
+    statesEvery: number;
+    stinger?: object;
+  };
+  stinger?: object;
+  video?: object;
   frames: number[];
 }
 
@@ -118,11 +127,56 @@ describe('options', () => {
     [['--video', 'out.apng', '--fps', '120'], /^--video out.apng has at most 60 frames per second/],
     [['--video', 'out.webp', '--size', '16384x9'], /^--video out.webp has at most 16383 pixels per side, not 16384/],
     [['--loop', '--layers'], /^--loop has no layers/],
+    [['--direction', '90'], /^--direction is of a stinger/],
+    [['--matte', 'stacked'], /^--matte is of a stinger/],
+    [['--stinger', '0.9'], /^--stinger has its own frames and camera: leave out --frames/],
     [['more'], /^Give one LINK, not 2/],
     [['--camera', '/nowhere.json'], /^--camera \/nowhere.json cannot be read/],
   ])('%j is rejected in one line', (words, message) => {
     expect(() => given(...words)).toThrow(message);
     expect(() => given(...words)).not.toThrow(/\n/);
+  });
+
+  const wiped = (...words: string[]) => read([LINK, '--out', 'out', '--stinger', ...words]);
+
+  it.each([
+    [['0.9', '--fps', '60'], 54, 'out/stinger-cut-900ms.json'],
+    [['0.9'], 22, 'out/stinger-cut-917ms.json'],
+    [['1', '--fps', '24000/1001'], 24, 'out/stinger-cut-1001ms.json'],
+    [['10', '--fps', '30'], 300, 'out/stinger-cut-10000ms.json'],
+  ])('the cut of --stinger %j is frame %i, and %s says so', (words, cutFrame, report) => {
+    const { order, stinger } = wiped(...words);
+    expect(order).toMatchObject({ stinger: { cutFrame, direction: 0 }, hasBackground: false });
+    expect(stinger).toEqual({ report: join(report), matte: undefined });
+  });
+
+  it('names the video of a stinger and its matte by the cut', () => {
+    const words = ['--fps', '30', '--direction=-90', '--matte', 'separate', '--video', 'clips/smoke.webm'];
+    const { order, stinger, video } = wiped('0.5', ...words);
+    expect(order.stinger).toEqual({ cutFrame: 15, direction: -90 });
+    expect(stinger).toEqual({ report: 'clips/smoke-cut-500ms.json', matte: 'separate' });
+    expect(video).toEqual({
+      file: 'clips/smoke-cut-500ms.webm',
+      matte: 'clips/smoke-cut-500ms-matte.webm',
+      type: 'webm',
+    });
+  });
+
+  it.each([
+    [['0.3'], /^--stinger 0.3: it takes 0.4 to 10 seconds/],
+    [['soon'], /^--stinger soon: it takes 0.4 to 10 seconds/],
+    [['9.99', '--fps', '24000/1001', '--frames', '0-9'], /leave out --frames/],
+    [['1', '--loop'], /leave out --loop/],
+    [['1', '--camera', 'path.json'], /leave out --camera/],
+    [['1', '--format', 'exr'], /^--stinger is made from PNG files/],
+    [['1', '--direction', 'left'], /^--direction left: it takes -360 to 360 degrees/],
+    [['1', '--matte', 'below'], /^--matte below: it takes side-by-side or stacked or separate/],
+    [['1', '--video', 'a.mp4'], /^--video a.mp4 would have no alpha/],
+    [['1', '--video', 'a.mov', '--matte', 'stacked'], /^--video a.mov has no --matte stacked/],
+    [['1', '--video', 'a.webp', '--matte', 'stacked', '--size', '9x8200'], /not 16400/],
+  ])('a stinger with %j is rejected in one line', (words, message) => {
+    expect(() => wiped(...words)).toThrow(message);
+    expect(() => wiped(...words)).not.toThrow(/\n/);
   });
 
   it('rejects a link without a hash, and needs frames and a folder', () => {

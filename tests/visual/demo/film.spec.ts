@@ -39,7 +39,11 @@ function withShell(): NodeJS.ProcessEnv {
 }
 
 function film(...given: Parameters<typeof wordsOf>): Promise<Ending> {
-  const parameters = [SCRIPT, ...wordsOf(...given)];
+  return command(wordsOf(...given));
+}
+
+function command(words: readonly string[]): Promise<Ending> {
+  const parameters = [SCRIPT, ...words];
   return new Promise((resolve) => {
     execFile(process.execPath, parameters, { cwd: ROOT, env: withShell() }, (error, _output, errors) =>
       resolve({ status: error ? Number(error.code) : 0, errors }),
@@ -150,6 +154,44 @@ test('a looped film is the loop of the page, its APNG has every byte of its fram
   const ofPage = decodeApng(Buffer.from(page, 'base64')).frames;
   expect(ofPage.map((frame, at) => frame.equals(frames[at]))).toEqual(Array(6).fill(true));
   expect(new Set(frames.map((frame) => frame.toString('base64'))).size, 'no two frames are the same').toBe(6);
+});
+
+test('a stinger covers every pixel at its cut, begins and ends empty, and its matte is true to the smoke', async () => {
+  const video = ['--video', join(folder, 'smoke.apng'), '--matte', 'stacked'];
+  const shot = ['--stinger', '0.45', '--fps', '12', '--direction', '90', ...SMALL, '--out', join(folder, 'stinger')];
+  expect(await command([HASH, ...shot, ...video])).toMatchObject({ status: 0 });
+  // 0.45 s are between two frames.
+  const report = JSON.parse(readFileSync(join(folder, 'smoke-cut-500ms.json'), 'utf8')) as Record<string, number>;
+  const { frames, covered } = report as unknown as { frames: number; covered: [number, number] };
+  const about = { cutMs: 500, cutFrame: 6, fps: 12, width: 160, height: 90, direction: 90, matte: 'stacked' };
+  expect(report).toMatchObject({ ...about, duration: frames / 12 });
+  const file = (name: string) => pixelsOf(readFileSync(join(folder, 'stinger', name)));
+  const number = (frame: number) => String(frame).padStart(6, '0');
+  const pictures = Array.from({ length: frames }, (_, frame) => file(`frame-${number(frame)}.png`));
+  const mattes = Array.from({ length: frames }, (_, frame) => file(`matte/${number(frame)}.png`));
+  const alphas = pictures.map((picture) => picture.filter((_, at) => at % 4 === 3));
+  const whole = alphas.flatMap((alpha, frame) => (alpha.every((each) => each === 255) ? [frame] : []));
+  expect(whole).toContain(6);
+  expect([whole[0], whole.at(-1), whole.length]).toEqual([...covered, covered[1] - covered[0] + 1]);
+  expect([0, frames - 1].map((frame) => alphas[frame].some((alpha) => alpha > 0))).toEqual([false, false]);
+  for (const [frame, matte] of mattes.entries()) {
+    const levels = matte.filter((_, at) => at % 4 === 0);
+    expect(matte.filter((_, at) => at % 4 === 3).every((alpha) => alpha === 255)).toBe(true);
+    const wrong = levels.findIndex((level, at) => {
+      if (frame <= 6) return level !== 0;
+      if (level !== 0 && level !== 255) return true;
+      // White stays, and is wherever the smoke is not opaque.
+      return level === 0 && (alphas[frame][at] < 255 || mattes[frame - 1][4 * at] === 255);
+    });
+    expect(wrong, `frame ${frame}`).toBe(-1);
+  }
+  expect(mattes[frames - 1].every((level) => level === 255)).toBe(true);
+  const partly = mattes.some((matte) => matte.includes(0) && matte.filter((_, at) => at % 4 === 0).includes(255));
+  expect(partly, 'the matte clears gradually').toBe(true);
+  const joined = decodeApng(readFileSync(join(folder, 'smoke-cut-500ms.apng')));
+  expect(joined).toMatchObject({ width: 160, height: 180 });
+  const isJoined = joined.frames.map((frame, at) => frame.equals(Buffer.concat([pictures[at], mattes[at]])));
+  expect(isJoined).toEqual(Array(frames).fill(true));
 });
 
 test('shards of a loop write the files of one run @long', async () => {

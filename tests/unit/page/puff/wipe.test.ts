@@ -2,7 +2,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { puff } from '../../../../src/page/puff/puff.ts';
 import { requireWipeOptions, type WipeOptions } from '../../../../src/page/puff/options.ts';
-import { wipeEmissions } from '../../../../src/page/puff/wipe.ts';
+import { wipeEmissions } from '../../../../src/page/puff/wipeSmoke.ts';
 
 afterEach(() => vi.unstubAllGlobals());
 
