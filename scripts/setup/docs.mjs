@@ -2,6 +2,7 @@
 
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { inRoot } from '../lib/paths.mjs';
+import { publishedAt } from '../site/published.mjs';
 import { packagesIn } from './packages.mjs';
 import { digestOf } from './sources.mjs';
 
@@ -28,7 +29,7 @@ export const packages = packagesIn('site', 'Packages of the documentation');
 
 export function isFresh() {
   if (!existsSync(inRoot('dist/docs/index.html')) || !existsSync(inRoot(STAMP))) return false;
-  return readFileSync(inRoot(STAMP), 'utf8') === digestOf(SOURCES);
+  return readFileSync(inRoot(STAMP), 'utf8') === digest();
 }
 
 /**
@@ -39,7 +40,7 @@ export function isFresh() {
  */
 export async function bring(say, isWhole = false) {
   rmSync(inRoot(STAMP), { force: true });
-  const before = digestOf(SOURCES);
+  const before = digest();
   await build(inRoot('dist'), say, isWhole);
   mkdirSync(inRoot('.cache'), { recursive: true });
   writeFileSync(inRoot(STAMP), before);
@@ -55,4 +56,8 @@ export async function build(folder, say, isWhole) {
   // Imported late, because the packages may not be installed when this module loads.
   const { buildDocs } = await import('../site/docs.mjs');
   await buildDocs(folder, say, isWhole);
+}
+
+function digest() {
+  return `${digestOf(SOURCES)} ${publishedAt() ?? ''}`;
 }

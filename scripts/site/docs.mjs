@@ -11,6 +11,7 @@ import { writeDocuments, writeNavigation } from './documents.mjs';
 import { elementScriptIn } from './elementScript.mjs';
 import { writeGallery } from './gallery.mjs';
 import { writePictures } from './pictures.mjs';
+import { publishedAt } from './published.mjs';
 
 /**
  * @param {string} folder of the built site; the documentation goes to `docs` in it
@@ -30,7 +31,12 @@ export async function buildDocs(folder, say, isWhole) {
     ...(hasPictures ? [{ text: 'Parameters in pictures', link: '/pictures' }] : []),
     ...(hasApi ? [{ text: 'API', link: '/api/' }] : []),
   ]);
-  const environment = { DOCS_OUT: out, DOCS_ELEMENT: `/../${elementScriptIn(folder)}` };
+  const base = publishedAt();
+  const environment = {
+    DOCS_OUT: out,
+    DOCS_ELEMENT: `/../${elementScriptIn(folder)}`,
+    DOCS_ADDRESS: base ? `${base}docs/` : '',
+  };
   const options = { environment, folder: inRoot('site'), onLine: say };
   const { status, output } = await runScript('site/node_modules/vitepress/bin/vitepress.js', ['build'], options);
   if (status !== 0) throw new UserError(`The documentation could not be built:\n${output}`);

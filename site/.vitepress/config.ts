@@ -5,12 +5,14 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { createCssVariablesTheme, type ShikiTransformer } from 'shiki';
-import { defineConfig, type DefaultTheme } from 'vitepress';
+import { defineConfig, type DefaultTheme, type HeadConfig } from 'vitepress';
 
 const CACHE = fileURLToPath(new URL('../../.cache/docs', import.meta.url));
 const PAGES = fileURLToPath(new URL('../pages', import.meta.url));
 const ICON = readFileSync(fileURLToPath(new URL('../../public/favicon.svg', import.meta.url)), 'utf8');
 const OUT = process.env.DOCS_OUT ?? join(CACHE, 'out');
+/** Where the documentation will be published, with a trailing slash; empty if that is not known. */
+const PUBLISHED = process.env.DOCS_ADDRESS ?? '';
 
 const { repository, groups }: { repository: string; groups: DefaultTheme.SidebarItem[] } = JSON.parse(
   readFileSync(join(PAGES, 'navigation.json'), 'utf8'),
@@ -45,6 +47,13 @@ function withoutInlineCode(html: string, page: string): string {
   });
 }
 
+/** The address of a page for search engines. */
+function canonicalLinks(page: string): HeadConfig[] {
+  if (!PUBLISHED || page === '404.md') return [];
+  const path = page.replace(/\.md$/, '.html').replace(/(^|\/)index\.html$/, '$1');
+  return [['link', { rel: 'canonical', href: new URL(path, PUBLISHED).href }]];
+}
+
 /** A block of code with smoke beside it, see theme/liveSmoke.ts. */
 function liveExample(block: string, code: string, kind: string, preset: string, page: string): string {
   const picture = `${'../'.repeat(page.split('/').length - 1) || './'}posters/${preset}.webp`;
@@ -72,6 +81,7 @@ export default defineConfig<ThemeConfig>({
   // Source maps list the packages in the scripts, for their licences.
   vite: { build: { sourcemap: 'hidden', assetsInlineLimit: 0 } },
   transformHtml: withoutInlineCode,
+  transformHead: ({ page }) => canonicalLinks(page),
   // It would insert a style element.
   appearance: { disableTransition: false },
   // A relative address would be wrong after a link to a page in another folder, which changes only the content.

@@ -21,6 +21,15 @@ test('the site is built by the command of the workflow, with its public address'
   const page = readFileSync(join(out, 'index.html'), 'utf8');
   expect(page).toContain(`<link rel="canonical" href="${BASE}/">`);
   expect(readFileSync(join(out, 'paper.html'), 'utf8')).toContain(`href="${BASE}/paper.html"`);
+  for (const [file, path] of [
+    ['index.html', ''],
+    ['puff.html', 'puff.html'],
+    ['design/puff.html', 'design/puff.html'],
+  ]) {
+    const document = readFileSync(join(out, 'docs', file), 'utf8');
+    expect(document).toContain(`<link rel="canonical" href="${BASE}/docs/${path}">`);
+  }
+  expect(readFileSync(join(out, 'docs/404.html'), 'utf8')).not.toContain('rel="canonical"');
   expect(page).toMatch(/property="og:description" content="Cartoon smoke/);
   const picture = /property="og:image" content="(.*?)"/.exec(page)![1];
   expect(picture.startsWith(`${BASE}/`)).toBe(true);
