@@ -5,7 +5,7 @@ import { parseArgs } from 'node:util';
 import { UserError } from '../lib/userError.mjs';
 import { readCamera } from './camera.mjs';
 
-export const USAGE = `cartoon-smoke film LINK --frames FIRST-LAST --out FOLDER [options]
+export const USAGE = `cartoon-smoke film LINK (--frames FIRST-LAST | --stinger SECONDS) --out FOLDER [options]
 
   LINK                   an address with a hash, or a hash: '#v=1&preset=lamp'
   --frames 0-239         first and last frame, both included
