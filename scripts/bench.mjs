@@ -3,7 +3,7 @@
  * writes them as `{ suite, commit, figures }`.
  *
  * A suite exports `run({ quick })`, which resolves to its figures, and optionally `summary(figures)`, which returns
- * text to print below the table. This script reports figures and does not judge them.
+ * text to print below the table, and `failures(figures)`, whose sentences end the command with status 1.
  */
 
 import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
@@ -32,13 +32,14 @@ await conclude(async () => {
   // folder.
   const file = values.json === undefined ? undefined : resolve(values.json);
   await setUp(TESTS);
-  const { figures, summary } = await measure(suite, values.quick);
+  const { figures, summary, failures } = await measure(suite, values.quick);
   console.log(figuresTable(figures));
   if (summary) console.log(`\n${summary}`);
   if (file) {
     mkdirSync(dirname(file), { recursive: true });
     writeFileSync(file, `${JSON.stringify({ suite, commit: await commit(), figures }, null, 2)}\n`);
   }
+  if (failures.length > 0) throw new UserError(failures.join('\n'));
 });
 
 /** @param {string[]} names */
@@ -54,14 +55,14 @@ function chooseSuite(names) {
   return names[0];
 }
 
-/** @param {string} suite @param {boolean} quick @returns {Promise<{ figures: Figure[], summary?: string }>} */
+/** @param {string} suite @param {boolean} quick @returns {Promise<{ figures: Figure[], summary?: string, failures: string[] }>} */
 async function measure(suite, quick) {
   const module = await import(pathToFileURL(inRoot(`${FOLDER}/${suite}.mjs`)).href);
   if (typeof module.run !== 'function')
     throw new UserError(`${FOLDER}/${suite}.mjs is not a suite: it must export run().`);
   const figures = await withProgress(`Bench ${suite}`, (say) => module.run({ quick, say }));
   if (!Array.isArray(figures) || figures.length === 0) throw new UserError(`The suite ${suite} measured nothing.`);
-  return { figures, summary: module.summary?.(figures) };
+  return { figures, summary: module.summary?.(figures), failures: module.failures?.(figures) ?? [] };
 }
 
 /** The measured commit, marked if the working tree differs from it. */

@@ -43,7 +43,9 @@ function withoutInlineCode(html: string, page: string): string {
     const name = `assets/${createHash('sha256').update(code).digest('hex').slice(0, 10)}.js`;
     mkdirSync(join(OUT, 'assets'), { recursive: true });
     writeFileSync(join(OUT, name), code);
-    return `<script${attributes} src="${relative(dirname(page), join(OUT, name)).replaceAll('\\', '/')}"></script>`;
+    // Only the one that chooses light or dark has to run before the page is visible.
+    const isEarly = /check-dark-mode|type="module"/.test(attributes);
+    return `<script${attributes}${isEarly ? '' : ' defer'} src="${relative(dirname(page), join(OUT, name)).replaceAll('\\', '/')}"></script>`;
   });
 }
 
