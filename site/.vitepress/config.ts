@@ -91,6 +91,8 @@ export default defineConfig<ThemeConfig>({
   markdown: {
     theme: createCssVariablesTheme(),
     codeTransformers: [classesForColors],
+    // Guides begin with text, for which pictures further down would leave less of a slow connection.
+    image: { lazyLoad: true },
     // As GitHub makes them, so that links with a heading work in both places.
     anchor: { slugify: anchorOf },
     config(md) {
