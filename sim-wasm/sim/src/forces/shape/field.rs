@@ -13,6 +13,7 @@
 use wide::f32x4;
 
 use crate::forces::shape::cells::Cells;
+use crate::math::simd::{CELL_ZERO, LANES, Vector4, blocks, cell_and_fraction, positive_part, smaller};
 
 /// Grids, each with half the columns and rows of the one before.
 const LEVELS: usize = 4;
@@ -40,21 +41,20 @@ struct Level {
 #[derive(Clone, Debug)]
 pub struct Field {
     cells: Cells,
-    /// Smoke in each cell, and its sum (particles).
+    /// Smoke in each cell, and its sum in each lane (particles).
     smoke: Vec<f32>,
-    all: f32,
+    all: f32x4,
     levels: Vec<Level>,
     /// Gradient of the potential in each cell along x, y and z, per cell.
     gradient: Vec<f32x4>,
 }
 
-/// A place within the grid: its cell below, and the weights of it and the next ones along x, y and z.
-#[derive(Clone, Copy)]
-pub struct Spot {
-    cell: usize,
-    to_next_layer: usize,
-    weights: [f32; 4],
-    layer: f32,
+/// Four places within the grid: the cell below each, and the weights of it and the next ones along x, y and z.
+pub struct Spots {
+    cells: [usize; LANES],
+    /// Of the cell, and of the next along x, along y, and along both.
+    weights: [f32x4; 4],
+    layers: f32x4,
 }
 
 impl Field {
@@ -73,7 +73,7 @@ impl Field {
         };
         Self {
             smoke: vec![0.0; cells.inside.len()],
-            all: 0.0,
+            all: f32x4::ZERO,
             levels: (0..LEVELS).map(level).collect(),
             gradient: vec![f32x4::ZERO; cells.inside.len()],
             cells,
@@ -85,66 +85,110 @@ impl Field {
         &self.cells
     }
 
-    /// The cells around a place within the grid, in cells from its lower left back corner.
+    /// The cells around places, in cells from the lower left back corner of the grid. Places beyond it are moved to it.
     #[inline(always)]
-    pub fn spot(&self, [x, y, z]: [f32; 3]) -> Spot {
+    pub fn spots(&self, places: Vector4) -> Spots {
         let Cells {
             columns, rows, layers, ..
         } = self.cells;
-        let below = |place: f32, count: usize| {
-            let place = (place - 0.5).max(0.0).min((count - 1) as f32);
-            let cell = (place as usize).min(count.max(2) - 2);
-            (cell, place - cell as f32)
+        // The cell below, at most the last but one, and the weight of the next.
+        let below = |place: f32x4, count: usize| {
+            let place = positive_part(place - f32x4::HALF);
+            let cell = smaller(place, f32x4::splat(count as f32 - 2.0)).floor();
+            (cell, smaller(place - cell, f32x4::ONE))
         };
-        let ((i, u), (j, v), (k, w)) = (below(x, columns), below(y, rows), below(z, layers));
-        Spot {
-            cell: i + columns * (j + rows * k),
-            to_next_layer: if layers > 1 { columns * rows } else { 0 },
-            weights: [(1.0 - u) * (1.0 - v), u * (1.0 - v), (1.0 - u) * v, u * v],
-            layer: w,
+        let ((i, u), (j, v)) = (below(places.x, columns), below(places.y, rows));
+        let (k, w) = match layers {
+            1 => (f32x4::ZERO, f32x4::ZERO),
+            _ => below(places.z, layers),
+        };
+        let index = i + f32x4::splat(columns as f32) * (j + f32x4::splat(rows as f32) * k);
+        let (bits, _) = cell_and_fraction(index);
+        let (before, left) = (f32x4::ONE - v, f32x4::ONE - u);
+        Spots {
+            cells: bits.to_array().map(|bits| (bits - CELL_ZERO) as usize),
+            weights: [left * before, u * before, left * v, u * v],
+            layers: w,
+        }
+    }
+
+    /// Cells from a layer to the next; 0 if there is only one.
+    #[inline(always)]
+    fn to_next_layer(&self) -> usize {
+        match self.cells.layers {
+            1 => 0,
+            _ => self.cells.columns * self.cells.rows,
         }
     }
 
     /// Forgets the smoke.
     pub fn clear(&mut self) {
         self.smoke.fill(0.0);
-        self.all = 0.0;
+        self.all = f32x4::ZERO;
     }
 
-    /// Adds smoke (particles) at a place.
+    /// Adds smoke (particles) at places.
     #[inline(always)]
-    pub fn add(&mut self, spot: &Spot, amount: f32) {
-        self.all += amount;
-        let columns = self.cells.columns;
-        let mut add = |cell: usize, amount: f32| {
-            let [a, b, c, d] = spot.weights;
-            self.smoke[cell] += amount * a;
-            self.smoke[cell + 1] += amount * b;
-            self.smoke[cell + columns] += amount * c;
-            self.smoke[cell + columns + 1] += amount * d;
-        };
-        if spot.to_next_layer == 0 {
-            add(spot.cell, amount);
-        } else {
-            add(spot.cell, amount * (1.0 - spot.layer));
-            add(spot.cell + spot.to_next_layer, amount * spot.layer);
+    pub fn add(&mut self, spots: &Spots, amounts: f32x4) {
+        self.all += amounts;
+        match self.to_next_layer() {
+            0 => self.add_to_layer(spots, amounts, 0),
+            to_next => {
+                self.add_to_layer(spots, amounts * (f32x4::ONE - spots.layers), 0);
+                self.add_to_layer(spots, amounts * spots.layers, to_next);
+            }
         }
     }
 
-    /// The gradient at a place.
     #[inline(always)]
-    pub fn at(&self, spot: &Spot) -> f32x4 {
+    fn add_to_layer(&mut self, spots: &Spots, amounts: f32x4, cells_on: usize) {
+        let parts = spots.weights.map(|weights| (weights * amounts).to_array());
         let columns = self.cells.columns;
-        let [a, b, c, d] = spot.weights.map(f32x4::splat);
-        let of = |cell: usize| {
-            let near = &self.gradient[cell..];
-            near[0] * a + near[1] * b + near[columns] * c + near[columns + 1] * d
+        let mut add = |lane: usize| {
+            let [a, b, c, d] = parts.map(|parts| parts[lane]);
+            let mut add = |cell: usize, part: f32, next_part: f32| {
+                if let [near, next, ..] = &mut self.smoke[cell..] {
+                    *near += part;
+                    *next += next_part;
+                }
+            };
+            let cell = spots.cells[lane] + cells_on;
+            add(cell, a, b);
+            add(cell + columns, c, d);
         };
-        if spot.to_next_layer == 0 {
-            return of(spot.cell);
+        // Written out: the compiler does not unroll a loop as long.
+        add(0);
+        add(1);
+        add(2);
+        add(3);
+    }
+
+    /// The gradients at places.
+    #[inline(always)]
+    pub fn at(&self, spots: &Spots) -> Vector4 {
+        let near = self.in_layer(spots, 0);
+        match self.to_next_layer() {
+            0 => near,
+            to_next => near * (f32x4::ONE - spots.layers) + self.in_layer(spots, to_next) * spots.layers,
         }
-        let far = f32x4::splat(spot.layer);
-        of(spot.cell) * (f32x4::ONE - far) + of(spot.cell + spot.to_next_layer) * far
+    }
+
+    #[inline(always)]
+    fn in_layer(&self, spots: &Spots, cells_on: usize) -> Vector4 {
+        let row = |cell: usize| match &self.gradient[cell..] {
+            [near, next, ..] => [*near, *next],
+            _ => [f32x4::ZERO; 2],
+        };
+        let columns = self.cells.columns;
+        let at = |lane: usize| {
+            let [a, b, c, d] = spots.weights.map(|weights| f32x4::splat(weights.to_array()[lane]));
+            let cell = spots.cells[lane] + cells_on;
+            let ([near, right], [above, both]) = (row(cell), row(cell + columns));
+            (near * a + right * b) + (above * c + both * d)
+        };
+        // Written out: the compiler does not unroll a loop as long.
+        let [x, y, z, _] = f32x4::transpose([at(0), at(1), at(2), at(3)]);
+        Vector4 { x, y, z }
     }
 
     /// Computes the gradient for the smoke that was added.
@@ -152,11 +196,12 @@ impl Field {
     /// # Arguments
     /// * `thickness` - Thickness of a layer in cells.
     pub fn solve(&mut self, thickness: f32) {
-        if self.all < LEAST_SMOKE {
+        let all = self.all.to_array().iter().sum::<f32>();
+        if all < LEAST_SMOKE {
             self.gradient.fill(f32x4::ZERO);
             return;
         }
-        let share = self.cells.mass / self.all;
+        let share = self.cells.mass / all;
         let outside = PULL * self.cells.mass / self.smoke.len() as f32;
         let charges = self.levels[0].charge.iter_mut();
         for ((charge, inside), smoke) in charges.zip(&self.cells.inside).zip(&self.smoke) {
@@ -183,16 +228,27 @@ impl Field {
         let (layers, level) = (self.cells.layers, &self.levels[0]);
         let (width, area) = (level.columns + 2, (level.columns + 2) * (level.rows + 2));
         let potential = &level.potential;
-        let mut gradient = self.gradient.iter_mut();
+        let mut gradient = self.gradient.as_chunks_mut::<LANES>().0.iter_mut();
+        let count = level.columns / LANES;
+        let (half, deep) = (f32x4::HALF, f32x4::splat(0.5 / thickness));
         for layer in 0..layers {
             let (back, front) = (layer.saturating_sub(1), (layer + 1).min(layers - 1));
             for row in 1..=level.rows {
-                let start = layer * area + row * width + 1;
-                for (at, gradient) in (start..start + level.columns).zip(&mut gradient) {
-                    let x = (potential[at + 1] - potential[at - 1]) * 0.5;
-                    let y = (potential[at + width] - potential[at - width]) * 0.5;
-                    let z = potential[at + (front - layer) * area] - potential[at - (layer - back) * area];
-                    *gradient = f32x4::new([x, y, z / (2.0 * thickness), 0.0]);
+                let start = row * width + 1;
+                let cells = |start: usize| blocks(&potential[start..], count);
+                let (at, to_back, to_front) = (layer * area + start, back * area + start, front * area + start);
+                let (left, right) = (cells(at - 1), cells(at + 1));
+                let (below, above) = (cells(at - width), cells(at + width));
+                let (behind, before) = (cells(to_back), cells(to_front));
+                for (at, gradient) in (0..count).zip(&mut gradient) {
+                    let difference =
+                        |from: &[[f32; LANES]], to: &[[f32; LANES]]| f32x4::new(to[at]) - f32x4::new(from[at]);
+                    *gradient = f32x4::transpose([
+                        difference(left, right) * half,
+                        difference(below, above) * half,
+                        difference(behind, before) * deep,
+                        f32x4::ZERO,
+                    ]);
                 }
             }
         }

@@ -132,19 +132,22 @@ impl Placement {
         let count = alive.div_ceil(LANES);
         let [x, y, z] = [&particles.x, &particles.y, &particles.z].map(|column| blocks(column, count));
         let margin = NEAR / self.thickness;
+        let lanes = f32x4::new([0.0, 1.0, 2.0, 3.0]);
         for block in 0..count {
             let place = Vector4::load(x, y, z, block);
             let mut weights = [f32x4::ZERO];
             reach.weigh(&[place], &mut weights);
-            let weights = weights[0].to_array();
             let local = self.local(place);
-            let [xs, ys, zs] = [local.x, local.y, local.z].map(f32x4::to_array);
-            for lane in 0..LANES.min(alive - block * LANES) {
-                let [x, y, z] = [xs[lane], ys[lane], zs[lane]];
-                let is_within = x >= 0.0 && x <= self.size[0] && y >= 0.0 && y <= self.size[1];
-                if is_within && z >= -margin && z <= self.size[2] + margin && weights[lane] > 0.0 {
-                    field.add(&field.spot([x, y, z]), weights[lane]);
-                }
+            let is_within = |place: f32x4, margin: f32, size: f32| {
+                place.simd_ge(f32x4::splat(-margin)) & place.simd_le(f32x4::splat(size + margin))
+            };
+            let [columns, rows, layers] = self.size;
+            let within = is_within(local.x, 0.0, columns) & is_within(local.y, 0.0, rows);
+            // The last block has lanes without particles.
+            let is_alive = f32x4::splat((alive - block * LANES) as f32).simd_gt(lanes);
+            let amounts = weights[0] & is_alive & within & is_within(local.z, margin, layers);
+            if amounts.to_array() != [0.0; LANES] {
+                field.add(&field.spots(local), amounts);
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::forces::shape::field::Field;
 use crate::forces::shape::grids::Placement;
 use crate::layout::parameters::forces::shape::Shape;
 use crate::layout::scope::Reach;
-use crate::math::simd::{LANES, Vector4};
+use crate::math::simd::{LANES, Vector4, positive_part, smaller};
 use crate::particles::tile::Tile;
 
 /// Least gradient at which smoke has half its greatest speed.
@@ -69,42 +69,24 @@ impl Kernel {
     #[inline(always)]
     fn motion(&self, place: Vector4, weight: f32x4) -> (Vector4, f32x4) {
         let local = self.placement.local(place);
-        let (nearest, beyond) = self.nearest(local);
-        let mut gradients = [[0.0; 4]; LANES];
-        for (lane, gradient) in gradients.iter_mut().enumerate() {
-            *gradient = self.field.at(&self.field.spot(nearest[lane])).to_array();
-        }
-        let of = |axis: usize| f32x4::new(std::array::from_fn(|lane| gradients[lane][axis]));
-        let towards = Vector4 {
-            x: of(0) - beyond.x,
-            y: of(1) - beyond.y,
-            z: of(2) - beyond.z,
-        };
+        let beyond = self.beyond(local);
+        let towards = self.field.at(&self.field.spots(local)) - beyond;
         let velocity = towards * (self.speed * weight / (towards.length() + self.soft));
-        let near = weight / (f32x4::ONE + beyond.dot(beyond));
-        let kept = f32x4::ONE / (f32x4::ONE + self.hold * near);
+        // 1 / (1 + hold * near) for near = weight / (1 + beyond^2), which is finite.
+        let far = smaller(f32x4::ONE + beyond.dot(beyond), f32x4::splat(1e30));
+        let kept = far / (far + self.hold * weight);
         (self.placement.rotated(velocity), kept)
     }
 
-    /// The nearest place in the grid in each lane, and the way from there, in cells.
+    /// The way to places from the nearest ones in the grid, in cells.
     #[inline(always)]
-    fn nearest(&self, local: Vector4) -> ([[f32; 3]; LANES], Vector4) {
+    fn beyond(&self, local: Vector4) -> Vector4 {
         let [columns, rows, layers] = self.placement.size;
-        let [xs, ys, zs] = [local.x, local.y, local.z].map(f32x4::to_array);
-        let mut nearest = [[0.0; 3]; LANES];
-        for (lane, nearest) in nearest.iter_mut().enumerate() {
-            *nearest = [
-                xs[lane].clamp(0.0, columns),
-                ys[lane].clamp(0.0, rows),
-                zs[lane].clamp(0.0, layers),
-            ];
+        let beyond = |place: f32x4, size: f32| place - smaller(positive_part(place), f32x4::splat(size));
+        Vector4 {
+            x: beyond(local.x, columns),
+            y: beyond(local.y, rows),
+            z: beyond(local.z, layers) * f32x4::splat(self.placement.thickness),
         }
-        let of = |axis: usize| f32x4::new(std::array::from_fn(|lane| nearest[lane][axis]));
-        let beyond = Vector4 {
-            x: local.x - of(0),
-            y: local.y - of(1),
-            z: (local.z - of(2)) * f32x4::splat(self.placement.thickness),
-        };
-        (nearest, beyond)
     }
 }
