@@ -30,7 +30,7 @@ function card(effect: Effect): HTMLElement {
   button.addEventListener('click', (event) => {
     if (effect === 'appear') subject!.style.visibility = 'hidden';
     if (effect === 'vanish') subject!.style.removeProperty('visibility');
-    show(puff(subject ?? (effect === 'trail' ? event : button), { effect, ...options }));
+    show(puff(subject ?? (effect === 'trail' ? event : button), optionsOf(effect)));
   });
   const code = create('code');
   const copy = textButton('quiet', 'Copy', () => void copyText(code.textContent));
@@ -41,6 +41,16 @@ function card(effect: Effect): HTMLElement {
   return create('li', { class: 'card' }, head, create('p', {}, TEXTS[effect]), line);
 }
 
+/** The options of a call. Only 'form' has a text, and 'poof' need not be named. */
+function optionsOf(effect: Effect): PuffOptions {
+  const { text, ...others } = options;
+  return {
+    ...(effect === 'poof' ? undefined : { effect }),
+    ...(effect === 'form' ? { text } : undefined),
+    ...others,
+  };
+}
+
 function show(call: Promise<void>): void {
   status.textContent = '';
   call.catch((error: Error) => (status.textContent = error.message));
@@ -48,8 +58,7 @@ function show(call: Promise<void>): void {
 
 function showCode(): void {
   for (const { effect, code, target } of cards) {
-    const given: PuffOptions = effect === 'poof' ? options : { effect, ...options };
-    code.textContent = puffCode(target, given);
+    code.textContent = puffCode(target, optionsOf(effect));
   }
 }
 
@@ -73,6 +82,6 @@ document.querySelector('#clear')!.addEventListener('click', () => puff.clear());
 // Anywhere else on the page.
 document.querySelector('main')!.addEventListener('click', (event) => {
   if (!(event.target as Element).closest('button, a, input, select, label, code, output, summary'))
-    show(puff(event, { effect: 'poof', ...options }));
+    show(puff(event, optionsOf('poof')));
 });
 showCode();

@@ -23,6 +23,9 @@ const SLIDERS: readonly Slider[] = [
   { name: 'duration', label: 'Duration', unit: ' s', min: 0, max: 10, step: 0.1, start: 1 },
 ];
 
+/** Maximum length of the text of 'form'. */
+const MAX_LETTERS = 40;
+
 /** Options of a call, apart from the effect. */
 export type FormOptions = Omit<PuffOptions, 'effect'>;
 
@@ -55,13 +58,17 @@ export function createForm(notify: (options: FormOptions) => void): HTMLElement 
       (layer) => change({ layer: layer === 'below' ? 'below' : undefined }),
       resets,
     ),
+    textRow(change, resets),
   ];
   const reset = textButton('quiet', 'Reset', () => {
     for (const act of resets) act();
     options = {};
     notify(options);
   });
-  return create('form', { class: 'puff-options', 'aria-label': 'Options' }, ...rows, reset);
+  const form = create('form', { class: 'puff-options', 'aria-label': 'Options' }, ...rows, reset);
+  // The key Enter in the text would load the page again.
+  form.addEventListener('submit', (event) => event.preventDefault());
+  return form;
 }
 
 function looks(): [string, string][] {
@@ -99,6 +106,14 @@ function colorRow(change: (options: FormOptions) => void, resets: (() => void)[]
   input.addEventListener('input', () => change({ color: input.value }));
   resets.push(() => (input.value = usual));
   return create('div', { class: 'row' }, create('label', { for: id }, 'Colour'), input);
+}
+
+function textRow(change: (options: FormOptions) => void, resets: (() => void)[]): HTMLElement {
+  const id = uniqueId();
+  const input = create('input', { type: 'text', id, maxlength: MAX_LETTERS, placeholder: 'Only for form' });
+  input.addEventListener('input', () => change({ text: input.value.trim() || undefined }));
+  resets.push(() => (input.value = ''));
+  return create('div', { class: 'row' }, create('label', { for: id }, 'Text'), input);
 }
 
 function choiceRow(

@@ -46,6 +46,26 @@ test('writes the options into the code, by keyboard, and copies it', async ({ pa
   await expect(code(page, 'boom')).toHaveText("puff(button, { effect: 'boom' });");
 });
 
+test('forms the text of the field, and writes it into the code of form only', async ({ page }) => {
+  await page.goto('/puff.html');
+  const field = page.getByLabel('Text', { exact: true });
+  await field.fill(' TEA ');
+  // Enter must not load the page again.
+  await field.press('Enter');
+  const expected = "puff(button, { effect: 'form', text: 'TEA' });";
+  await expect(code(page, 'form')).toHaveText(expected);
+  await expect(code(page, 'pop')).toHaveText("puff(button, { effect: 'pop' });");
+  await page.getByRole('button', { name: 'form', exact: true }).click();
+  await expect(page.locator('canvas')).toHaveCount(1);
+  await expect(page.locator('#status')).toHaveText('');
+  await field.fill('   ');
+  await expect(code(page, 'form')).toHaveText("puff(button, { effect: 'form' });");
+  await field.fill('TEA');
+  await page.getByRole('button', { name: 'Reset' }).click();
+  await expect(field).toHaveValue('');
+  await expect(code(page, 'form')).toHaveText("puff(button, { effect: 'form' });");
+});
+
 test('shows smoke at the press of a button, and the error of a call', async ({ page }) => {
   await page.setViewportSize({ width: 400, height: 400 });
   await page.goto('/puff.html');
