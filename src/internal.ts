@@ -83,6 +83,8 @@ export type { Rows } from './simulator/rows.ts';
 export { ALL_PARTICLES as ALL_THAT_LIVES, type View } from './simulator/view.ts';
 export type { Arranger, FrameInput } from './renderer/frameInput.ts';
 export type { Light } from './renderer/light.ts';
+export type { TriangleMesh } from './renderer/passes/extrusion.ts';
+export { OUT_OF_SIGHT } from './renderer/sceneSurfaces.ts';
 export { designOf, showsBillboards } from './renderer/livePuffs.ts';
 export { hasPattern } from './renderer/extraPasses.ts';
 export { formatColor, parseColor, rampOf } from './renderer/palette.ts';

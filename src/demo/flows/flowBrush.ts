@@ -1,7 +1,8 @@
 import type { Stage } from '../../index.ts';
 import { create, createSvg, textButton } from '../ui/dom.ts';
 import { strings } from '../strings.ts';
-import { flowOf, type DrawnFlow, type PicturePlace } from './stroke.ts';
+import type { PicturePlace } from './depth.ts';
+import { flowOf, type DrawnFlow } from './stroke.ts';
 
 /** Share of the picture that a stroke by the keyboard is long. */
 const REACH = 0.25;

@@ -1,12 +1,7 @@
 /** From a stroke on the picture to the points of a flow. */
 import type { Stage } from '../../index.ts';
-import { ALL_THAT_LIVES, MAX_POINTS, PLACE_FLOATS, type PathPoint } from '../../internal.ts';
-
-/** A position in CSS pixels from the top left of the picture. */
-export interface PicturePlace {
-  readonly x: number;
-  readonly y: number;
-}
+import { MAX_POINTS, type PathPoint } from '../../internal.ts';
+import { depthAt, placeAt, type PicturePlace } from './depth.ts';
 
 /** Distance between the ends of a stroke that is a ring, CSS pixels. */
 const CLOSING = 28;
@@ -40,7 +35,9 @@ export function flowOf(stage: Stage, stroke: readonly PicturePlace[], keepsAll =
   const depths = [first, isClosed ? first : last].map((place) => depthAt(stage, place));
   const points = kept.map((index): PathPoint => {
     const share = ways[index] / total;
-    return placeAt(stage, stroke[index], depths[0] + share * (depths[1] - depths[0]));
+    // Depths whose inverse is linear: a straight stroke stays straight, and on the ground if its ends are there.
+    const depth = 1 / ((1 - share) / depths[0] + share / depths[1]);
+    return placeAt(stage, stroke[index], depth).map(round) as unknown as PathPoint;
   });
   const metres = points.slice(1).reduce((sum, point, index) => sum + away(point, points[index]), 0);
   return { points, isClosed, metres: metres / total, length: metres };
@@ -84,39 +81,6 @@ function offLine(place: PicturePlace, from: PicturePlace, to: PicturePlace): num
   return Math.abs((to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x)) / length;
 }
 
-/** A place of the scene, by its place in the picture and its distance from that of the camera's target, as a factor. */
-function placeAt(stage: Stage, { x, y }: PicturePlace, depth: number): PathPoint {
-  const { sight } = stage;
-  const { camera } = stage.running.picture.eye;
-  const middle = sight.project(sight.centre)!;
-  const place = sight.shift(sight.centre, [x - middle.x, middle.y - y, 0]);
-  const eye = camera.getWorldPosition(camera.position.clone()).toArray();
-  return place.map((part, axis) => round(eye[axis] + (part - eye[axis]) * depth)) as unknown as PathPoint;
-}
-
 function round(metres: number): number {
   return Math.round(metres * 1000) / 1000 + 0;
-}
-
-/** The depth of the nearest puff at a place in the picture, as a factor on that of the camera's target; 1 without any. */
-function depthAt(stage: Stage, { x, y }: PicturePlace): number {
-  const { sight } = stage;
-  const { simulator } = stage.running.simulation;
-  const { count, place } = simulator.arrange({ ...ALL_THAT_LIVES, blend: 1 }).rows;
-  const rows = place.slice(0, count * PLACE_FLOATS);
-  const base = metresPerPixel(stage, sight.centre);
-  let nearest = Infinity;
-  for (let row = 0; row < rows.length; row += PLACE_FLOATS) {
-    const centre = [rows[row], rows[row + 1], rows[row + 2]] as const;
-    const seen = sight.project(centre);
-    if (!seen) continue;
-    const metres = metresPerPixel(stage, centre);
-    if (distance(seen, { x, y }) * metres < rows[row + 3] && metres < nearest) nearest = metres;
-  }
-  return nearest < Infinity ? nearest / base : 1;
-}
-
-/** Grows with the depth. */
-function metresPerPixel({ sight }: Stage, place: PathPoint): number {
-  return away(sight.shift(place, [1, 0, 0]), place);
 }
