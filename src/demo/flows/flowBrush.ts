@@ -7,7 +7,10 @@ import { flowOf, type DrawnFlow } from './stroke.ts';
 /** Share of the picture that a stroke by the keyboard is long. */
 const REACH = 0.25;
 
-/** Lies over the picture while a flow is drawn, by pointer, pen and touch, or by a key. */
+/**
+ * Lies over the picture while a flow is drawn, by mouse, pen or a finger, or by a key. Two fingers and the wheel move the
+ * camera, and hands may rest on the screen while a pen draws.
+ */
 export class FlowBrush {
   readonly element: HTMLElement;
   private readonly stage: Stage;
@@ -15,7 +18,8 @@ export class FlowBrush {
   private readonly onClose: () => void;
   private readonly line = createSvg('path');
   private stroke: PicturePlace[] = [];
-  private pointer: number | undefined;
+  /** The latest event of the pointer that draws. */
+  private pointer: PointerEvent | undefined;
 
   /**
    * @param onDrawn called with each flow
@@ -44,6 +48,10 @@ export class FlowBrush {
     this.listen();
   }
 
+  private get canvas(): HTMLCanvasElement {
+    return this.stage.canvas as HTMLCanvasElement;
+  }
+
   open(): void {
     this.element.hidden = false;
     this.element.focus();
@@ -56,6 +64,10 @@ export class FlowBrush {
 
   private end(): void {
     this.element.hidden = true;
+    this.discard();
+  }
+
+  private discard(): void {
     this.pointer = undefined;
     this.stroke = [];
     this.line.setAttribute('d', '');
@@ -66,25 +78,48 @@ export class FlowBrush {
     element.addEventListener('pointerdown', (event) => this.down(event));
     element.addEventListener('pointermove', (event) => this.move(event));
     element.addEventListener('pointerup', (event) => this.up(event));
-    element.addEventListener('pointercancel', () => this.close());
+    for (const name of ['pointercancel', 'lostpointercapture'] as const) {
+      element.addEventListener(name, ({ pointerId }) => pointerId === this.pointer?.pointerId && this.discard());
+    }
+    element.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    // Of a pen that is held.
+    element.addEventListener('contextmenu', (event) => event.preventDefault());
     element.addEventListener('keydown', (event) => this.press(event));
   }
 
   private down(event: PointerEvent): void {
+    const { pointer } = this;
     const isOnNote = event.target instanceof Element && event.target.closest('.flow-note');
-    if (event.button !== 0 || this.pointer !== undefined || isOnNote) return;
+    if (isOnNote || (pointer?.pointerType === 'pen' && event.pointerType !== 'pen')) return;
+    if (!event.isPrimary) return this.handOver(pointer ? [pointer, event] : [event]);
+    if (event.button !== 0 || (pointer && event.pointerType !== 'pen')) return;
     this.element.setPointerCapture(event.pointerId);
-    this.pointer = event.pointerId;
+    this.pointer = event;
     this.stroke = [this.placeOf(event)];
   }
 
+  /** Leaves fingers to the picture, which captures them. */
+  private handOver(fingers: readonly PointerEvent[]): void {
+    this.discard();
+    for (const { pointerId, pointerType, isPrimary, clientX, clientY } of fingers) {
+      const finger = { pointerId, pointerType, isPrimary, clientX, clientY, buttons: 1, bubbles: true };
+      this.canvas.dispatchEvent(new PointerEvent('pointerdown', finger));
+    }
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { deltaX, deltaY, deltaMode } = event;
+    if (!this.pointer) this.canvas.dispatchEvent(new WheelEvent('wheel', { deltaX, deltaY, deltaMode }));
+  }
+
   private move(event: PointerEvent): void {
-    if (event.pointerId !== this.pointer) return;
+    if (event.pointerId !== this.pointer?.pointerId) return;
+    this.pointer = event;
     const events = event.getCoalescedEvents?.() ?? [];
     this.stroke.push(...(events.length > 0 ? events : [event]).map((each) => this.placeOf(each)));
     const box = this.element.getBoundingClientRect();
-    const own = this.stage.canvas as HTMLCanvasElement;
-    const { left, top } = own.getBoundingClientRect();
+    const { left, top } = this.canvas.getBoundingClientRect();
     const places = this.stroke.map(
       ({ x, y }) => `${(x + left - box.left).toFixed(1)} ${(y + top - box.top).toFixed(1)}`,
     );
@@ -92,7 +127,7 @@ export class FlowBrush {
   }
 
   private up(event: PointerEvent): void {
-    if (event.pointerId !== this.pointer) return;
+    if (event.pointerId !== this.pointer?.pointerId) return;
     this.finish([...this.stroke, this.placeOf(event)]);
   }
 
@@ -103,7 +138,7 @@ export class FlowBrush {
     if (event.key === 'Escape') return this.close();
     if (event.key !== 'Enter' || event.target !== this.element) return;
     event.preventDefault();
-    const { clientWidth: width, clientHeight: height } = this.stage.canvas as HTMLCanvasElement;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
     const at = (share: number) => ({ x: width * (0.5 + share * REACH), y: height * 0.5 });
     this.finish([at(-1), at(0), at(1)], true);
   }
@@ -117,7 +152,7 @@ export class FlowBrush {
   }
 
   private placeOf({ clientX, clientY }: MouseEvent): PicturePlace {
-    const { left, top } = (this.stage.canvas as HTMLCanvasElement).getBoundingClientRect();
+    const { left, top } = this.canvas.getBoundingClientRect();
     return { x: clientX - left, y: clientY - top };
   }
 }

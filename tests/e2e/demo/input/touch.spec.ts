@@ -1,8 +1,8 @@
 /** Touch input on a phone that replaces keys and the second mouse button. */
-import type { Page } from '@playwright/test';
+import type { CDPSession, Page } from '@playwright/test';
 import { expect, test } from '../../../support/fixtures.ts';
-import { ask, expectValue, LIGHT, open, row, valueOf } from '../page.ts';
-import { fingerOf } from '../touch.ts';
+import { ask, expectValue, LIGHT, open, row, valueOf, type Point as Place } from '../page.ts';
+import { fingerOf, fingersOf } from '../touch.ts';
 
 test.use({ viewport: { width: 390, height: 600 }, hasTouch: true, isMobile: true });
 
@@ -94,4 +94,123 @@ test('a finger moves, chooses and resets in the panel', async ({ page }) => {
     await page.keyboard.press('i');
     await expect(figures).not.toBeChecked();
   });
+});
+
+test.describe('a flow', () => {
+  test.use({ viewport: { width: 390, height: 844 } });
+
+  const brush = (page: Page) => page.getByRole('group', { name: 'Draw a flow' });
+  const line = (page: Page) => brush(page).locator('svg path');
+  const points = async (page: Page) => String((await valueOf(page, 'flows.0.points')) ?? '').split(',').length;
+  const [FROM, TO] = [
+    { x: 120, y: 420 },
+    { x: 260, y: 330 },
+  ];
+
+  /** Opens the page with the brush. */
+  async function begin(page: Page): Promise<CDPSession> {
+    await open(page, `?paused=1&t=1${LIGHT}`);
+    await page.keyboard.press('h');
+    await page.getByRole('button', { name: 'Draw a flow' }).tap();
+    await expect(brush(page)).toBeVisible();
+    return page.context().newCDPSession(page);
+  }
+
+  /** Fingers on the screen, by their order. */
+  const touch = (
+    session: CDPSession,
+    type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel',
+    ...places: Place[]
+  ) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ ...place, id })) });
+  const pen = (session: CDPSession, type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', place: Place) =>
+    session.send('Input.dispatchMouseEvent', {
+      ...{ type, ...place, pointerType: 'pen', button: 'left', clickCount: 1 },
+      buttons: type === 'mouseReleased' ? 0 : 1,
+    });
+
+  test('is drawn by a finger', async ({ page }) => {
+    await begin(page);
+    await (
+      await fingerOf(page)
+    )(FROM, TO);
+    await expect.poll(() => points(page)).toBeGreaterThan(1);
+    await expect(brush(page)).toBeHidden();
+    expect(await valueOf(page, 'camera.azimuth')).toBeUndefined();
+  });
+
+  test('is drawn by a pen while a hand rests on the screen', async ({ page }) => {
+    const session = await begin(page);
+    await touch(session, 'touchStart', { x: 300, y: 600 });
+    await touch(session, 'touchMove', { x: 305, y: 590 });
+    await expect(line(page)).toHaveAttribute('d', /^M300/);
+    await pen(session, 'mousePressed', FROM);
+    await touch(session, 'touchMove', { x: 310, y: 560 });
+    await touch(session, 'touchStart', { x: 310, y: 560 }, { x: 350, y: 600 });
+    await pen(session, 'mouseMoved', { x: 190, y: 400 });
+    await pen(session, 'mouseMoved', TO);
+    await expect(line(page)).toHaveAttribute('d', /^M120\.0 \d+\.\dL.*L260\.0 \d+\.\d$/);
+    await pen(session, 'mouseReleased', TO);
+    await expect.poll(() => points(page)).toBeGreaterThan(1);
+    await touch(session, 'touchEnd');
+    await expectValue(page, 'flows.1.points', undefined);
+    expect(await valueOf(page, 'camera.distance')).toBeUndefined();
+  });
+
+  test('is not drawn by two fingers, which zoom, nor by the one that stays', async ({ page }) => {
+    const session = await begin(page);
+    const [one, two] = [FROM, { x: 200, y: 420 }];
+    await touch(session, 'touchStart', one);
+    await touch(session, 'touchMove', { x: 130, y: 400 });
+    await expect(line(page)).not.toHaveAttribute('d', '');
+    await touch(session, 'touchStart', { x: 130, y: 400 }, two);
+    await expect(line(page)).toHaveAttribute('d', '');
+    await touch(session, 'touchMove', { x: 130, y: 400 }, { x: 230, y: 420 });
+    await touch(session, 'touchMove', { x: 130, y: 400 }, { x: 270, y: 420 });
+    await expect.poll(() => valueOf(page, 'camera.distance')).not.toBeUndefined();
+    await touch(session, 'touchEnd', { x: 130, y: 400 });
+    await touch(session, 'touchMove', { x: 180, y: 300 });
+    await touch(session, 'touchEnd');
+    await expect(brush(page)).toBeVisible();
+    await expect(line(page)).toHaveAttribute('d', '');
+    await expectValue(page, 'flows.0.points', undefined);
+    await (
+      await fingersOf(page)
+    )([100, 200], [80, 240]);
+    await expectValue(page, 'flows.0.points', undefined);
+    await (
+      await fingerOf(page)
+    )(FROM, TO);
+    await expect.poll(() => points(page)).toBeGreaterThan(1);
+  });
+
+  for (const [how, lose] of [
+    ['is cancelled', (session: CDPSession) => touch(session, 'touchCancel')],
+    [
+      'is lost',
+      (_: CDPSession, page: Page) => page.evaluate(() => (window as unknown as { release(): void }).release()),
+    ],
+  ] as const) {
+    test(`is discarded when its finger ${how}, and the next finger draws`, async ({ page }) => {
+      const session = await begin(page);
+      await brush(page).evaluate((element) => {
+        (element as HTMLElement).addEventListener('pointerdown', ({ pointerId }) =>
+          Object.assign(window, { release: () => element.releasePointerCapture(pointerId) }),
+        );
+      });
+      await touch(session, 'touchStart', FROM);
+      await touch(session, 'touchMove', TO);
+      await expect(line(page)).not.toHaveAttribute('d', '');
+      await lose(session, page);
+      // Browsers report the loss with the next event of the finger.
+      if (how === 'is lost') await touch(session, 'touchMove', FROM);
+      await expect(line(page)).toHaveAttribute('d', '');
+      if (how === 'is lost') await touch(session, 'touchEnd');
+      await expect(brush(page)).toBeVisible();
+      await expectValue(page, 'flows.0.points', undefined);
+      await (
+        await fingerOf(page)
+      )(FROM, TO);
+      await expect.poll(() => points(page)).toBeGreaterThan(1);
+    });
+  }
 });
