@@ -86,7 +86,7 @@ export type { Light } from './renderer/light.ts';
 export type { TriangleMesh } from './renderer/passes/extrusion.ts';
 export { OUT_OF_SIGHT } from './renderer/sceneSurfaces.ts';
 export { designOf, showsBillboards } from './renderer/livePuffs.ts';
-export { hasPattern } from './renderer/extraPasses.ts';
+export { fetchRareForces, hasPattern } from './renderer/extraPasses.ts';
 export { formatColor, parseColor, rampOf } from './renderer/palette.ts';
 export { encoded, linear, mixed, scaled, type Color } from './renderer/gpu/ramps.ts';
 export { automaticColors, inkOf, styleOf, type Style } from './renderer/style.ts';

@@ -7,7 +7,7 @@ import { textButton } from './ui/dom.ts';
 import { goToMoment, momentOf } from './share/moment.ts';
 import { notifyAll, Notices } from './ui/notices.ts';
 import { workOffline } from './offline/register.ts';
-import { windForward, withProgress } from './ui/progress.ts';
+import { fetchSimulator, followSimulator, windForward, withProgress } from './ui/progress.ts';
 import { createErrorScreen } from './ui/errorScreen.ts';
 import { strings } from './strings.ts';
 
@@ -45,10 +45,11 @@ async function start(): Promise<void> {
   window.cartoonSmoke = stage;
   if (!stage.stats.writesDepth) notices.notify(strings.notices.flat);
   stage.on('error', (error) => {
-    if (error instanceof LoadError) notices.notify(error.message);
+    if (error instanceof LoadError) offerRetry(stage, error, notices);
     else if (error instanceof ContextError) showUntilRestored(stage, error);
     else showError(error);
   });
+  followSimulator(stage, container);
   // Before anything follows the stage, so that the address keeps the moment until the first edit.
   if (moment) await goToMoment(stage, moment, notices, container);
   watchSize(canvas, ({ width, height, pixelRatio }) => stage.resize(width, height, pixelRatio));
@@ -112,6 +113,17 @@ function offerToPlay(stage: Stage): void {
     end();
   });
   container.append(button);
+}
+
+/** Code could not be loaded. The stage runs on without it. */
+function offerRetry(stage: Stage, { message }: Error, notices: Notices): void {
+  const load = async () => {
+    if (stage.running.simulation.lacksForces) await fetchSimulator(container);
+    await stage.complete();
+  };
+  notices.offer(message, strings.notices.retry, () => {
+    load().catch((error: Error) => offerRetry(stage, error, notices));
+  });
 }
 
 /** The browser may restore a lost context later. */

@@ -363,6 +363,7 @@ export const strings = {
     dismiss: 'Dismiss this message',
     newVersion: 'A new version of this page is available.',
     reload: 'Reload',
+    retry: 'Try again',
     slow: 'This machine is slow, so playback uses fewer pixels. Pause to draw all pixels, or lower the rate to draw faster.',
     flat: 'This GPU ignores the depth of puffs, so they are flat and meet in straight lines.',
   },
@@ -396,6 +397,7 @@ export const strings = {
     winding: (seconds: number) => `Seeking to ${Number(seconds.toFixed(1))} s\u2026`,
     cancel: 'Stop here',
     cancelled: (seconds: number) => `Stopped at ${seconds.toFixed(1)} s.`,
+    simulator: 'Loading the simulator for flows and shapes\u2026',
   },
   error: {
     unsupported: {

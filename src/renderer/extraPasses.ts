@@ -8,7 +8,7 @@ import type { Values } from '../parameters/parameter.ts';
 import type { GivenValues } from '../parameters/timeline.ts';
 import { LoadError } from '../base/errors.ts';
 import { LazyModules } from '../base/timeout.ts';
-import type { SimulatorFactory } from '../simulator/load.ts';
+import type { LoadOptions, SimulatorFactory } from '../simulator/load.ts';
 import type { FrameExtras } from './smokePasses.ts';
 import type { Renderer, Style, Volumes } from './style.ts';
 
@@ -27,12 +27,12 @@ const modules = new LazyModules({
   additionalLights: () => import('./additionalLights.ts'),
   looks: () => import('./looks.ts'),
   animation: () => import('../simulator/animation.ts'),
-  rareForces: (): Promise<SimulatorFactory> => import('../simulator/meshes.ts').then(({ loadMeshes }) => loadMeshes()),
+  meshes: () => import('../simulator/meshes.ts'),
 });
 const TIMELINE = 'The timeline';
 const MESHES = 'The simulator with flows and meshes';
-/** The modules that are loaded. */
-export const { loaded } = modules;
+/** The modules that are loaded, and the simulator with rare forces. */
+export const loaded: typeof modules.loaded & { rareForces?: SimulatorFactory } = modules.loaded;
 
 type Name = keyof typeof loaded;
 
@@ -135,7 +135,8 @@ export function hasExtras(kind: PictureKind): boolean {
  * @throws LoadError if a module cannot be loaded
  */
 export async function fetchExtras(kind: PictureKind): Promise<void> {
-  await Promise.all(missing(kind).map(([name, what]) => modules.load(name, what)));
+  const load = ([name, what]: [Name, string]) => (name === 'rareForces' ? fetchRareForces() : modules.load(name, what));
+  await Promise.all(missing(kind).map(load));
 }
 
 /**
@@ -169,9 +170,14 @@ export async function fetchTimelineText(given: GivenValues): Promise<Values> {
   return timelineText(given);
 }
 
-/** Loads the simulator with rare forces and meshes. @throws LoadError if it cannot be loaded */
-export function fetchRareForces(): Promise<SimulatorFactory> {
-  return modules.load('rareForces', MESHES);
+/**
+ * Loads the simulator with rare forces and meshes. A failed load is retried on the next call.
+ * @param onProgress called for each received chunk, also when another call started the download
+ * @throws LoadError if it cannot be loaded
+ */
+export async function fetchRareForces(onProgress?: LoadOptions['onProgress']): Promise<SimulatorFactory> {
+  const { loadMeshes } = await modules.load('meshes', MESHES);
+  return (loaded.rareForces ??= await loadMeshes(onProgress));
 }
 
 function missing(kind: PictureKind): [Name, string][] {

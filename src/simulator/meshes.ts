@@ -1,5 +1,5 @@
 /** The variant with meshes that move as they are told and with rare forces, in a module that few pages load. */
-import { loadSimulators, type SimulatorFactory, type Variant } from './load.ts';
+import { loadSimulators, type LoadOptions, type SimulatorFactory, type Variant } from './load.ts';
 
 export const MESHES: Variant = {
   name: 'meshes',
@@ -8,6 +8,6 @@ export const MESHES: Variant = {
 };
 
 /** Loads it; see `loadSimulators`. */
-export function loadMeshes(): Promise<SimulatorFactory> {
-  return loadSimulators({ physics: MESHES });
+export function loadMeshes(onProgress?: LoadOptions['onProgress']): Promise<SimulatorFactory> {
+  return loadSimulators({ physics: MESHES, onProgress });
 }

@@ -37,7 +37,7 @@ export async function openScene(
   const whole = hasRigids ? () => withThings(load) : load;
   const [scene, factory] = await Promise.all([
     prepared(fetched(name, whole), deviationIn),
-    hasRareForces && !hasRigids ? fetchRareForces() : loadSimulators({ physics: hasRigids, onProgress }),
+    hasRareForces && !hasRigids ? fetchRareForces(onProgress) : loadSimulators({ physics: hasRigids, onProgress }),
   ]);
   return { scene, factory };
 }

@@ -2,6 +2,7 @@ import type { ModelFile, Values } from '../../preset.ts';
 import type { LoadProgress, Stage } from '../../index.ts';
 import { create, textButton } from './dom.ts';
 import { strings } from '../strings.ts';
+import { fetchRareForces } from '../../internal.ts';
 import type { Scrubber, Seek } from '../playback/scrubber.ts';
 
 /** A progress bar over the page. */
@@ -54,6 +55,23 @@ export async function withProgress<Result>(
     clearTimeout(timer);
     progress.element.remove();
   }
+}
+
+/** Shows progress while the smoke waits for the larger simulator of flows and shapes. The stage reports errors. */
+export function followSimulator(stage: Stage, container: HTMLElement): void {
+  let isLoading = false;
+  stage.on('statechange', () => {
+    if (isLoading || !stage.running.simulation.isWaiting) return;
+    isLoading = true;
+    void fetchSimulator(container)
+      .catch(() => undefined)
+      .finally(() => (isLoading = false));
+  });
+}
+
+/** Loads the simulator of flows and shapes, and shows progress if it is slow. @throws LoadError */
+export function fetchSimulator(container: HTMLElement): Promise<unknown> {
+  return withProgress(strings.progress.simulator, container, fetchRareForces);
 }
 
 /**

@@ -1,6 +1,7 @@
+import type { Page, Route } from '@playwright/test';
 import { expect, longIf, test } from '../../support/fixtures.ts';
 import { keepContexts, loseForGood, restoreLate } from '../stage/remote/context.ts';
-import { ask, isComplete, LIGHT, open } from './page.ts';
+import { ask, hold, isComplete, LIGHT, open } from './page.ts';
 
 test('without WebGL2 the page shows an error and advice', async ({ page }) => {
   await page.addInitScript(() => {
@@ -29,6 +30,45 @@ test.describe('a download that fails', () => {
     await alert.getByRole('button', { name: 'Reload' }).click();
     await page.waitForFunction(() => window.cartoonSmoke !== undefined);
     await expect(alert).toHaveCount(0);
+  });
+
+  const FLOW = { 'flows.0.points': '0:0:0,0:1:0', 'flows.0.speed': 1 };
+  const steps = (page: Page) => ask(page, ({ stats }) => stats.steps);
+  const lacksFlows = (page: Page) => ask(page, ({ running }) => running.simulation.lacksForces);
+
+  for (const [why, fail] of [
+    ['offline', (route: Route) => route.abort()],
+    ['404', (route: Route) => route.fulfill({ status: 404 })],
+  ] as const)
+    test(`leaves the smoke running without flows, and can be tried again: ${why}`, async ({ page }) => {
+      await open(page, LIGHT);
+      await page.route('**/*.wasm', fail);
+      await page.evaluate((flow) => window.cartoonSmoke!.set(flow), FLOW);
+      const notice = page.getByText(/^The simulator could not be loaded/);
+      const retry = page.getByRole('button', { name: 'Try again' });
+      await expect(notice).toBeVisible();
+      const before = await steps(page);
+      await expect.poll(() => steps(page)).toBeGreaterThan(before);
+      await retry.click();
+      await expect(notice).toBeVisible();
+      expect(await lacksFlows(page)).toBe(true);
+      await page.unroute('**/*.wasm');
+      await retry.click();
+      await expect.poll(() => lacksFlows(page)).toBe(false);
+      await expect(notice).toHaveCount(0);
+    });
+
+  test('shows its progress while the smoke waits for flows', async ({ page }) => {
+    await open(page, LIGHT);
+    const arrive = await hold(page, '**/*.wasm');
+    await page.evaluate((flow) => window.cartoonSmoke!.set(flow), FLOW);
+    const progress = page.getByRole('progressbar', { name: 'Loading the simulator for flows and shapes…' });
+    await expect(progress).toBeVisible();
+    const before = await steps(page);
+    arrive();
+    await expect(progress).toHaveCount(0);
+    await expect.poll(() => steps(page)).toBeGreaterThan(before);
+    expect(await lacksFlows(page)).toBe(false);
   });
 });
 
