@@ -117,12 +117,12 @@ function offerToPlay(stage: Stage): void {
 
 /** Code could not be loaded. The stage runs on without it. */
 function offerRetry(stage: Stage, { message }: Error, notices: Notices): void {
-  const load = async () => {
+  const complete = async () => {
     if (stage.running.simulation.lacksForces) await fetchSimulator(container);
     await stage.complete();
   };
   notices.offer(message, strings.notices.retry, () => {
-    load().catch((error: Error) => offerRetry(stage, error, notices));
+    complete().catch((error: Error) => offerRetry(stage, error, notices));
   });
 }
 

@@ -101,7 +101,8 @@ test.describe('a flow', () => {
 
   const brush = (page: Page) => page.getByRole('group', { name: 'Draw a flow' });
   const line = (page: Page) => brush(page).locator('svg path');
-  const points = async (page: Page) => String((await valueOf(page, 'flows.0.points')) ?? '').split(',').length;
+  const points = async (page: Page) =>
+    ((await valueOf(page, 'flows.0.points')) as string | undefined)?.split(',').length ?? 0;
   const [FROM, TO] = [
     { x: 120, y: 420 },
     { x: 260, y: 330 },
@@ -124,7 +125,11 @@ test.describe('a flow', () => {
   ) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ ...place, id })) });
   const pen = (session: CDPSession, type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', place: Place) =>
     session.send('Input.dispatchMouseEvent', {
-      ...{ type, ...place, pointerType: 'pen', button: 'left', clickCount: 1 },
+      ...place,
+      type,
+      pointerType: 'pen',
+      button: 'left',
+      clickCount: 1,
       buttons: type === 'mouseReleased' ? 0 : 1,
     });
 
