@@ -94,7 +94,12 @@ test('Escape cancels, Enter draws a straight flow, and a click draws nothing', a
   await page.mouse.click(300, 300);
   const brush = page.getByRole('group', { name: 'Draw a flow' });
   await expect(brush).toBeVisible();
+  await page.mouse.move(250, 380);
+  await page.mouse.down();
+  await page.mouse.move(300, 240, { steps: 4 });
+  expect(await page.evaluate(() => String(getSelection())), 'selected text').toBe('');
   await page.keyboard.press('Escape');
+  await page.mouse.up();
   await expect(brush).toBeHidden();
   await expect(page.getByRole('button', { name: 'Draw a flow' })).toBeFocused();
   await expectValue(page, 'flows.0.points', undefined);
