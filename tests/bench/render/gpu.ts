@@ -1,4 +1,5 @@
 /** gpu.*: time of each pass and of the looks of presets on the GPU, from EXT_disjoint_timer_query_webgl2. */
+import { rendererName, timeQueries } from '../../../src/demo/costs/gpuClock.ts';
 import type { SmokePasses } from '../../../src/renderer/smokePasses.ts';
 import { figure, say, type Figure } from '../support/figures.ts';
 import { RenderBench, WIDTH } from './bench.ts';
@@ -16,7 +17,7 @@ type PassTimes = Map<string, number[]>;
 export async function measure(quick: boolean): Promise<Figure[]> {
   const figures: Figure[] = [];
   const rounds = quick ? 5 : 15;
-  const renderer = rendererOf(new OffscreenCanvas(1, 1).getContext('webgl2')!);
+  const renderer = rendererName(new OffscreenCanvas(1, 1).getContext('webgl2')!);
   const { widths, particles, presets } = /SwiftShader|llvmpipe/.test(renderer)
     ? SMALL
     : { widths: WIDTHS, particles: PARTICLES, presets: PRESETS };
@@ -98,46 +99,4 @@ function watchedPasses({ backdrop, scene, surfaceDepth, body, volumes, mask, res
     mask: watch(mask, 'draw'),
     resolve: watch(resolve, 'draw'),
   };
-}
-
-/** Times a part of the work of {@link timeQueries}. Parts do not overlap. */
-type Query = <Result>(draw: () => Result) => Result;
-
-/** Milliseconds of each query of the work. Repeats the work when the GPU changed its clock. */
-async function timeQueries(gl: WebGL2RenderingContext, work: (query: Query) => void): Promise<number[]> {
-  const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerExtension | null;
-  if (!timer) throw new Error('This browser has no EXT_disjoint_timer_query_webgl2, so the GPU cannot be timed.');
-  for (let tries = 0; tries < 4; tries++) {
-    const queries: WebGLQuery[] = [];
-    work((draw) => {
-      const query = gl.createQuery();
-      queries.push(query);
-      gl.beginQuery(timer.TIME_ELAPSED_EXT, query);
-      const result = draw();
-      gl.endQuery(timer.TIME_ELAPSED_EXT);
-      return result;
-    });
-    gl.flush();
-    const nanoseconds = await Promise.all(queries.map((query) => resultOf(gl, query)));
-    for (const query of queries) gl.deleteQuery(query);
-    if (!gl.getParameter(timer.GPU_DISJOINT_EXT)) return nanoseconds.map((each) => each / 1e6);
-  }
-  throw new Error('The GPU changed its clock in each measurement.');
-}
-
-/** Nanoseconds. Results are available after the task that asked for them. */
-async function resultOf(gl: WebGL2RenderingContext, query: WebGLQuery): Promise<number> {
-  while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE))
-    await new Promise((resolve) => setTimeout(resolve, 1));
-  return gl.getQueryParameter(query, gl.QUERY_RESULT) as number;
-}
-
-interface TimerExtension {
-  readonly TIME_ELAPSED_EXT: number;
-  readonly GPU_DISJOINT_EXT: number;
-}
-
-function rendererOf(gl: WebGL2RenderingContext): string {
-  const debug = gl.getExtension('WEBGL_debug_renderer_info');
-  return gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : gl.RENDERER) as string;
 }

@@ -10,6 +10,7 @@ import { attributes, cssParts, cssProperties, events, slots } from '../../../src
 import { names } from '../../../src/page/element/attributes/names.ts';
 import { table } from '../../../src/parameters/words/table.ts';
 import type { Parameter } from '../../../src/parameters/words/words.ts';
+import type { Figure } from '../../bench/support/figures.ts';
 
 const ROOT = fileURLToPath(new URL('../../..', import.meta.url));
 const MAX_README_LINES = 150;
@@ -82,7 +83,24 @@ function elementRows(): string[] {
   );
 }
 
+/** What `npm run bench -- costs --json tests/bench/costs.json` recorded. */
+function costRows(): string[] {
+  const { suite, figures } = JSON.parse(read('tests/bench/costs.json')) as { suite: string; figures: Figure[] };
+  expect(suite).toBe('costs');
+  const ratio = (value: number) => (value < 10 ? value.toFixed(2) : value.toFixed(1));
+  return figures
+    .filter(({ unit }) => unit === 'x')
+    .map(({ name, value, range: [low, high] }) => {
+      return `| ${name.replace(/^costs\./, '')} | ${ratio(value)} | ${ratio(low)} to ${ratio(high)} |`;
+    });
+}
+
 const TABLES = [
+  {
+    name: 'costs',
+    file: 'docs/performance.md',
+    lines: ['| case | ratio | of the rounds |', '| --- | ---: | ---: |', ...costRows()],
+  },
   {
     name: 'parameters',
     file: 'docs/parameters.md',
