@@ -64,7 +64,7 @@ export default defineConfig({
     sourcemap: true,
     chunkSizeWarningLimit: 800,
     rolldownOptions: {
-      input: ['index.html', 'paper.html', 'puff.html', 'examples.html', 'overlay.html'],
+      input: ['index.html', 'paper.html', 'puff.html', 'examples.html', 'overlay.html', 'costs.html'],
       // Otherwise the first load would contain every module that they name.
       treeshake: { moduleSideEffects: [{ test: EXPORTING, sideEffects: false }] },
       output: {

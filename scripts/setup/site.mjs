@@ -11,6 +11,7 @@ import { digestOf } from './sources.mjs';
 export const title = 'Site';
 
 const SOURCES = [
+  'costs.html',
   'embed.html',
   'examples',
   'examples.html',

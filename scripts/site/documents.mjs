@@ -108,13 +108,16 @@ function withLinks(text, file, pages, site) {
   });
 }
 
-/** Figures of a debug view in place of their comments, which GitHub does not show. */
+/** Figures of a debug view, and the measurement, in place of their comments, which GitHub does not show. */
 function withFigures(/** @type {string} */ text) {
-  return text.replace(
-    /^<!-- figure: (\w+) ([\w-]+) -->$/gm,
-    (_, view, preset) =>
-      `<DebugFigure view="${view}" preset="${preset}"><img src="./posters/${preset}.webp" width="800" height="400" alt="" /></DebugFigure>`,
-  );
+  const poster = (/** @type {string} */ preset) =>
+    `<img src="./posters/${preset}.webp" width="800" height="400" alt="" />`;
+  return text
+    .replace(
+      /^<!-- figure: (\w+) ([\w-]+) -->$/gm,
+      (_, view, preset) => `<DebugFigure view="${view}" preset="${preset}">${poster(preset)}</DebugFigure>`,
+    )
+    .replace(/^<!-- measure: ([\w-]+) -->$/gm, (_, preset) => `<MeasureCosts>${poster(preset)}</MeasureCosts>`);
 }
 
 /**

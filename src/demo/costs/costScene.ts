@@ -4,12 +4,12 @@ import {
   Color,
   DirectionalLight,
   Mesh,
-  MeshStandardMaterial,
   PerspectiveCamera,
   PlaneGeometry,
   Scene,
   TorusKnotGeometry,
   WebGLRenderer,
+  type Material,
 } from 'three';
 import { CartoonSmoke } from '../../index.ts';
 import { nextTask } from '../../internal.ts';
@@ -36,16 +36,23 @@ export class CostScene {
   readonly camera: PerspectiveCamera;
   readonly renderer: WebGLRenderer;
   private readonly keyLight = new DirectionalLight('#fff0d0', 2.5);
-  private readonly knot = new Mesh(
-    new TorusKnotGeometry(0.3, 0.1, 128, 8),
-    new MeshStandardMaterial({ color: '#40bea8' }),
-  );
-  private readonly floor = new Mesh(new PlaneGeometry(12, 12), new MeshStandardMaterial({ color: '#c08860' }));
+  private readonly knot: Mesh<TorusKnotGeometry, Material>;
+  private readonly floor: Mesh<PlaneGeometry, Material>;
   private readonly errors: unknown[] = [];
   private shown: CartoonSmoke | undefined;
 
-  /** @param width, height of the picture in CSS pixels */
-  constructor(canvas: HTMLCanvasElement | OffscreenCanvas, width: number, height: number) {
+  /**
+   * @param width, height of the picture in CSS pixels
+   * @param paint makes the material of a mesh
+   */
+  constructor(
+    canvas: HTMLCanvasElement | OffscreenCanvas,
+    width: number,
+    height: number,
+    paint: (color: string) => Material,
+  ) {
+    this.knot = new Mesh(new TorusKnotGeometry(0.3, 0.1, 128, 8), paint('#40bea8'));
+    this.floor = new Mesh(new PlaneGeometry(12, 12), paint('#c08860'));
     this.renderer = new WebGLRenderer({ canvas, stencil: true });
     this.renderer.setSize(width, height, false);
     this.camera = new PerspectiveCamera(40, width / height, 0.1, 50);
@@ -115,13 +122,10 @@ export class CostScene {
     return true;
   }
 
-  /** One step and one picture, drawn by `draw`. @returns milliseconds of the step */
-  frame(draw = () => this.renderer.render(this.scene, this.camera)): number {
-    const start = performance.now();
+  /** One step and one picture, drawn by `draw`. */
+  frame(draw = () => this.renderer.render(this.scene, this.camera)): void {
     this.shown?.step();
-    const milliseconds = performance.now() - start;
     draw();
-    return milliseconds;
   }
 
   /** Waits until the GPU has drawn everything. */

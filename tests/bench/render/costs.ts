@@ -1,5 +1,5 @@
 /** costs.*: frames of a three.js scene with smoke over the same frame with 2,000 puffs at pixel ratio 1, in turns. */
-import { HalfFloatType } from 'three';
+import { HalfFloatType, MeshStandardMaterial } from 'three';
 import { EffectComposer } from 'three/examples/jsm/postprocessing/EffectComposer.js';
 import { OutputPass } from 'three/examples/jsm/postprocessing/OutputPass.js';
 import { RenderPass } from 'three/examples/jsm/postprocessing/RenderPass.js';
@@ -45,7 +45,8 @@ const MORE: readonly Measured[] = [
 ];
 
 export async function measure(isQuick: boolean): Promise<Figure[]> {
-  const host = new CostScene(new OffscreenCanvas(WIDTH, HEIGHT), WIDTH, HEIGHT);
+  const paint = (color: string) => new MeshStandardMaterial({ color });
+  const host = new CostScene(new OffscreenCanvas(WIDTH, HEIGHT), WIDTH, HEIGHT, paint);
   const base = await host.create(BASE);
   const figures: Figure[] = [];
   const all: number[] = [];

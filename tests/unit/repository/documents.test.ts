@@ -99,7 +99,7 @@ const TABLES = [
   {
     name: 'costs',
     file: 'docs/performance.md',
-    lines: ['| case | ratio | of the rounds |', '| --- | ---: | ---: |', ...costRows()],
+    lines: ['| case | ratio | of the rounds |', '| --- | --- | --- |', ...costRows()],
   },
   {
     name: 'parameters',
