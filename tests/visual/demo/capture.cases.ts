@@ -11,6 +11,7 @@ import type { FlipbookLayout } from '../../../src/demo/capture/flipbook.ts';
 import type { LightLayout } from '../../../src/demo/capture/settings.ts';
 import { decodePng } from '../../../src/demo/gallery/straightPng.ts';
 import type { PixelImage } from '../../../src/index.ts';
+import { clip } from '../../../src/page/clip/clip.ts';
 import { createStage, type Stage } from '../../../src/stage/stage.ts';
 
 const [WIDTH, HEIGHT] = [160, 120];
@@ -390,6 +391,18 @@ function withoutMarks(svg: string): string {
 /** Mean of all channels, 0 to 255. */
 function meanOf({ data }: ImageData): number {
   return data.reduce((sum, value) => sum + value, 0) / data.length;
+}
+
+/** Whether the loop of the page is byte for byte what `clip()` gives, of the stage and of what elements answer. */
+export function clipped() {
+  return untouched(async () => {
+    const stage = await lamp();
+    const order = { format: 'apng', duration: 0.5, fps: 12, width: WIDTH, height: HEIGHT } as const;
+    const remote = { get: async () => stage.get(), save: async () => stage.save() };
+    const ofPage = await base64Of(await captured({ rate: 12, seconds: 0.5, hasBackground: false, format: 'apng' }));
+    const [own, asked] = [await base64Of(await clip(stage, order)), await base64Of(await clip(remote, order))];
+    return { own: own === ofPage, asked: asked === ofPage };
+  });
 }
 
 /** Cancels a clip after its second frame. */

@@ -52,6 +52,11 @@ test('a WebP has the alpha of the PNG files, and nearly their colours', async ({
   }
 });
 
+test('clip() gives the bytes of the loop of the page', async ({ load }) => {
+  const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.clipped());
+  expect(report).toEqual({ own: true, asked: true, isUntouched: true });
+});
+
 test('without an encoder of WebP the page reports it and suggests APNG', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.withoutWebp());
   expect(report).toEqual({
