@@ -88,7 +88,7 @@ const CONFIG = {
     noUnusedParameters: false,
     paths: { 'cartoon-smoke': ['../../src/index.ts'], 'cartoon-smoke/*': ['../../src/*.ts'] },
   },
-  include: ['.'],
+  include: ['.', '../../src/page/clip/gifenc.d.ts'],
 };
 
 /**

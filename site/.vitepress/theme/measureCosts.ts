@@ -1,4 +1,4 @@
-import { defineComponent, h, nextTick, onBeforeUnmount, onMounted, ref, useId } from 'vue';
+import { defineComponent, h, nextTick, onBeforeUnmount, onMounted, ref, useId, type Ref } from 'vue';
 import { withBase } from 'vitepress';
 import type { CostReport, MeasureCosts } from '../../../src/demo/costs/report.ts';
 import { cellsOf, markdownOf, passesOf } from './costsTable.ts';
@@ -37,7 +37,7 @@ export default defineComponent({
       message.value = 'Loading';
       try {
         await nextTick();
-        const measure = await loadedIn(frame.value!, signal);
+        const measure = await loadedIn(frame, signal);
         const onProgress = (done: number, name: string) => {
           if (signal.aborted) return;
           share.value = done;
@@ -149,7 +149,8 @@ function abortion(signal: AbortSignal): Promise<never> {
 }
 
 /** The function of the page in a frame. @throws Error when the page cannot be loaded; the reason of the signal */
-function loadedIn(frame: HTMLIFrameElement, signal: AbortSignal): Promise<MeasureCosts> {
+function loadedIn(mounted: Ref<HTMLIFrameElement | undefined>, signal: AbortSignal): Promise<MeasureCosts> {
+  const frame = mounted.value!;
   const loading = new Promise<MeasureCosts>((resolve, reject) => {
     frame.addEventListener(
       'load',

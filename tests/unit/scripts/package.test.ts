@@ -14,7 +14,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { publint } from 'publint';
 import { beforeAll, expect, it } from 'vitest';
-import { setAssetUrls } from '../../../src/base/assetUrls.ts';
+import { setAssetUrls } from '../../../src/base/setAssetUrls.ts';
 import { names } from '../../../src/page/element/attributes/names.ts';
 import { CartoonSmokeElement } from '../../../src/page/element/cartoonSmokeElement.ts';
 import { presets } from '../../../src/parameters/words/presets.ts';

@@ -108,12 +108,12 @@ export function still() {
 /** A loop without background, and its first frames as a PNG sequence. */
 export function loop(format: 'gif' | 'apng' | 'webp') {
   return untouched(async () => {
-    const clip = { rate: 12, seconds: 0.5, hasBackground: format === 'gif' } as const;
-    const file = await captured({ ...clip, format });
+    const length = { rate: 12, seconds: 0.5, hasBackground: format === 'gif' } as const;
+    const file = await captured({ ...length, format });
     const { frames, times, loops } = await decoded(file);
     const shown = await pixelsOf(await (await lamp()).picture());
     // The same moments without the transition of the loop back to the first one.
-    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...clip, format: 'zip' }))));
+    const straight = Object.values(unzipSync(await bytesOf(await captured({ ...length, format: 'zip' }))));
     const [first, last] = [await pixelsOfBytes(straight[0]), await pixelsOfBytes(straight.at(-1)!)];
     return {
       frameCount: frames.length,
