@@ -114,8 +114,11 @@ async function ask(parameters) {
   return output.split('\n');
 }
 
+/** A line with the owner of a work, which differs between works with the same licence. */
+const OWNER = /^\s*copyright (\(c\)|©|\[|\d)/i;
+
 /**
- * Repeats no text that an earlier work has in the same words.
+ * Repeats no text that an earlier work has in the same words, apart from the owners.
  * @param {readonly Work[]} works
  */
 function describeAll(works) {
@@ -124,9 +127,15 @@ function describeAll(works) {
   return works.map(({ name, version, license, source, folder }) => {
     const texts = licenceFiles(folder, license).map((file) => {
       const text = readFileSync(join(folder, file), 'utf8').trim();
-      const words = text.replace(/\s+/g, ' ');
+      const lines = text.split('\n');
+      const words = lines
+        .filter((line) => !OWNER.test(line))
+        .join(' ')
+        .replace(/\s+/g, ' ')
+        .trim();
+      const owners = lines.flatMap((line) => (OWNER.test(line) ? line.trim() : []));
       const holder = holders.get(words);
-      if (holder) return `The licence text is the same as that of ${holder}.`;
+      if (holder) return [...owners, `The rest of the licence text is the same as that of ${holder}.`].join('\n');
       holders.set(words, `${name} ${version}`);
       return text;
     });

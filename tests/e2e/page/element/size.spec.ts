@@ -95,6 +95,6 @@ test('of an app that collides with a mesh, a simulator without Rapier beside the
 test('with rigids, with the physics simulator instead of the core', async ({ page, openPage, server }) => {
   await openPage('<cartoon-smoke preset="lamp" simulation-max-particles="300" paused></cartoon-smoke>');
   await stands(page);
-  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 569 }]);
+  judge([{ name: 'embed.physicsKb', kB: fetched(server, (file) => file.endsWith('.wasm')), limit: 569.3 }]);
   expect(server.sent.map(({ file }) => file).join()).not.toContain('core/bindings_bg.wasm');
 });
