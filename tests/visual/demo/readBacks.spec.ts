@@ -16,8 +16,12 @@ const DECISIONS = [
 const READS = /readPixels\(|getImageData\(|readRenderTargetPixels|new PixelReader/;
 /** Files that read the pixels of a file or a picture, but choose nothing else by them. */
 const OTHERS = [
+  // Waits for the GPU.
+  'demo/costs/costScene',
   'demo/draw/import',
   'demo/film/film',
+  // Examines the files of a film, whose browser the command starts.
+  'demo/film/stinger',
   'demo/gallery/ownShape',
   'demo/palette/picture',
   'page/clip/pixelReader',
