@@ -1,6 +1,7 @@
 /** The documentation in a nested folder of a host with a strict Content-Security-Policy. */
 import { fileURLToPath } from 'node:url';
 import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
 import { presets } from '../../src/parameters/presets.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
@@ -18,6 +19,16 @@ test.afterAll(() => server.close());
 // A violation of the policy is an error on the console, which makes a test fail.
 test.use({ serviceWorkers: 'block' });
 
+/** Opens the search, whose button does nothing until the script of the page has run, and types. */
+async function search(page: Page, words: string): Promise<void> {
+  const box = page.getByRole('searchbox');
+  await expect(async () => {
+    if (!(await box.isVisible())) await page.getByRole('button', { name: 'Search' }).click();
+    await expect(box).toBeFocused({ timeout: 5000 });
+  }).toPass();
+  await page.keyboard.type(words);
+}
+
 test('the search finds a section, whose page opens from this host alone', async ({ page }) => {
   const foreign: string[] = [];
   page.on('request', (request) => {
@@ -25,8 +36,7 @@ test('the search finds a section, whose page opens from this host alone', async 
   });
   await page.setViewportSize(DESKTOP);
   await page.goto(`${server.address}docs/design/puffs.html`);
-  await page.getByRole('button', { name: 'Search' }).click();
-  await page.keyboard.type('wasm-unsafe-eval');
+  await search(page, 'wasm-unsafe-eval');
   await page.getByRole('listbox').getByRole('link', { name: 'Content Security Policy' }).first().click();
   await expect(page).toHaveURL(/\/docs\/[\w-]+\.html#content-security-policy$/);
   await expect(page.locator('#content-security-policy')).toBeInViewport();
@@ -136,8 +146,7 @@ test.describe('offline', () => {
       .toBeGreaterThanOrEqual(4);
     await own.close();
     await page.reload();
-    await page.getByRole('button', { name: 'Search' }).click();
-    await page.keyboard.type('nailboard');
+    await search(page, 'nailboard');
     await page.getByRole('listbox').getByRole('link', { name: 'Glossary' }).first().click();
     await expect(page.getByRole('heading', { name: 'Glossary', level: 1 })).toBeVisible();
     await page.reload();
