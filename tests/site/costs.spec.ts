@@ -25,7 +25,7 @@ async function open(page: Page): Promise<void> {
 const start = (page: Page) => page.getByRole('button', { name: 'Measure this machine' });
 const status = (page: Page) => page.locator('.measure-status');
 
-test('a press measures this machine, and gives a table to copy and to download', async ({ page, context }) => {
+test('a press measures this machine, and gives a table to copy and to download @long', async ({ page, context }) => {
   const foreign: string[] = [];
   page.on('request', (request) => {
     if (!/^(blob|data):/.test(request.url()) && !request.url().startsWith(server.address)) foreign.push(request.url());

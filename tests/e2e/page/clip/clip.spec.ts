@@ -149,7 +149,7 @@ for (const format of ['webp', 'gif'] as const) {
   });
 }
 
-test('an element without a box and one that plays give clips, and go on', async ({ page, openPage }) => {
+test('an element without a box and one that plays give clips, and go on @long', async ({ page, openPage }) => {
   const [hidden, playing] = ['id="hidden" loading="eager" paused style="display: none"', 'id="playing"'];
   const elements = [hidden, playing].map((attributes) => `<cartoon-smoke ${SMALL} ${attributes}></cartoon-smoke>`);
   await openPage(elements.join(''), { script: SCRIPT });
