@@ -77,6 +77,8 @@ export default defineConfig<ThemeConfig>({
   lang: 'en',
   // The site works in any folder of any host.
   base: './',
+  // The sidebar has links to all pages: the service worker fetches these when the first page is complete.
+  router: { prefetchLinks: false },
   srcDir: PAGES,
   outDir: OUT,
   cacheDir: join(CACHE, 'vite'),
