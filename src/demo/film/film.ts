@@ -14,6 +14,7 @@ import {
 import { decode, encode, type Decoded } from '../../preset.ts';
 import { drawFlipbook } from '../capture/flipbook.ts';
 import { LayerCamera, type Layer } from '../capture/layers.ts';
+import { rendererName } from '../costs/gpuClock.ts';
 import { strings } from '../strings.ts';
 import { DepthReader } from './depth.ts';
 import { brightest, downsample, nearest } from './downsample.ts';
@@ -96,13 +97,11 @@ async function openShot(order: ShotOrder): Promise<Shot> {
   await stage.complete();
   const link = await encode(decoded.state, decoded.take as Uint8Array<ArrayBuffer> | undefined);
   const start = wipe ? 0 : (environment.time ?? 0);
-  return { stage, canvas, beginning: { renderer: rendererOf(canvas), link, start, last: wipe?.last } };
-}
-
-function rendererOf(canvas: HTMLCanvasElement): string {
-  const context = canvas.getContext('webgl2')!;
-  const debug = context.getExtension('WEBGL_debug_renderer_info');
-  return context.getParameter(debug?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string;
+  return {
+    stage,
+    canvas,
+    beginning: { renderer: rendererName(canvas.getContext('webgl2')!), link, start, last: wipe?.last },
+  };
 }
 
 /** Goes to the start of the link's take. */
