@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { cameraAt } from '../../../src/demo/film/film.ts';
 import { nameOf, type Keyframe } from '../../../src/demo/film/order.ts';
+import { requireWipeOptions } from '../../../src/page/puff/options.ts';
 import { decode } from '../../../src/parameters/codec.ts';
 
 // @ts-expect-error -- a script without declarations
@@ -177,6 +178,19 @@ describe('options', () => {
   ])('a stinger with %j is rejected in one line', (words, message) => {
     expect(() => wiped(...words)).toThrow(message);
     expect(() => wiped(...words)).not.toThrow(/\n/);
+  });
+
+  it.each([0.39, 0.4, 10, 10.01])('a stinger of %d s is accepted as a wipe of the page is', (duration) => {
+    const isAccepted = (call: () => unknown) => {
+      try {
+        return call() !== null;
+      } catch {
+        return false;
+      }
+    };
+    const wipe = isAccepted(() => requireWipeOptions({ to: () => undefined, duration }));
+    expect(isAccepted(() => wiped(String(duration), '--fps', '100'))).toBe(wipe);
+    expect(wipe).toBe(duration === 0.4 || duration === 10);
   });
 
   it('rejects a link without a hash, and needs frames and a folder', () => {
