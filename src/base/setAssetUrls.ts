@@ -1,4 +1,4 @@
-/** Sets the URLs of assetUrls.ts, apart from them because few pages do. */
+/** Sets the URLs of assetUrls.ts. In a module of its own, because few pages call it. */
 import { urls, type AssetUrls } from './assetUrls.ts';
 import { ParameterError, requireOptions } from './errors.ts';
 

@@ -1,4 +1,4 @@
-/** Packs descriptions of rigids for WASM. Apart from rigid.ts, since only variants with rigids load it. */
+/** Packs descriptions of rigids for WASM. In a module of its own, because only variants with rigids load it. */
 import { ParameterError } from '../base/errors.ts';
 import { poseNumbers, requireIndices, type RigidDescription, type RigidPart, type SingleShape } from './rigid.ts';
 

@@ -1,4 +1,4 @@
-/** Apart from the first preset, so that a page with the lightest smoke does not load them. */
+/** In a module of its own, so that a page with the first preset does not load it. */
 import type { Values, Preset } from '../parameter.ts';
 import { curl, smoke } from './wisp.ts';
 
