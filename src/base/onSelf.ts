@@ -25,6 +25,16 @@ export function runOnSelf(object: object, base: object = Object.prototype): void
   }
 }
 
+/** The object itself, given a Proxy of an object for which {@link runOnSelf} was called; otherwise what is given. */
+export function selfOf<T extends object>(given: T): T {
+  const run = (given as { readonly [RUN]?: Run })[RUN];
+  return run ? (run(itself, []) as T) : given;
+}
+
+function itself(this: unknown): unknown {
+  return this;
+}
+
 function onSelf(member: Member): Member {
   return function (this: { readonly [RUN]?: Run }, ...given) {
     const run = this[RUN];

@@ -66,6 +66,8 @@ export default defineComponent({
         isStarted.value = false;
         return;
       }
+      // On a phone, evaluating the script is a long task of its own: a touch must not wait for the smoke's start too.
+      await new Promise((resolve) => setTimeout(resolve));
       if (!frame.value) return;
       smoke = document.createElement('cartoon-smoke') as SmokeElement;
       smoke.setAttribute('loading', 'eager');

@@ -17,6 +17,13 @@ import { isInert, Shell } from './shell/shell.ts';
 /** Importing this module must not fail on a server, where HTMLElement is undefined. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
+/** The properties of the attributes alone: they work on a Proxy without `runOnSelf`, which would wrap each of them. */
+class Reflecting extends Base {
+  static {
+    defineProperties(this.prototype);
+  }
+}
+
 /** Attributes besides the parameters that select the smoke. */
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];
 
@@ -45,7 +52,7 @@ export interface ElementOptions {
  * property. The element has the methods of RemoteStage, which wait for the smoke to be ready. Large resources are
  * fetched when the element comes near the viewport, when a method is called, or at once with `loading="eager"`.
  */
-export class CartoonSmokeElement extends Base {
+export class CartoonSmokeElement extends Reflecting {
   /**
    * Version of the package. With several versions on one page, `customElements.get('cartoon-smoke').version` is the one
    * in use.
@@ -79,7 +86,7 @@ export class CartoonSmokeElement extends Base {
   constructor({ fault }: ElementOptions = {}) {
     super();
     this.#fault = fault;
-    runOnSelf(this, Base.prototype);
+    runOnSelf(this, Reflecting.prototype);
     this.#shell.button.addEventListener('click', (event) => {
       // The element may be inside a link.
       event.preventDefault();
@@ -276,7 +283,6 @@ export class CartoonSmokeElement extends Base {
   }
 
   static {
-    defineProperties(this.prototype);
     for (const name of HANDED_ON) {
       Object.defineProperty(this.prototype, name, {
         configurable: true,

@@ -1,4 +1,5 @@
 import type { PresetName } from '../../../parameters/valueTypes.ts';
+import { selfOf } from '../../../base/onSelf.ts';
 import { names } from './names.ts';
 
 /** Boolean attributes besides the parameters. */
@@ -34,7 +35,10 @@ export interface ElementProperties {
 /** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
 type Given = number | string | boolean | null | undefined;
 
-/** Defines a property on the element class for each attribute. Properties and attributes reflect each other. */
+/**
+ * Defines a property on a class of elements for each attribute. Properties and attributes reflect each other, also on a
+ * Proxy of an element for which `runOnSelf` was called.
+ */
 export function defineProperties(prototype: HTMLElement): void {
   const flags = FLAGS.map((name) => [name, flag(name)]);
   const texts = TEXTS.map((name) => [camelCase(name), parameter(name, true)]);
@@ -63,12 +67,12 @@ function flag(name: string): PropertyDescriptor {
     configurable: true,
     enumerable: true,
     get(this: HTMLElement) {
-      return this.hasAttribute(name);
+      return selfOf(this).hasAttribute(name);
     },
     set(this: HTMLElement, isOn: unknown) {
       // Also notifies of an attribute that is there: the page pauses smoke that the user has started.
-      if (isOn) this.setAttribute(name, '');
-      else this.removeAttribute(name);
+      if (isOn) selfOf(this).setAttribute(name, '');
+      else selfOf(this).removeAttribute(name);
     },
   };
 }
@@ -78,12 +82,12 @@ function parameter(attribute: string, isText: boolean): PropertyDescriptor {
     configurable: true,
     enumerable: true,
     get(this: HTMLElement) {
-      const text = this.getAttribute(attribute);
+      const text = selfOf(this).getAttribute(attribute);
       return text === null ? undefined : isText ? text : Number(text);
     },
     set(this: HTMLElement, value: Given) {
-      if (value === null || value === undefined) this.removeAttribute(attribute);
-      else this.setAttribute(attribute, typeof value === 'boolean' ? String(Number(value)) : String(value));
+      if (value === null || value === undefined) selfOf(this).removeAttribute(attribute);
+      else selfOf(this).setAttribute(attribute, typeof value === 'boolean' ? String(Number(value)) : String(value));
     },
   };
 }
