@@ -10,61 +10,22 @@ import { sourceModule } from '../package/sourceModule.mjs';
 import { findBrowser } from '../setup/browser.mjs';
 import { digestOf } from '../setup/sources.mjs';
 import { PAGES, write } from './documents.mjs';
+import { GROUPS, ITEMS, LEFT_OUT, NEEDED, VALUES } from './pictureValues.mjs';
 
 const CACHE = '.cache/docs/pictures';
 const MODULE = 'tests/visual/demo/parameterPictures.cases.ts';
 const SOURCES = [MODULE, 'shaders', 'src/parameters', 'src/renderer', 'src/scenes', 'src/simulator'];
 const SIZE = { width: 192, height: 128 };
 
-/** Groups that a still picture can show. */
-const GROUPS = ['emission', 'style', 'light', 'puff', 'forces', 'turbulence', 'air'];
-/** What others show, or what only a film shows. */
-const LEFT_OUT = /^(style\.(renderer|volumes|hold|wash|washColor)|puff\.(precision|seed|views)|light\.decay)$/;
-
 /** Shares of the slider for the low and the high value. */
 const LOW = 0.1;
 const HIGH = 0.8;
-
-/**
- * Other values without which a parameter has no effect.
- * @type {readonly (readonly [keys: RegExp, values: Record<string, number | string>])[]}
- */
-const NEEDED = [
-  [/^style\.(shadowDepth|deepShadow)$/, { 'style.shadowSteps': 2 }],
-  [/^style\.gradient(Color|Bottom|Top)$/, { 'style.gradient': 'height' }],
-  [/^style\.pattern[A-Z]/, { 'style.pattern': 'lines', 'style.patternOn': 'both' }],
-  [/^style\.rimColor$/, { 'style.rim': 0.6 }],
-  [/^style\.rampBlend$/, { 'style.ramp': '0:3b2a6b,.4:d9577a,1:fff0c2' }],
-  [/^style\.inkLight$/, { 'light.color': '#ff9a50', 'light.intensity': 2 }],
-  [/^light\.distance$/, { 'light.kind': 'lamp' }],
-  [/^wind\./, { 'forces.wind.x': 0.6 }],
-];
-
-/**
- * Low and high values where those of the slider are more than a picture shows.
- * @type {Readonly<Record<string, readonly [low: number, high: number]>>}
- */
-const ENDS = {
-  'emission.rate': [8, 120],
-  'emission.lifetime': [2, 13],
-  'puff.size': [0.4, 2],
-  'forces.wind.x': [-1.2, 1.2],
-  'forces.wind.y': [-1.2, 1.2],
-  'forces.wind.z': [-1.2, 1.2],
-  'turbulence.speed': [0, 0.6],
-  'buoyancy.acceleration': [0.3, 5],
-  'buoyancy.coolingTime': [0.5, 20],
-  'drag.rate': [0.4, 10],
-  'drag.quadratic': [0, 20],
-  'wind.gusts': [0, 1],
-  'wind.shear': [-0.5, 0.5],
-};
 
 /** Colours that differ from every default. */
 const COLORS = ['#2f6fde', '#d9573a'];
 
 /** @typedef {import('../../src/parameters/words/words.ts').Parameter} Parameter */
-/** @typedef {{ key: string, label: string, values: Record<string, number | string> }} Picture */
+/** @typedef {{ key: string, label: string, values: Record<string, number | string> }} Picture the label is HTML */
 
 /**
  * Writes the page of the pictures, and draws those that are missing.
@@ -104,58 +65,90 @@ outline: 2
 # Parameters in pictures
 
 The lamp after four seconds, with one parameter changed: a low value, the default and a high one, or each choice. Parameters that
-need another have it in all of their pictures. [Parameters](parameters.md) lists all, with their ranges.`;
+need another have it in all of their pictures. Those of lists are shown for one item, such as the first vortex; regions and
+envelopes of all forces work as those of the wind. [Parameters](parameters.md) lists all, with their ranges.`;
 
 async function parameters() {
   /** @type {{ table: Parameter[], groups: { key: string, label: string }[] }} */
   const { table, groups } = await sourceModule('src/parameters/words/table.ts');
-  const shown = table.filter(
-    ({ key, group, kind }) =>
-      GROUPS.includes(group) &&
-      !/\.\d\./.test(key) &&
-      !LEFT_OUT.test(key) &&
-      ['number', 'integer', 'toggle', 'choice', 'color'].includes(kind),
-  );
-  return { shown, groups };
+  const { itemGroups } = await sourceModule('src/parameters/words/lists.ts');
+  const shown = table.filter(({ key, group, kind }) => {
+    const inList = fieldIn(key);
+    if (inList) return inList.values !== undefined;
+    const hasValues = key in VALUES || ['number', 'integer', 'toggle', 'choice', 'color'].includes(kind);
+    return GROUPS.includes(group) && !LEFT_OUT.test(key) && hasValues;
+  });
+  const keys = new Set(table.map(({ key }) => key));
+  const named = [...Object.keys(VALUES), ...Object.entries(ITEMS).flatMap(keysOfItem)];
+  const unknown = named.filter((key) => !keys.has(key));
+  if (unknown.length > 0)
+    throw new Error(`There are values for pictures of ${unknown.join(', ')}, but no such parameters.`);
+  return { shown, groups: [...groups, ...itemGroups] };
+}
+
+/** @param {[list: string, pictured: (typeof ITEMS)[string]]} entry @returns {string[]} keys of parameters */
+function keysOfItem([list, { item, fields }]) {
+  return [...Object.keys(item), ...Object.keys(fields)].map((field) => `${list}.0.${field}`);
+}
+
+/** The first item of a list in a key, and the values of the field; nothing for another key. */
+function fieldIn(/** @type {string} */ key) {
+  const [, list, index, field] = /^(\w+)\.(\d+)\.(.+)$/.exec(key) ?? [];
+  if (list === undefined) return undefined;
+  const { item = {}, fields = {} } = ITEMS[list] ?? {};
+  return { list, item, values: index === '0' ? fields[field] : undefined };
 }
 
 /** @returns {Picture[]} */
 function picturesOf(/** @type {Parameter} */ parameter) {
   const { key } = parameter;
-  const needed = Object.assign({}, ...NEEDED.filter(([keys]) => keys.test(key)).map(([, values]) => values));
-  return valuesOf(parameter).map(([label, value]) => ({ key, label, values: { ...needed, [key]: value } }));
+  const { list, item = {} } = fieldIn(key) ?? {};
+  const ofItem = Object.entries(item).map(([field, value]) => [`${list}.0.${field}`, value]);
+  const needed = NEEDED.filter(([keys]) => keys.test(key)).map(([, values]) => values);
+  const others = Object.assign(Object.fromEntries(ofItem), ...needed);
+  return valuesOf(parameter).map((value) => ({
+    key,
+    label: labelOf(parameter, value),
+    values: { ...others, [key]: value },
+  }));
 }
 
-/** @returns {[label: string, value: number | string][]} */
+/** @returns {readonly (number | string)[]} */
 function valuesOf(/** @type {Parameter} */ parameter) {
-  const { key } = parameter;
+  const given = VALUES[parameter.key] ?? fieldIn(parameter.key)?.values;
+  if (given && given.length > 0) return given;
   switch (parameter.kind) {
     case 'number':
     case 'integer': {
-      const { min, max, unit, default: initial } = parameter;
-      const reach = (/** @type {number} */ share) => at(parameter, share);
-      const [low, high] = ENDS[key] ?? [
-        reach(LOW) < initial ? reach(LOW) : min,
-        reach(HIGH) > initial ? reach(HIGH) : max,
-      ];
-      const values = [...new Set([low, initial, high])];
-      return values.map((value) => [
-        `${value} ${unit}${value === initial ? ', default' : ''}`.replace(' ,', ','),
-        value,
-      ]);
+      const { min, max, default: initial } = parameter;
+      const [low, high] = [at(parameter, LOW), at(parameter, HIGH)];
+      return [...new Set([low < initial ? low : min, initial, high > initial ? high : max])];
     }
     case 'toggle':
-      return [0, 1].map((value) => [`${value ? 'on' : 'off'}${value === parameter.default ? ', default' : ''}`, value]);
+      return [0, 1];
     case 'choice':
-      return parameter.options.map(({ value, label }) => [
-        `${label}${value === parameter.default ? ', default' : ''}`,
-        value,
-      ]);
+      return parameter.options.map(({ value }) => value);
     case 'color':
-      return [parameter.default, ...COLORS].map((value, index) => [`${value}${index === 0 ? ', default' : ''}`, value]);
+      return [parameter.default, ...COLORS];
     default:
       return [];
   }
+}
+
+/** @returns {string} as HTML */
+function labelOf(/** @type {Parameter} */ parameter, /** @type {number | string} */ value) {
+  const named = nameOf(parameter, value);
+  return value === parameter.default ? `${named}, default` : named;
+}
+
+/** @returns {string} as HTML */
+function nameOf(/** @type {Parameter} */ parameter, /** @type {number | string} */ value) {
+  if (parameter.kind === 'toggle') return value ? 'on' : 'off';
+  if (parameter.kind === 'choice')
+    return parameter.options.find((option) => option.value === value)?.label ?? `${value}`;
+  if (parameter.kind === 'color') return `${value}`;
+  if (typeof value === 'string') return value === '' ? 'none' : `<code>${value.replaceAll(',', ',<wbr>')}</code>`;
+  return 'unit' in parameter ? `${value} ${parameter.unit}`.trim() : `${value}`;
 }
 
 /** The value at a share of the slider, rounded to the steps of the panel. @returns {number} */
