@@ -104,6 +104,14 @@ export default defineConfig<ThemeConfig>({
         tokens[at].attrSet('v-pre', '');
         return inlineCode!(tokens, at, ...others);
       };
+      for (const rule of ['th_open', 'td_open']) {
+        md.renderer.rules[rule] = (tokens, at, options, _env, self) => {
+          const token = tokens[at];
+          const [, side] = /^text-align:(\w+)$/.exec(token.attrGet('style') ?? '') ?? [];
+          if (side) token.attrs = [...token.attrs!.filter(([name]) => name !== 'style'), ['class', `aligned-${side}`]];
+          return self.renderToken(tokens, at, options);
+        };
+      }
       const { fence } = md.renderer.rules;
       md.renderer.rules.fence = (tokens, at, options, env: { relativePath: string }, self) => {
         const block = fence!(tokens, at, options, env, self);

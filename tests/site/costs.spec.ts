@@ -1,7 +1,7 @@
 /** The measurement of the visitor's machine in the documentation, in a nested folder with a strict policy. */
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import type { Page } from '@playwright/test';
+import type { Frame, Page } from '@playwright/test';
 import { CASES } from '../../src/demo/costs/cases.ts';
 import { expect, test } from '../support/fixtures.ts';
 import { serveStrictly, type SiteServer } from '../support/plainPage.ts';
@@ -86,6 +86,45 @@ test('a measurement can be cancelled, and started again', async ({ page }) => {
   }
 });
 
+/** Waits for the measurement to begin. @returns its frame */
+async function measuring(page: Page): Promise<Frame> {
+  await open(page);
+  await start(page).click();
+  await expect(status(page)).toContainText('Measuring', { timeout: LONG_MS });
+  return page.frame({ url: /\/costs\.html$/ })!;
+}
+
+test('a hidden page measures nothing, and a visible one continues', async ({ page }) => {
+  const frame = await measuring(page);
+  await frame.evaluate(() => {
+    const { requestAnimationFrame } = window;
+    const state = Object.assign(window, { counted: 0, isHidden: true });
+    window.requestAnimationFrame = (work) => {
+      state.counted++;
+      return requestAnimationFrame(work);
+    };
+    Object.defineProperty(document, 'hidden', { get: () => state.isHidden });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  const frames = () => frame.evaluate(() => Reflect.get(window, 'counted') as number);
+  const name = await status(page).textContent();
+  // Until the work that had begun has ended.
+  await expect(async () => {
+    const before = await frames();
+    await page.evaluate(async () => {
+      for (let left = 60; left > 0; left--) await new Promise(requestAnimationFrame);
+    });
+    expect(await frames()).toBe(before);
+  }).toPass();
+  await expect(status(page)).toHaveText(name!);
+  await frame.evaluate(() => {
+    Object.assign(window, { isHidden: false });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  await expect(status(page)).not.toHaveText(name!);
+  await expect(status(page)).toContainText('Measuring');
+});
+
 const FAILURES = [
   {
     name: 'without WebGL 2',
@@ -108,7 +147,17 @@ const FAILURES = [
 ];
 
 test.describe('failures', () => {
-  test.use({ allowed: /ERR_FAILED/ });
+  test.use({ allowed: /ERR_FAILED|Context Lost|CONTEXT_LOST/ });
+
+  test('with a lost context there is a sentence and no table', async ({ page }) => {
+    const frame = await measuring(page);
+    await frame.evaluate(() =>
+      document.querySelector('canvas')!.getContext('webgl2')!.getExtension('WEBGL_lose_context')!.loseContext(),
+    );
+    await expect(status(page)).toContainText('took the graphics context away');
+    await expect(page.locator('.measure-table, iframe')).toHaveCount(0);
+    await expect(start(page)).toBeEnabled();
+  });
 
   for (const { name, text, prepare } of FAILURES) {
     test(`${name} there is a sentence and no table`, async ({ page }) => {

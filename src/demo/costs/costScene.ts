@@ -156,6 +156,6 @@ export class CostScene {
       mesh.material.dispose();
     }
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    if (!this.renderer.getContext().isContextLost()) this.renderer.forceContextLoss();
   }
 }
