@@ -23,6 +23,7 @@ const STEPS = 60 * LIFETIME;
 const STEPS_AT_ONCE = 10;
 /** Share of the puffs that may be missing: those that ended in the latest step. */
 const MISSING = 0.02;
+const LOST = 'The browser took the graphics context away. Close other pages that draw, and measure again.';
 
 /** Smoke of a case. */
 export interface CostSmoke {
@@ -137,8 +138,9 @@ export class CostScene {
 
   /** @throws the first error of the render loop; an Error unless the case is what its name says */
   check({ case: { name, puffs }, smoke }: CostSmoke): void {
+    // First, because it is the reason of the errors.
+    if (this.renderer.getContext().isContextLost()) throw new Error(LOST);
     if (this.errors.length > 0) throw this.errors[0];
-    if (this.renderer.getContext().isContextLost()) throw new Error('The browser took the graphics context away.');
     const { alive, bodiesDrawn } = smoke.stats;
     if (alive > puffs || alive < (1 - MISSING) * puffs) throw new Error(`${name}: ${alive} puffs are alive.`);
     if (bodiesDrawn < puffs / 50) throw new Error(`${name}: ${bodiesDrawn} puffs are drawn.`);

@@ -22,8 +22,6 @@ const ROUND_MS = 120;
 const SHOWN_FRAMES = 60;
 const SHOWN_MS = 700;
 const TIMED_STEPS = 20;
-const LOST =
-  'The browser took the graphics context away, so the measurement ended. Close other pages that draw, and try again.';
 /** Name of the materials of the scene without smoke. */
 const SCENE = 'scene';
 
@@ -32,29 +30,20 @@ window.measureCosts = async ({ rounds, signal, onProgress }: CostOptions): Promi
   document.body.replaceChildren(canvas);
   const gl = canvas.getContext('webgl2', { stencil: true, antialias: false });
   if (!gl) throw new Error('This browser has no WebGL 2, or it is turned off, so there is nothing to measure.');
-  // The promises of a measurement wait for this signal alone.
-  const stop = new AbortController();
-  signal.addEventListener('abort', () => stop.abort(signal.reason));
-  canvas.addEventListener('webglcontextlost', () => stop.abort(new Error(LOST)));
   const gpu = rendererName(gl);
   const { width, height } = ON_PROCESSOR.test(gpu) ? SMALL : SIZE;
   const scene = new CostScene(canvas, width, height, paint);
   try {
-    const measurement = new Measurement(scene, rounds, stop.signal);
+    const measurement = new Measurement(scene, rounds, signal);
     const all = [BASE, ...CASES];
     onProgress(0, BASE.name);
-    const base = await scene.create(BASE, stop.signal);
+    const base = await scene.create(BASE, signal);
     const cases: CaseCost[] = [];
     for (const [index, each] of all.entries()) {
       onProgress(index / all.length, each.name);
       cases.push(await measurement.measure(base, each));
     }
-    const passes = await measurement.timePasses(base);
-    stop.signal.throwIfAborted();
-    return { gpu, width, height, rounds, cases, passes };
-  } catch (error) {
-    // Without a context, much may fail before the signal is read.
-    throw stop.signal.aborted ? stop.signal.reason : error;
+    return { gpu, width, height, rounds, cases, passes: await measurement.timePasses(base) };
   } finally {
     scene.dispose();
   }
