@@ -52,11 +52,11 @@ export class Notices {
   }
 
   /**
-   * A notice that stays until it is dismissed or removed.
+   * A hint at what one can do, which stays until it is dismissed or removed, and hides while something is drawn.
    * @returns a function that removes it
    */
   explain(message: string, onDismiss: () => void): () => void {
-    const notice = this.add(message, 'notice', onDismiss);
+    const notice = this.add(message, 'notice is-hint', onDismiss);
     return () => notice.remove();
   }
 

@@ -25,6 +25,21 @@ test.describe('at the first visit', () => {
     });
   }
 
+  test('the hint and the tools hide while a flow is drawn, and show again when it is cancelled', async ({ page }) => {
+    await open(page, `?paused=1${LIGHT}`);
+    const hint = page.getByText(/^Drag to turn the view\./);
+    const draw = page.getByRole('button', { name: 'Draw a flow' });
+    await page.getByRole('button', { name: 'Handles' }).click();
+    await expect(hint).toBeVisible();
+    await draw.click();
+    await expect(page.getByText(/^Draw a stroke/)).toBeVisible();
+    await expect(hint).toBeHidden();
+    await expect(draw).toBeHidden();
+    await page.keyboard.press('Escape');
+    await expect(hint).toBeVisible();
+    await expect(draw).toBeFocused();
+  });
+
   test('a scene without an object to move has a hint without one', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     await expect(page.getByText(/^Drag to turn the view\./)).toBeVisible();
