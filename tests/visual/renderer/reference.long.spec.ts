@@ -60,6 +60,11 @@ const MAX_WITHIN: Readonly<Record<string, number>> = {
   'cloudscape-woodcut': 0.0003,
   'cloudscape-riso': 0.0005,
 };
+/**
+ * The word is of 2,600 puffs, each a few pixels wide, so the snapped corners of their boards move a larger share of their
+ * edges: 1.1 to 1.2 % of single, scattered pixels from 1 to 6 s.
+ */
+const MAX_OF_EDGES: Readonly<Record<string, number>> = { teapot: 0.0125 };
 /** Pictures per transfer: a description with all triangles has about one megabyte. */
 const BATCH = 12;
 
@@ -90,7 +95,10 @@ for (const [form, names] of [
       const input = [name, form, OTHER_SECONDS[name] ?? SECONDS] as const;
       const picture = await cases.evaluate((module, given) => module.drawnPreset(...given), input);
       expect(picture.bodies).toBeGreaterThan(FEWEST_OF[name] ?? FEWEST);
-      await expectReference(`${name} of ${form}`, picture, testInfo, { maxWithin: MAX_WITHIN[name] });
+      await expectReference(`${name} of ${form}`, picture, testInfo, {
+        maxWithin: MAX_WITHIN[name],
+        maxOfEdges: MAX_OF_EDGES[name],
+      });
     });
   }
 }
