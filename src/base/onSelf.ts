@@ -25,17 +25,8 @@ export function runOnSelf(object: object, base: object = Object.prototype): void
   }
 }
 
-/** The object itself, given a Proxy of an object for which {@link runOnSelf} was called; otherwise what is given. */
-export function selfOf<T extends object>(given: T): T {
-  const run = (given as { readonly [RUN]?: Run })[RUN];
-  return run ? (run(itself, []) as T) : given;
-}
-
-function itself(this: unknown): unknown {
-  return this;
-}
-
-function onSelf(member: Member): Member {
+/** A function that runs on the object itself when it is called on a Proxy of an object of {@link runOnSelf}. */
+export function onSelf(member: Member): Member {
   return function (this: { readonly [RUN]?: Run }, ...given) {
     const run = this[RUN];
     return run ? run(member, given) : member.apply(this, given);

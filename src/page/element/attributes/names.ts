@@ -20,43 +20,30 @@ export interface Name {
 const LIST_LIMIT = 8;
 
 /** Every parameter, in the order of the table. */
-export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) => {
-  const named = namesOf(fields, list === '');
-  if (list === '') return named;
-  return Array.from({ length: LIST_LIMIT }, (_, index) => named.map((name) => ofItem(name, list, index))).flat();
-});
+export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) =>
+  list === ''
+    ? namesOf('', fields)
+    : Array.from({ length: LIST_LIMIT }, (_, index) => namesOf(`${list}.${index}.`, fields)).flat(),
+);
 
 /** Maps each attribute to its key. */
 export const keyOfAttribute: ReadonlyMap<string, string> = new Map(names.map(({ attribute, key }) => [attribute, key]));
 
-/**
- * @param fields space-separated keys; `$` marks a string, `.xyz` a vector
- * @param isFirst whether a property begins with a field, and not with the name of a list
- */
-function namesOf(fields: string, isFirst: boolean): Name[] {
+/** @param fields space-separated keys; `$` marks a string, `.xyz` a vector */
+function namesOf(prefix: string, fields: string): Name[] {
   return fields.split(' ').flatMap((field) => {
     const isText = field.endsWith('$');
-    const stem = isText ? field.slice(0, -1) : field;
+    const stem = prefix + (isText ? field.slice(0, -1) : field);
     const keys = stem.endsWith('.xyz') ? ['x', 'y', 'z'].map((axis) => stem.slice(0, -3) + axis) : [stem];
-    return keys.map((key) => ({ key, attribute: attributeOf(key), property: propertyOf(key, isFirst), isText }));
+    return keys.map((key) => ({ key, attribute: attributeOf(key), property: camelCase(key), isText }));
   });
-}
-
-/** Pages wait for these names, so the words of a field are not read again for each item. */
-function ofItem({ key, attribute, property, isText }: Name, list: string, index: number): Name {
-  return {
-    key: `${list}.${index}.${key}`,
-    attribute: `${attributeOf(list)}-${index}-${attribute}`,
-    property: `${list}${index}${property}`,
-    isText,
-  };
 }
 
 function attributeOf(key: string): string {
   return key.replaceAll('.', '-').replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
 }
 
-function propertyOf(key: string, isFirst: boolean): string {
-  const parts = key.split('.').map((part, at) => (at === 0 && isFirst ? part : part[0].toUpperCase() + part.slice(1)));
-  return parts.join('');
+/** @param name words separated by dots or hyphens */
+export function camelCase(name: string): string {
+  return name.replace(/[.-](.)/g, (_, letter: string) => letter.toUpperCase());
 }

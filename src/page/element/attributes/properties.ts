@@ -1,6 +1,6 @@
 import type { PresetName } from '../../../parameters/valueTypes.ts';
-import { selfOf } from '../../../base/onSelf.ts';
-import { names } from './names.ts';
+import { onSelf } from '../../../base/onSelf.ts';
+import { camelCase, names } from './names.ts';
 
 /** Boolean attributes besides the parameters. */
 export const FLAGS = ['paused', 'transparent', 'interactive'] as const;
@@ -32,18 +32,27 @@ export interface ElementProperties {
   emitOn: string | undefined;
 }
 
-/** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
-type Given = number | string | boolean | null | undefined;
+/** `null` and `undefined` remove the attribute, so that the preset applies. */
+interface Accessors {
+  get(this: HTMLElement): number | string | boolean | undefined;
+  set(this: HTMLElement, value: unknown): void;
+}
 
 /**
  * Defines a property on a class of elements for each attribute. Properties and attributes reflect each other, also on a
- * Proxy of an element for which `runOnSelf` was called.
+ * Proxy of an element.
  */
 export function defineProperties(prototype: HTMLElement): void {
-  const flags = FLAGS.map((name) => [name, flag(name)]);
-  const texts = TEXTS.map((name) => [camelCase(name), parameter(name, true)]);
-  const parameters = names.map(({ property, attribute, isText }) => [property, parameter(attribute, isText)]);
-  Object.defineProperties(prototype, Object.fromEntries([...flags, ...texts, ...parameters]));
+  const define = (name: string, { get, set }: Accessors) =>
+    Object.defineProperty(prototype, name, {
+      configurable: true,
+      enumerable: true,
+      get: onSelf(get),
+      set: onSelf(set),
+    });
+  for (const name of FLAGS) define(name, flag(name));
+  for (const name of TEXTS) define(camelCase(name), parameter(name, true));
+  for (const { property, attribute, isText } of names) define(property, parameter(attribute, isText));
 }
 
 /**
@@ -58,36 +67,28 @@ export function upgradeProperties(element: HTMLElement): void {
   }
 }
 
-function camelCase(name: string): string {
-  return name.replace(/-(.)/g, (_, letter: string) => letter.toUpperCase());
-}
-
-function flag(name: string): PropertyDescriptor {
+function flag(name: string): Accessors {
   return {
-    configurable: true,
-    enumerable: true,
     get(this: HTMLElement) {
-      return selfOf(this).hasAttribute(name);
+      return this.hasAttribute(name);
     },
     set(this: HTMLElement, isOn: unknown) {
       // Also notifies of an attribute that is there: the page pauses smoke that the user has started.
-      if (isOn) selfOf(this).setAttribute(name, '');
-      else selfOf(this).removeAttribute(name);
+      if (isOn) this.setAttribute(name, '');
+      else this.removeAttribute(name);
     },
   };
 }
 
-function parameter(attribute: string, isText: boolean): PropertyDescriptor {
+function parameter(attribute: string, isText: boolean): Accessors {
   return {
-    configurable: true,
-    enumerable: true,
     get(this: HTMLElement) {
-      const text = selfOf(this).getAttribute(attribute);
+      const text = this.getAttribute(attribute);
       return text === null ? undefined : isText ? text : Number(text);
     },
-    set(this: HTMLElement, value: Given) {
-      if (value === null || value === undefined) selfOf(this).removeAttribute(attribute);
-      else selfOf(this).setAttribute(attribute, typeof value === 'boolean' ? String(Number(value)) : String(value));
+    set(this: HTMLElement, value: unknown) {
+      if (value === null || value === undefined) this.removeAttribute(attribute);
+      else this.setAttribute(attribute, String(typeof value === 'boolean' ? Number(value) : value));
     },
   };
 }
