@@ -13,7 +13,9 @@ test('a PNG is the picture, also larger with the same flat colours, and transpar
 });
 
 for (const format of ['gif', 'apng', 'webp'] as const) {
-  test(`a loop as ${format} has all frames at their times, and has no seam`, async ({ load }) => {
+  test(`a loop as ${format} has all frames at their times, and has no seam${longIf(format !== 'apng')}`, async ({
+    load,
+  }) => {
     const { moves, jump, ...report } = await (
       await load<Cases>(CASES)
     ).evaluate((cases, name) => cases.loop(name), format);
@@ -29,7 +31,7 @@ for (const format of ['gif', 'apng', 'webp'] as const) {
   });
 }
 
-test('an APNG has every byte of the PNG files, alpha included', async ({ load }) => {
+test('an APNG has every byte of the PNG files, alpha included @long', async ({ load }) => {
   const { file, straight } = await (await load<Cases>(CASES)).evaluate((cases) => cases.loop('apng'));
   const { frames, plays, delays } = decodeApng(Buffer.from(file, 'base64'));
   expect([plays, delays]).toEqual([0, Array(6).fill(1 / 12)]);
@@ -41,7 +43,7 @@ test('an APNG has every byte of the PNG files, alpha included', async ({ load })
   for (const count of partial) expect(count).toBeGreaterThan(50);
 });
 
-test('a WebP has the alpha of the PNG files, and nearly their colours', async ({ load }) => {
+test('a WebP has the alpha of the PNG files, and nearly their colours @long', async ({ load }) => {
   const { straight, pixels } = await (await load<Cases>(CASES)).evaluate((cases) => cases.loop('webp'));
   for (const [at, png] of straight.slice(3).entries()) {
     const expected = PNG.sync.read(Buffer.from(png, 'base64')).data;
@@ -152,7 +154,9 @@ for (const [layout, glow] of [
   ['unity', 1],
   ['unreal', 0],
 ] as const) {
-  test(`light maps for ${layout} have light from six sides, and emission ${glow}`, async ({ load }) => {
+  test(`light maps for ${layout} have light from six sides, and emission ${glow}${longIf(layout === 'unreal')}`, async ({
+    load,
+  }) => {
     const report = await (
       await load<Cases>(CASES)
     ).evaluate((cases, given) => cases.lightMaps(...given), [layout, glow] as const);
@@ -193,7 +197,9 @@ test('a drawing of smoke with marks has patterns instead of marks, and is as dar
 });
 
 for (const format of ['zip', 'apng'] as const) {
-  test(`a cancelled ${format} ends at once and does not change the smoke`, async ({ load }) => {
+  test(`a cancelled ${format} ends at once and does not change the smoke${longIf(format === 'zip')}`, async ({
+    load,
+  }) => {
     const report = await (await load<Cases>(CASES)).evaluate((cases, name) => cases.cancelled(name), format);
     expect(report).toEqual({ outcome: 'AbortError', shares: 2, isUntouched: true });
   });
@@ -229,9 +235,7 @@ for (const [what, settings, isWithoutEncoder, rows] of [
     ],
   ],
 ] as const) {
-  test(`a comparison of ${what} has a file or a reason for each${longIf(what.startsWith('those'))}`, async ({
-    load,
-  }) => {
+  test(`a comparison of ${what} has a file or a reason for each${longIf(what !== 'all formats')}`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const report = await cases.evaluate((module, given) => module.compared(...given), [
       settings,

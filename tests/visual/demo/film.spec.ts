@@ -9,7 +9,7 @@ import { PNG } from 'pngjs';
 import { FloatType } from 'three';
 import { EXRLoader } from 'three/examples/jsm/loaders/EXRLoader.js';
 import { decodeApng } from '../../support/files/apng.ts';
-import { expect, longIf, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./film.cases.ts');
 type Posters = typeof import('../page/element/poster.cases.ts');
@@ -110,12 +110,12 @@ test('shards, killed runs and one run write the same files, also from the states
   expect(new Set(Object.values(one)).size, 'no two frames are the same').toBe(32);
 });
 
-for (const [name, hash, isLong] of [
-  ['lamp', HASH, false],
+for (const [name, hash] of [
+  ['lamp', HASH],
   // Its camera, light, colours and letters move.
-  ['title', '#v=1&preset=title', true],
+  ['title', '#v=1&preset=title'],
 ] as const) {
-  test(`${name}: a frame is the picture of the PNG sequence of the page${longIf(isLong)}`, async ({ load }) => {
+  test(`${name}: a frame is the picture of the PNG sequence of the page @long`, async ({ load }) => {
     const link = `?t=2.5${hash}`;
     expect(await film(link, '0-1', 'png', '--scale', '2')).toMatchObject({ status: 0 });
     const [first, second] = [0, 1].map((frame) => pixelsOf(readFileSync(join(folder, `png/frame-00000${frame}.png`))));
@@ -130,7 +130,7 @@ for (const [name, hash, isLong] of [
   });
 }
 
-test('a looped film is the loop of the page, its APNG has every byte of its frames, and its WebP their alpha', async ({
+test('a looped film is the loop of the page, its APNG has every byte of its frames, and its WebP their alpha @long', async ({
   load,
 }) => {
   const cases = await load<Cases>('/tests/visual/demo/film.cases.ts');

@@ -7,7 +7,7 @@ const CASES = '/tests/visual/page/drivers.cases.ts';
 test.use({ ownPage: true });
 
 for (const name of ['scroll', 'pointer', 'audio', 'midi'] as const) {
-  test(`a take replays what ${name} did`, async ({ load, blank }) => {
+  test(`a take replays what ${name} did${longIf(name !== 'scroll')}`, async ({ load, blank }) => {
     const cases = await load<Cases>(CASES);
     // Browsers let sound play after a gesture.
     await blank.mouse.click(5, 5);

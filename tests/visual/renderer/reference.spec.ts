@@ -216,8 +216,8 @@ for (const [what, scenes, reversedDepth] of [
   ['puffs with the marks of a print', PRINTS, false],
   ['the lamp', LAMPS, false],
 ] as const) {
-  const isRare = new Set([LAMPS, MANY, MORE_BOARDS, MORE_COUNTED]).has(scenes);
-  const tag = longIf(reversedDepth || isRare);
+  const isOften = new Set([CLUSTERS, TONES, SHEET]).has(scenes);
+  const tag = longIf(reversedDepth || !isOften);
   test(`${what}: the picture equals the reference${tag}`, async ({ load }, testInfo) => {
     const cases = await load<Cases>(CASES);
     for (const [scene, modes] of scenes) {

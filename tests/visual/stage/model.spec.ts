@@ -1,5 +1,5 @@
 /** Models of GLB files: their surfaces, outlines and shadows, and files that cannot be used. */
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 import { bytesOf, expectGolden } from '../../support/goldens.ts';
 
 type Cases = typeof import('./model.cases.ts');
@@ -12,7 +12,7 @@ test.describe('draws', () => {
     ['sheet', { model: 800, shadow: 100, ink: 60 }],
     ['fan', { model: 800, shadow: 100, ink: 60 }],
   ] as const) {
-    test(`surfaces, shadows and outlines: ${name}`, async ({ load, renderer }) => {
+    test(`surfaces, shadows and outlines: ${name}${longIf(name !== 'turningBox')}`, async ({ load, renderer }) => {
       expect(renderer).toContain('SwiftShader');
       const cases = await load<Cases>(CASES);
       const found = await cases.evaluate((module, file) => module.changes(file), name);

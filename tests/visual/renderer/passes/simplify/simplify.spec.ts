@@ -1,4 +1,4 @@
-import { expect, test } from '../../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../../support/fixtures.ts';
 
 type Cases = typeof import('./simplify.cases.ts');
 const CASES = '/tests/visual/renderer/passes/simplify/simplify.cases.ts';
@@ -89,7 +89,9 @@ for (const [what, style] of [
   ['a gradient without ambient light', { illumination: { direct: [1, 1, 1], ambient: [0, 0, 0] }, ...BY_HEIGHT }],
   ['a gradient to a lighter colour', { smokeColor: [120, 90, 40], tones: 3, fill: 0.5, ...BY_HEIGHT }],
 ] as const) {
-  test(`smoothing does not change the middle of tones, with ${what}`, async ({ load }) => {
+  test(`smoothing does not change the middle of tones, with ${what}${longIf(what.includes('gradient'))}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
     const { largest, pixels } = await cases.evaluate((module, given) => module.inMiddleOfTones(given), style);
     expect.soft(largest).toBeLessThanOrEqual(2);
