@@ -95,8 +95,8 @@ function keysOfItem([list, { item, fields }]) {
 function fieldIn(/** @type {string} */ key) {
   const [, list, index, field] = /^(\w+)\.(\d+)\.(.+)$/.exec(key) ?? [];
   if (list === undefined) return undefined;
-  const { item = {}, fields = {} } = ITEMS[list] ?? {};
-  return { list, item, values: index === '0' ? fields[field] : undefined };
+  const pictured = Object.entries(ITEMS).find(([name]) => name === list)?.[1];
+  return { list, item: pictured?.item ?? {}, values: index === '0' ? pictured?.fields[field] : undefined };
 }
 
 /** @returns {Picture[]} */

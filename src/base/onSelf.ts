@@ -19,16 +19,17 @@ export function runOnSelf(object: object, base: object = Object.prototype): void
     for (const [name, member] of Object.entries(Object.getOwnPropertyDescriptors(at))) {
       if (name === 'constructor') continue;
       for (const part of ['value', 'get', 'set'] as const)
-        if (typeof member[part] === 'function') member[part] = onSelf(member[part] as Member);
+        if (typeof member[part] === 'function') member[part] = onSelf(member[part]);
       Object.defineProperty(at, name, member);
     }
   }
 }
 
 /** A function that runs on the object itself when it is called on a Proxy of an object of {@link runOnSelf}. */
-export function onSelf(member: Member): Member {
-  return function (this: { readonly [RUN]?: Run }, ...given) {
+export function onSelf(given: (this: never, ...given: never[]) => unknown): Member {
+  const member = given as Member;
+  return function (this: { readonly [RUN]?: Run }, ...values) {
     const run = this[RUN];
-    return run ? run(member, given) : member.apply(this, given);
+    return run ? run(member, values) : member.apply(this, values);
   };
 }

@@ -18,11 +18,11 @@ import { isInert, Shell } from './shell/shell.ts';
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
 /** The properties of the attributes alone: they work on a Proxy without `runOnSelf`, which would wrap each of them. */
-class Reflecting extends Base {
+const Reflecting: typeof Base = class extends Base {
   static {
     defineProperties(this.prototype);
   }
-}
+};
 
 /** Attributes besides the parameters that select the smoke. */
 const PARSED_TOGETHER: readonly string[] = ['preset', 'src'];

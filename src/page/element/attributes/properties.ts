@@ -32,10 +32,12 @@ export interface ElementProperties {
   emitOn: string | undefined;
 }
 
-/** `null` and `undefined` remove the attribute, so that the preset applies. */
+/** Value of a property. `null` and `undefined` remove the attribute, so that the preset applies. */
+type Given = number | string | boolean | null | undefined;
+
 interface Accessors {
-  get(this: HTMLElement): number | string | boolean | undefined;
-  set(this: HTMLElement, value: unknown): void;
+  readonly get: (this: HTMLElement) => Given;
+  readonly set: (this: HTMLElement, value: Given) => void;
 }
 
 /**
@@ -86,7 +88,7 @@ function parameter(attribute: string, isText: boolean): Accessors {
       const text = this.getAttribute(attribute);
       return text === null ? undefined : isText ? text : Number(text);
     },
-    set(this: HTMLElement, value: unknown) {
+    set(this: HTMLElement, value: Given) {
       if (value === null || value === undefined) this.removeAttribute(attribute);
       else this.setAttribute(attribute, String(typeof value === 'boolean' ? Number(value) : value));
     },
