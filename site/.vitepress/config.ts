@@ -129,13 +129,21 @@ export default defineConfig<ThemeConfig>({
       { text: 'Examples', link: '/../examples.html', target: '_self' },
     ],
     elementScript: process.env.DOCS_ELEMENT ?? '',
-    sidebar: groups,
+    sidebar: { '/design/': groups, '/': groups.map(withoutPages) },
     outline: { level: [2, 3] },
     search: { provider: 'local' },
     socialLinks: [{ icon: 'github', link: repository }],
     docFooter: { prev: false, next: false },
   },
 });
+
+/**
+ * A link to the first page in place of a closed group: before a page reacts, it has to find each link of its navigation
+ * again.
+ */
+function withoutPages(group: DefaultTheme.SidebarItem): DefaultTheme.SidebarItem {
+  return group.collapsed ? { text: group.text, link: group.items![0].link } : group;
+}
 
 function anchorOf(heading: string): string {
   return heading

@@ -17,14 +17,15 @@ export interface Name {
   readonly isText: boolean;
 }
 
-const LIST_LIMIT = 8;
+/** Of the items of a list. */
+const INDICES = '01234567';
 
 /** Every parameter, in the order of the table. */
-export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) =>
-  list === ''
-    ? namesOf('', fields)
-    : Array.from({ length: LIST_LIMIT }, (_, index) => namesOf(`${list}.${index}.`, fields)).flat(),
-);
+export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) => {
+  // Pages wait for the names, so those of a list are made once for all of its items.
+  const ofItem = JSON.stringify(namesOf(list && `${list}.#.`, fields));
+  return [...(list ? INDICES : '0')].flatMap((index) => JSON.parse(ofItem.replaceAll('#', index)) as Name[]);
+});
 
 /** Maps each attribute to its key. */
 export const keyOfAttribute: ReadonlyMap<string, string> = new Map(names.map(({ attribute, key }) => [attribute, key]));
@@ -33,14 +34,14 @@ export const keyOfAttribute: ReadonlyMap<string, string> = new Map(names.map(({ 
 function namesOf(prefix: string, fields: string): Name[] {
   return fields.split(' ').flatMap((field) => {
     const isText = field.endsWith('$');
-    const stem = prefix + (isText ? field.slice(0, -1) : field);
-    const keys = stem.endsWith('.xyz') ? ['x', 'y', 'z'].map((axis) => stem.slice(0, -3) + axis) : [stem];
+    const stem = prefix + field.replace('$', '');
+    const keys = stem.endsWith('.xyz') ? [...'xyz'].map((axis) => stem.replace('xyz', axis)) : [stem];
     return keys.map((key) => ({ key, attribute: attributeOf(key), property: camelCase(key), isText }));
   });
 }
 
 function attributeOf(key: string): string {
-  return key.replaceAll('.', '-').replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+  return key.replaceAll('.', '-').replace(/[A-Z]/g, '-$&').toLowerCase();
 }
 
 /** @param name words separated by dots or hyphens */
