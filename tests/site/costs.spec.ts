@@ -94,7 +94,7 @@ async function measuring(page: Page): Promise<Frame> {
   return page.frame({ url: /\/costs\.html$/ })!;
 }
 
-test('a hidden page measures nothing, and a visible one continues', async ({ page }) => {
+test('a hidden page measures nothing, and a visible one continues @long', async ({ page }) => {
   const frame = await measuring(page);
   await frame.evaluate(() => {
     const { requestAnimationFrame } = window;

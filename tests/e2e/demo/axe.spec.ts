@@ -94,7 +94,7 @@ test.describe('in forced colours', () => {
   });
 });
 
-test('axe finds nothing on the page about the paper, which draws its puffs', async ({ page }) => {
+test('axe finds nothing on the page about the paper, which draws its puffs @long', async ({ page }) => {
   await page.goto('/paper.html');
   await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   await expectNoFaults(page, 'paper');

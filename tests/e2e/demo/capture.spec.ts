@@ -110,7 +110,7 @@ test('captures are started from the sheet and do not change the smoke', async ({
   });
 });
 
-test('sizes of a clip in all formats stand beside each other before one is saved, by keys', async ({ page }) => {
+test('sizes of a clip in all formats stand beside each other before one is saved, by keys @long', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
   await ask(page, (stage) => stage.step(60));
   const hash = await openSheet(page);

@@ -55,7 +55,7 @@ test('the picture is centred in the space beside the panels', async ({ page }) =
 test.describe('on a phone that rotates', () => {
   test.use({ viewport: { width: 390, height: 664 }, hasTouch: true, isMobile: true });
 
-  test('the gallery closes in a low window, and reopens if it was open', async ({ page }) => {
+  test('the gallery closes in a low window, and reopens if it was open @long', async ({ page }) => {
     await open(page, `?paused=1${LIGHT}`);
     const gallery = page.locator('.gallery');
     const expectWidth = async (width: number) => {

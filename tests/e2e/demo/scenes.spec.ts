@@ -134,7 +134,7 @@ test('D drops an object at the pointer, a link to the moment repeats it, and the
   await expect(help).toContainText('Drag the ball');
 });
 
-test('camera, gallery, address bar and help follow the scene', async ({ page }) => {
+test('camera, gallery, address bar and help follow the scene @long', async ({ page }) => {
   await open(page, `?paused=1#v=1&preset=wisp${LIGHT}`);
   await test.step('the camera is animated until the user moves it, and 0 resumes the animation', async () => {
     const azimuth = () => ask(page, (stage) => stage.camera.azimuth());

@@ -89,7 +89,7 @@ test('a sequence has a PNG with alpha for each frame', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
-test('composited layers equal the picture', async ({ load }) => {
+test('composited layers equal the picture @long', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.sequence(true));
   expect(report.names).toEqual([
     'depth/0001.png',
@@ -102,7 +102,7 @@ test('composited layers equal the picture', async ({ load }) => {
   expect(report.isUntouched).toBe(true);
 });
 
-test('layers follow a timeline of what they change, and composited equal each frame', async ({ load }) => {
+test('layers follow a timeline of what they change, and composited equal each frame @long', async ({ load }) => {
   const { errors, parts, ...report } = await (await load<Cases>(CASES)).evaluate((cases) => cases.animatedLayers());
   for (const error of errors) expect(error).toBeLessThan(1);
   // At the steps 180, 182.5, 185 and 187.5.
@@ -115,7 +115,7 @@ test('layers follow a timeline of what they change, and composited equal each fr
   expect(report).toEqual({ isSame: true, isUntouched: true });
 });
 
-test('composited layers of smoke with marks equal the picture', async ({ load }) => {
+test('composited layers of smoke with marks equal the picture @long', async ({ load }) => {
   const report = await (await load<Cases>(CASES)).evaluate((cases) => cases.printedLayers());
   const layers = ['depth', 'flats', 'ink', 'marks', 'shadow', 'surfaces'];
   expect(report.names).toEqual(layers.map((layer) => `${layer}/0001.png`));

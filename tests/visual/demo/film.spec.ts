@@ -156,7 +156,7 @@ test('a looped film is the loop of the page, its APNG has every byte of its fram
   expect(new Set(frames.map((frame) => frame.toString('base64'))).size, 'no two frames are the same').toBe(6);
 });
 
-test('a stinger covers every pixel at its cut, begins and ends empty, and its matte is true to the smoke', async () => {
+test('a stinger covers every pixel at its cut, begins and ends empty, and its matte is true to the smoke @long', async () => {
   const video = ['--video', join(folder, 'smoke.apng'), '--matte', 'stacked'];
   const shot = ['--stinger', '0.45', '--fps', '12', '--direction', '90', ...SMALL, '--out', join(folder, 'stinger')];
   expect(await command([HASH, ...shot, ...video])).toMatchObject({ status: 0 });

@@ -1,4 +1,4 @@
-import { expect, test } from '../../support/fixtures.ts';
+import { expect, longIf, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./glow.cases.ts');
 const CASES = '/tests/visual/renderer/glow.cases.ts';
@@ -9,7 +9,9 @@ for (const [name, values] of Object.entries({
   'a lamp that fades': { 'light.kind': 'lamp', 'light.decay': 1, 'style.simplify': 0 },
   'a lamp that fades on simplified light': { 'light.kind': 'lamp', 'light.decay': 1 },
 } as const)) {
-  test(`flames that glow keep their colours at night and light dark smoke: ${name}`, async ({ load }) => {
+  test(`flames that glow keep their colours at night and light dark smoke: ${name}${longIf(name !== 'simplified light')}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
     const { flames, smoke, ...found } = await cases.evaluate((module, given) => module.changes(given), values);
     const all = JSON.stringify({ flames, smoke, ...found });

@@ -10,7 +10,7 @@ test('six emitters have looks of their own', async ({ load }, testInfo) => {
   await expectGolden(await bytesOf(picture), { name: 'six-looks', tolerance: 6, outliers: 60 }, testInfo);
 });
 
-test('states, takes and copies of a stage show its looks, and looks like the smoke draw the same pixels', async ({
+test('states, takes and copies of a stage show its looks, and looks like the smoke draw the same pixels @long', async ({
   load,
 }) => {
   const cases = await load<Cases>(CASES);

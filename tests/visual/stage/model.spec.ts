@@ -37,14 +37,14 @@ test.describe('draws', () => {
   });
 });
 
-test('a house with smoke from its chimney is the picture of docs/models.md', async ({ load }, testInfo) => {
+test('a house with smoke from its chimney is the picture of docs/models.md @long', async ({ load }, testInfo) => {
   const cases = await load<Cases>(CASES);
   const picture = await bytesOf(await cases.evaluateHandle((module) => module.housePicture()));
   expect(picture.length).toBeLessThan(75_000);
   await expectGolden(picture, { name: '../../../docs/images/model', tolerance: 8, outliers: 40 }, testInfo);
 });
 
-test('a model stays in copies and other scenes until it is removed', async ({ load }) => {
+test('a model stays in copies and other scenes until it is removed @long', async ({ load }) => {
   const found = await (await load<Cases>(CASES)).evaluate((module) => module.life());
   expect(found.names.slice(-3)).toEqual(['model', 'Top', 'Base']);
   expect(found.played?.animations).toEqual([{ name: 'Turn', seconds: 4 }]);

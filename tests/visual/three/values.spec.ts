@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { encode, type State } from '../../../src/parameters/codec.ts';
 import { presets, presetValues } from '../../../src/parameters/presets.ts';
 import { anyState } from '../../support/anyState.ts';
-import { expect, longIf, test } from '../../support/fixtures.ts';
+import { expect, test } from '../../support/fixtures.ts';
 
 type Cases = typeof import('./values.cases.ts');
 const CASES = '/tests/visual/three/values.cases.ts';
@@ -18,8 +18,7 @@ test('smoke takes the values of each preset and of random states, and what it gi
 });
 
 for (const thread of ['main', 'worker'] as const) {
-  const tag = longIf(thread === 'worker');
-  test(`a stage (${thread}) takes what it gives, for each preset and random states${tag}`, async ({ load }) => {
+  test(`a stage (${thread}) takes what it gives, for each preset and random states @long`, async ({ load }) => {
     const cases = await load<Cases>(CASES);
     const found = await cases.evaluate((module, [given, where]) => module.ofStage(given, where), [
       states,

@@ -70,7 +70,7 @@ test('orbit, pan and zoom are stored in the link, and a second page has the same
   await expect(other.locator('.notice')).toHaveCount(0);
 });
 
-test('a gesture is undone in one step, and presets of a scene keep the view', async ({ page }) => {
+test('a gesture is undone in one step, and presets of a scene keep the view @long', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
   await test.step('a gesture is undone in one step, by mouse, wheel and keys', async () => {
     const gestures = [

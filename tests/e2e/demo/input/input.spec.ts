@@ -56,7 +56,7 @@ test('the mouse drags the ball and orbits the camera, and arrow keys move the ba
   });
 });
 
-test('keys and the mouse blow into the smoke', async ({ page }) => {
+test('keys and the mouse blow into the smoke @long', async ({ page }) => {
   await open(page, `?paused=1${LAMP}`);
   await test.step('B blows into the middle without a pointer and changes the smoke', async () => {
     await ask(page, (stage) => stage.step(60));

@@ -50,7 +50,7 @@ test('taps play, and a finger blows', async ({ page }) => {
   });
 });
 
-test('a finger moves, chooses and resets in the panel', async ({ page }) => {
+test('a finger moves, chooses and resets in the panel @long', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   await openPanel(page);
   await test.step('a finger moves a slider and a curve, undoes, redoes and resets', async () => {

@@ -102,7 +102,7 @@ test('the dial has no hour for a light that is not on its path, and one undo res
   await expectHour(page, '14:00, own light', OWN);
 });
 
-test('the dial darkens a look whose fire glows, relative to the look by day', async ({ page }) => {
+test('the dial darkens a look whose fire glows, relative to the look by day @long', async ({ page }) => {
   await page.setViewportSize({ width: 760, height: 540 });
   await open(page, '?paused=1#v=1&preset=campfire-night');
   await expectHour(page, 'own light', lightIn(presetValues('campfire-night')));

@@ -55,7 +55,7 @@ async function expectAlive(page: Page): Promise<void> {
 test.describe('with all pixels', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('parameters of style, light and camera change the picture', async ({ page }) => {
+  test('parameters of style, light and camera change the picture @long', async ({ page }) => {
     await open(page, `?paused=1&ui=0${SMALL}`);
     await ask(page, (stage) => {
       stage.set({ 'camera.distance': 4.5 });

@@ -97,7 +97,7 @@ test('pictures do so, too, after a question where they have other uses', async (
 test.describe('in full resolution', () => {
   test.use({ deviceScaleFactor: 1 });
 
-  test('a look is chosen with the keyboard as one change, and its picture is the smoke of the page', async ({
+  test('a look is chosen with the keyboard as one change, and its picture is the smoke of the page @long', async ({
     page,
   }) => {
     const fetched: string[] = [];

@@ -92,7 +92,7 @@ test('a mesh replaces the puffs, the link reports that it cannot contain it, and
   await expect(name).toHaveText(/^bar\.gltf, [789]\d % match$/);
 });
 
-test('billboards have the colours and the texture of a mesh', async ({ page }) => {
+test('billboards have the colours and the texture of a mesh @long', async ({ page }) => {
   await open(page, `?paused=1&t=2${LIGHT}&puff.form=billboards`);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
@@ -131,7 +131,7 @@ const BALL_NORMALS = picture('ball-n.png', 64, (x, y) => {
 });
 const BALL_COLORS = picture('ball-c.png', 64, (x, y) => (heightOf(x, y) > 0 ? [255, 0, 0, 255] : [0, 0, 0, 0]));
 
-test('puff sheets are opened as one or two PNGs, and saved without loss', async ({ page }, testInfo) => {
+test('puff sheets are opened as one or two PNGs, and saved without loss @long', async ({ page }, testInfo) => {
   await open(page, `?paused=1&t=2${LIGHT}`);
   await page.keyboard.press('p');
   await page.locator('summary', { hasText: 'Shape of the puffs' }).click();
@@ -204,7 +204,7 @@ test('puff sheets are opened as one or two PNGs, and saved without loss', async 
   await expect(name).toBeHidden();
 });
 
-test('an open or invalid mesh is rejected with a message and the puffs stay, until a mesh is dropped on the page', async ({
+test('an open or invalid mesh is rejected with a message and the puffs stay, until a mesh is dropped on the page @long', async ({
   page,
 }, testInfo) => {
   await open(page, `?paused=1${LIGHT}`);

@@ -58,7 +58,7 @@ async function drag(page: Page, key: string, from: number, to: number, modifier?
   if (modifier) await page.keyboard.up(modifier);
 }
 
-test('by mouse: diamonds beside controls set keyframes, which are dragged, snapped, copied and undone', async ({
+test('by mouse: diamonds beside controls set keyframes, which are dragged, snapped, copied and undone @long', async ({
   page,
 }) => {
   await openTimeline(page, `?paused=1&t=1${LIGHT}`);
@@ -137,7 +137,7 @@ test('by mouse: diamonds beside controls set keyframes, which are dragged, snapp
   });
 });
 
-test('by mouse: a box selects, easings and bursts are edited, and the end is dragged', async ({ page }) => {
+test('by mouse: a box selects, easings and bursts are edited, and the end is dragged @long', async ({ page }) => {
   await openTimeline(page, `?paused=1${LIGHT}&timeline=${encodeURIComponent(LANES)}`);
   await test.step('a box over two lanes', async () => {
     const from = await placeOf(page, 200, laneOf('emission.rate'));
@@ -290,7 +290,7 @@ test('by keyboard: everything, with announcements, without faults and without sh
   });
 });
 
-test('recording makes keyframes of changes, one undo step for a gesture', async ({ page }) => {
+test('recording makes keyframes of changes, one undo step for a gesture @long', async ({ page }) => {
   const messages = await openWithMessages(page);
   await tool(page, 'Record').first().click();
   await expect(said(page)).toHaveText('Recording. Changes of parameters become keyframes.');
@@ -346,7 +346,7 @@ async function openWithMessages(page: Page): Promise<() => Promise<string[]>> {
   return messagesOf(page);
 }
 
-test('a smoke with a timeline shows what it animates, and the search finds the timeline', async ({ page }) => {
+test('a smoke with a timeline shows what it animates, and the search finds the timeline @long', async ({ page }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(request.url()));
   const own = () => fetched.filter((url) => /assets\/panel-[^/]+\.js$/.test(url));

@@ -168,7 +168,7 @@ test('an element without a box and one that plays give clips, and go on @long', 
 test.describe('where the page forbids workers', () => {
   test.use({ allowed: /violates the following Content Security Policy directive: "worker-src 'none'"/ });
 
-  test('the file is the same', async ({ page, openPage }) => {
+  test('the file is the same @long', async ({ page, openPage }) => {
     const started: string[] = [];
     page.on('worker', (worker) => started.push(worker.url()));
     const fileOn = async (headers: Record<string, string>) => {
@@ -245,7 +245,7 @@ test('errors say what is missing', async ({ page, openPage }) => {
   expect(others[1]).toBe('This browser cannot encode WebP. Use the format apng, which every browser shows.');
 });
 
-test('smoke with a model needs its file, and is then the picture of the element', async ({ page, openPage }) => {
+test('smoke with a model needs its file, and is then the picture of the element @long', async ({ page, openPage }) => {
   await openPage(`<cartoon-smoke ${SMALL} thread="worker" paused ${OWN_BOX}></cartoon-smoke>`, { script: SCRIPT });
   await stands(page);
   const plain = await pictureOf(page);

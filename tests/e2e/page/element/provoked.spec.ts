@@ -63,8 +63,7 @@ for (const thread of ['main', 'worker'] as const) {
 }
 
 for (const thread of ['main', 'worker'] as const) {
-  const tag = longIf(thread === 'worker');
-  test(`smoke of a context that is lost for good restarts by its button or by a late restoration: ${thread}${tag}`, async ({
+  test(`smoke of a context that is lost for good restarts by its button or by a late restoration: ${thread} @long`, async ({
     load,
     blank,
   }) => {

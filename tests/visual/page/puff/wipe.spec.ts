@@ -42,7 +42,7 @@ const WIPES = [
 
 for (const [name, [width, height], options] of WIPES) {
   for (const seed of [1, 2]) {
-    test(`a wipe covers every pixel of a page: ${name}, seed ${seed}${longIf(name !== 'wide' || seed > 1)}`, async ({
+    test(`a wipe covers every pixel of a page: ${name}, seed ${seed}${longIf(name !== 'very wide' || seed > 1)}`, async ({
       load,
       blank,
     }) => {

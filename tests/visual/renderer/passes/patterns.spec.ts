@@ -1,4 +1,4 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./patterns.cases.ts');
 const CASES = '/tests/visual/renderer/passes/patterns.cases.ts';
@@ -36,7 +36,9 @@ for (const pattern of KINDS) {
     expect(Math.max(...changes)).toBeLessThan(0.08);
   });
 
-  test(`${pattern} on smoke stay on its surface as the camera orbits, and stand still with it`, async ({ load }) => {
+  test(`${pattern} on smoke stay on its surface as the camera orbits, and stand still with it${longIf(pattern !== 'dots')}`, async ({
+    load,
+  }) => {
     const cases = await load<Cases>(CASES);
     const values = { 'style.pattern': pattern, 'style.patternCoverage': 0.4, 'style.patternOn': 'both' } as const;
     const changes = await cases.evaluate((module, given) => module.orbit('lamp', ...given), [values, TURN] as const);

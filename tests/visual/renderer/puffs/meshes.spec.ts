@@ -54,12 +54,12 @@ for (const [what, names, sides, style, mostCasters, mostInside] of [
   });
 }
 
-test('culling changes no pixel of a dense plume of a sheet', async ({ load }) => {
+test('culling changes no pixel of a dense plume of a sheet @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   expectSame(await cases.evaluate((module) => module.culled(['sheet'], 1)));
 });
 
-test('puffs of a sheet look like the puffs that it was made of', async ({ load }) => {
+test('puffs of a sheet look like the puffs that it was made of @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { covered, different } = await cases.evaluate((module) => module.besideSheet());
   process.stdout.write(`${different} of ${covered} covered pixels differ\n`);
@@ -67,7 +67,9 @@ test('puffs of a sheet look like the puffs that it was made of', async ({ load }
   expect(different).toBeLessThan(0.01 * covered);
 });
 
-test('with eight views, the seeds of puffs select their sides; the simulation does not change', async ({ load }) => {
+test('with eight views, the seeds of puffs select their sides; the simulation does not change @long', async ({
+  load,
+}) => {
   const cases = await load<Cases>(CASES);
   const front = await cases.evaluate((module) => module.sidesShown(1));
   const around = await cases.evaluate((module) => module.sidesShown(8));

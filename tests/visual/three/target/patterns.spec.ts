@@ -1,11 +1,11 @@
-import { expect, test } from '../../../support/fixtures.ts';
+import { expect, longIf, test } from '../../../support/fixtures.ts';
 
 type Cases = typeof import('./patterns.cases.ts');
 const CASES = '/tests/visual/three/target/patterns.cases.ts';
 
 for (const pattern of ['dots', 'lines', 'crosshatch', 'grain'] as const) {
   for (const hasStencil of [true, false]) {
-    test(`${pattern} on smoke and on the host's objects in its shadow ${hasStencil ? 'with' : 'without'} a stencil buffer`, async ({
+    test(`${pattern} on smoke and on the host's objects in its shadow ${hasStencil ? 'with' : 'without'} a stencil buffer${longIf(pattern !== 'dots')}`, async ({
       load,
     }) => {
       const cases = await load<Cases>(CASES);

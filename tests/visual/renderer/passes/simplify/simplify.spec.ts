@@ -7,7 +7,9 @@ const CASES = '/tests/visual/renderer/passes/simplify/simplify.cases.ts';
 const GONE_BELOW = Math.sqrt(2 * Math.LN2);
 const DEVIATION = 6;
 
-test('a patch of shade vanishes below the size that the Gaussian says, and grows out of nothing', async ({ load }) => {
+test('a patch of shade vanishes below the size that the Gaussian says, and grows out of nothing @long', async ({
+  load,
+}) => {
   const cases = await load<Cases>(CASES);
   const radii = [-0.3, -0.2, -0.1, 0, 0.1, 0.3, 0.6, 0.9].map((step) => DEVIATION * (GONE_BELOW + step));
   for (const pixelRatio of [1, 2]) {

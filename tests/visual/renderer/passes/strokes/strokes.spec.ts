@@ -90,7 +90,7 @@ test('a stroke is at least 12 CSS pixels long, or there is none @long', async ({
   }
 });
 
-test('what smoke in front leaves of a stroke is as long, or nothing', async ({ load }) => {
+test('what smoke in front leaves of a stroke is as long, or nothing @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const seed = await cases.evaluate((module) => module.seedWithStroke());
   const whole = await cases.evaluate((module, given) => module.inkOf(1, given, 1), seed);
@@ -136,7 +136,7 @@ test('strokes lie on the shaded side of their lobes', async ({ load }) => {
   expect.soft(shaded / (shaded + lit)).toBeGreaterThan(0.8);
 });
 
-test('more strokes keep those that are there, and none change nothing', async ({ load }) => {
+test('more strokes keep those that are there, and none change nothing @long', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const { ink, lost, atZero } = await cases.evaluate((module) => module.amounts([0.1, 0.3, 0.5, 0.7, 1]));
   expect.soft(atZero).toBe(0);
