@@ -83,6 +83,11 @@ async function parameters() {
   const unknown = named.filter((key) => !keys.has(key));
   if (unknown.length > 0)
     throw new Error(`There are values for pictures of ${unknown.join(', ')}, but no such parameters.`);
+  const outdated = shown.filter((parameter) => !valuesOf(parameter).includes(parameter.default));
+  if (outdated.length > 0)
+    throw new Error(
+      `Pictures of ${outdated.map(({ key }) => key).join(', ')} lack the default: see pictureValues.mjs.`,
+    );
   return { shown, groups: [...groups, ...itemGroups] };
 }
 
