@@ -24,7 +24,7 @@ const INDICES = '01234567';
 export const names: readonly Name[] = Object.entries(listed).flatMap(([list, fields]) => {
   // Pages wait for the names, so those of a list are made once for all of its items.
   const ofItem = JSON.stringify(namesOf(list && `${list}.#.`, fields));
-  return [...(list ? INDICES : '0')].flatMap((index) => JSON.parse(ofItem.replaceAll('#', index)) as Name[]);
+  return (list ? INDICES : '0').split('').flatMap((index) => JSON.parse(ofItem.replaceAll('#', index)) as Name[]);
 });
 
 /** Maps each attribute to its key. */
@@ -35,7 +35,7 @@ function namesOf(prefix: string, fields: string): Name[] {
   return fields.split(' ').flatMap((field) => {
     const isText = field.endsWith('$');
     const stem = prefix + field.replace('$', '');
-    const keys = stem.endsWith('.xyz') ? [...'xyz'].map((axis) => stem.replace('xyz', axis)) : [stem];
+    const keys = stem.endsWith('.xyz') ? 'xyz'.split('').map((axis) => stem.replace('xyz', axis)) : [stem];
     return keys.map((key) => ({ key, attribute: attributeOf(key), property: camelCase(key), isText }));
   });
 }
