@@ -55,7 +55,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       test(`axe finds nothing, and nothing is wider than the window${often ? '' : ' @long'}`, async ({ page }) => {
         for (const name of often
           ? ['element', 'gallery', 'performance']
-          : ['index', 'element', 'method', 'style', 'gallery', 'pictures', 'performance', 'design/performance']) {
+          : ['index', 'element', 'method', 'style', 'gallery', 'performance', 'design/performance']) {
           await page.goto(`${server.address}docs/${name}.html`);
           await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
           const axe = new AxeBuilder({ page }).options({ resultTypes: ['violations'] }).setLegacyMode();
