@@ -46,7 +46,7 @@ test.describe('at the first visit', () => {
   });
 });
 
-test('shortcuts of a single character can be turned off, which lasts @long', async ({ page }) => {
+test('shortcuts of a single character can be turned off, which lasts', async ({ page }) => {
   await open(page, `?paused=1${LIGHT}`);
   const gallery = page.locator('.gallery');
   const toggle = async () => {

@@ -60,7 +60,7 @@ for (const [round, names] of rounds.entries()) {
   });
 }
 
-test('in production none is reported @long', async ({ load }) => {
+test('in production none is reported', async ({ load }) => {
   const cases = await load<Cases>(CASES);
   const lines = await cases.evaluate((module, some) => module.written('production', some), rounds[0]);
   expect(Object.keys(lines)).toEqual(rounds[0]);

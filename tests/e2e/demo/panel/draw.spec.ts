@@ -89,7 +89,7 @@ test('strokes of pointers and keys reach the smoke, and are undone', async ({ pa
   await expectValue(page, 'puff.drawing', '');
 });
 
-test('letters, pictures and SVG files become puffs, and hostile ones request nothing @long', async ({ page }) => {
+test('letters, pictures and SVG files become puffs, and hostile ones request nothing', async ({ page }) => {
   await openSheet(page);
   await sheet(page).getByRole('textbox', { name: 'Text' }).fill('POWER');
   await tool(page, 'Letters').click();

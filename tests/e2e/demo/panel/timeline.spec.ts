@@ -290,7 +290,7 @@ test('by keyboard: everything, with announcements, without faults and without sh
   });
 });
 
-test('recording makes keyframes of changes, one undo step for a gesture @long', async ({ page }) => {
+test('recording makes keyframes of changes, one undo step for a gesture', async ({ page }) => {
   const messages = await openWithMessages(page);
   await tool(page, 'Record').first().click();
   await expect(said(page)).toHaveText('Recording. Changes of parameters become keyframes.');

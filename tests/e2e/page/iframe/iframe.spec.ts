@@ -115,7 +115,7 @@ test('restarts on reconnect after dispose, and notifies the other connections', 
   expect(report).toEqual({ other: 'SimulatorError', steps: 0 });
 });
 
-test('pending and later calls end with an error when the frame is removed, moved or shows another page @long', async ({
+test('pending and later calls end with an error when the frame is removed, moved or shows another page', async ({
   load,
   blank,
   baseURL,

@@ -107,7 +107,7 @@ test('draws smoke around a button, lets clicks through, and leaves nothing behin
   expect(lines).toEqual([]);
 });
 
-test('writes the text of an element, and needs one @long', async ({ page, host }) => {
+test('writes the text of an element, and needs one', async ({ page, host }) => {
   await host();
   const refused = await page.evaluate(async () => {
     const [button, empty] = [document.createElement('button'), document.createElement('button')];

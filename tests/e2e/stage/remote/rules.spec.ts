@@ -143,7 +143,7 @@ test('a device disposed while its context was lost releases the restored context
   expect(isLost).toBe(true);
 });
 
-test('a context lost during the start shows smoke when it is restored @long', async ({ page }) => {
+test('a context lost during the start shows smoke when it is restored', async ({ page }) => {
   await openUnder(page);
   await setTimeouts(page, 'endless');
   const cases = await loadModule<Cases>(page, '/tests/e2e/stage/remote/stage.cases.ts');
