@@ -25,7 +25,7 @@ export function runOnSelf(object: object, base: object = Object.prototype): void
   }
 }
 
-/** A function that runs on the object itself when it is called on a Proxy of an object of {@link runOnSelf}. */
+/** Wraps a member, so that a call on a Proxy runs on the object itself. See {@link runOnSelf}. */
 export function onSelf(given: (this: never, ...given: never[]) => unknown): Member {
   const member = given as Member;
   return function (this: { readonly [RUN]?: Run }, ...values) {

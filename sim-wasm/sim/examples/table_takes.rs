@@ -35,7 +35,7 @@ fn has_rigids(seed: u32) -> bool {
     cfg!(feature = "rigids") && seed % 2 == 1
 }
 
-/// The smallest build has no rare forces, and is to be compared, too.
+/// Takes without rare forces also run in the core build.
 fn has_rare_forces(seed: u32) -> bool {
     !seed.is_multiple_of(4)
 }

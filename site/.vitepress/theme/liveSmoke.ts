@@ -66,7 +66,7 @@ export default defineComponent({
         isStarted.value = false;
         return;
       }
-      // On a phone, evaluating the script is a long task of its own: a touch must not wait for the smoke's start too.
+      // Evaluating the script is a long task on a phone, so the smoke starts in the next one.
       await new Promise((resolve) => setTimeout(resolve));
       if (!frame.value) return;
       smoke = document.createElement('cartoon-smoke') as SmokeElement;

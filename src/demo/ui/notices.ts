@@ -52,7 +52,7 @@ export class Notices {
   }
 
   /**
-   * A hint at what one can do, which stays until it is dismissed or removed, and hides while something is drawn.
+   * A hint. It stays until it is dismissed or removed, and is hidden while a flow is drawn.
    * @returns a function that removes it
    */
   explain(message: string, onDismiss: () => void): () => void {

@@ -17,7 +17,7 @@ import { isInert, Shell } from './shell/shell.ts';
 /** Importing this module must not fail on a server, where HTMLElement is undefined. */
 const Base = globalThis.HTMLElement ?? (Object as unknown as typeof HTMLElement);
 
-/** The properties of the attributes alone: they work on a Proxy without `runOnSelf`, which would wrap each of them. */
+/** Has the properties of the attributes. Their accessors work on a Proxy, so `runOnSelf` need not wrap them. */
 const Reflecting: typeof Base = class extends Base {
   static {
     defineProperties(this.prototype);

@@ -17,7 +17,7 @@ export interface Name {
   readonly isText: boolean;
 }
 
-/** Of the items of a list. */
+/** Indices of the items of a list. */
 const INDICES = '01234567';
 
 /** Every parameter, in the order of the table. */
